@@ -1,0 +1,7 @@
+//! knotproof
+pub mod scalar;
+pub mod spline;
+pub mod cli { 
+    //! x
+    /// x
+    pub fn main() -> std::process::ExitCode { std::process::ExitCode::SUCCESS } }

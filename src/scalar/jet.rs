@@ -1,0 +1,136 @@
+//! Truncated Taylor series: one-sided derivatives of any order by the same lines that give values.
+
+use num_rational::BigRational;
+
+use super::rational::integer;
+use super::ring::{ExactField, RationalAlgebra, Ring};
+
+/// c₀ + c₁ε + … + c_Dε^D modulo ε^(D+1), over any scalar: the jet of order D of a function at a point, with
+/// c_d = f^(d)/d!.
+///
+/// Combining jets of different orders gives the lower order: truncation is a homomorphism. A jet is a unit
+/// if and only if c₀ is one.
+///
+/// ```
+/// use knotproof::scalar::{Jet, RationalAlgebra, Ring, rational};
+///
+/// // 1/x at x = 2: the derivatives are 1/2, −1/4, 1/4.
+/// let x = Jet::variable(rational(2, 1), 2);
+/// let derivatives = x.reciprocal().unwrap().derivatives();
+/// assert_eq!(derivatives, [rational(1, 2), rational(-1, 4), rational(1, 4)]);
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Jet<S> {
+    /// c₀, c₁, …, c_D: never empty.
+    coefficients: Vec<S>,
+}
+
+impl<S: Ring> Jet<S> {
+    /// The jet of a constant function: value + 0ε + … of the given order.
+    #[must_use]
+    pub fn constant(value: S, order: usize) -> Self {
+        let mut coefficients = vec![value.zero(); order + 1];
+        coefficients[0] = value;
+        Self { coefficients }
+    }
+
+    /// The jet of x ↦ x at `point`: point + ε.
+    #[must_use]
+    pub fn variable(point: S, order: usize) -> Self {
+        let one = point.one();
+        let mut jet = Self::constant(point, order);
+        if order >= 1 {
+            jet.coefficients[1] = one;
+        }
+        jet
+    }
+
+    /// D, the highest power of ε that is kept.
+    #[must_use]
+    pub fn order(&self) -> usize {
+        self.coefficients.len() - 1
+    }
+
+    /// c₀, …, c_D.
+    #[must_use]
+    pub fn coefficients(&self) -> &[S] {
+        &self.coefficients
+    }
+
+    fn zip_with(&self, rhs: &Self, operation: impl Fn(&S, &S) -> S) -> Self {
+        let coefficients =
+            self.coefficients.iter().zip(&rhs.coefficients).map(|(a, b)| operation(a, b)).collect();
+        Self { coefficients }
+    }
+}
+
+impl<S: RationalAlgebra> Jet<S> {
+    /// f, f′, …, f^(D) at the point: d!·c_d.
+    #[must_use]
+    pub fn derivatives(&self) -> Vec<S> {
+        let mut factorial = integer(1);
+        self.coefficients
+            .iter()
+            .enumerate()
+            .map(|(d, c)| {
+                if d > 0 {
+                    factorial *= integer(d);
+                }
+                c.times(&c.embed(&factorial))
+            })
+            .collect()
+    }
+}
+
+impl<S: Ring> Ring for Jet<S> {
+    fn zero(&self) -> Self {
+        Self::constant(self.coefficients[0].zero(), self.order())
+    }
+    fn one(&self) -> Self {
+        Self::constant(self.coefficients[0].one(), self.order())
+    }
+    fn plus(&self, rhs: &Self) -> Self {
+        self.zip_with(rhs, S::plus)
+    }
+    fn minus(&self, rhs: &Self) -> Self {
+        self.zip_with(rhs, S::minus)
+    }
+    fn times(&self, rhs: &Self) -> Self {
+        let order = self.order().min(rhs.order());
+        let coefficient = |d: usize| {
+            let terms = (0..=d).map(|a| self.coefficients[a].times(&rhs.coefficients[d - a]));
+            terms.fold(self.coefficients[0].zero(), |sum, term| sum.plus(&term))
+        };
+        Self { coefficients: (0..=order).map(coefficient).collect() }
+    }
+    fn negate(&self) -> Self {
+        Self { coefficients: self.coefficients.iter().map(S::negate).collect() }
+    }
+}
+
+impl<S: RationalAlgebra> RationalAlgebra for Jet<S> {
+    fn embed(&self, value: &BigRational) -> Self {
+        Self::constant(self.coefficients[0].embed(value), self.order())
+    }
+
+    /// From a·b = 1, one coefficient after the other: b_d = −(a₁b_{d−1} + … + a_d b₀)/a₀.
+    fn reciprocal(&self) -> Option<Self> {
+        let inverse = self.coefficients[0].reciprocal()?;
+        let mut coefficients = vec![inverse.clone()];
+        for d in 1..=self.order() {
+            let known = (1..=d).map(|a| self.coefficients[a].times(&coefficients[d - a]));
+            let sum = known.fold(inverse.zero(), |sum, term| sum.plus(&term));
+            coefficients.push(sum.times(&inverse).negate());
+        }
+        Some(Self { coefficients })
+    }
+}
+
+/// A jet over an exact field is as exact as its coefficients, though not a field.
+impl<S: ExactField> Jet<S> {
+    /// The order of vanishing: the least d with c_d ≠ 0; `None` if all kept coefficients are 0.
+    #[must_use]
+    pub fn valuation(&self) -> Option<usize> {
+        self.coefficients.iter().position(|c| !c.is_zero())
+    }
+}

@@ -1,0 +1,25 @@
+//! Floor 1: what the paper's recursion is run over.
+//!
+//! | scalar | structure | a run of the triangle then gives |
+//! |---|---|---|
+//! | [`BigRational`] | exact ordered field | the exact value at a point |
+//! | `f64` | field up to rounding | the value that a CAD program would get |
+//! | [`Jet`] over any scalar | algebra | one-sided derivatives of any order |
+//! | [`Polynomial`] | ring | identities in weights that are polynomials |
+//! | [`RationalFunction`] | exact field | the piece itself: a statement about every x of a span |
+
+pub mod axioms;
+mod float;
+mod jet;
+mod polynomial;
+mod rational;
+mod rational_function;
+mod ring;
+
+pub use float::{exact_value, ulp};
+pub use jet::Jet;
+pub use num_rational::BigRational;
+pub use polynomial::Polynomial;
+pub use rational::{NumberError, height, integer, parse_rational, rational, rationals_between};
+pub use rational_function::RationalFunction;
+pub use ring::{ExactField, Field, OrderedField, RationalAlgebra, Ring};

@@ -1,0 +1,221 @@
+//! Polynomials in one variable.
+
+use super::ring::{Field, Ring};
+
+/// c₀ + c₁u + … + c_n uⁿ with coefficients in a ring.
+///
+/// The list of coefficients is never empty and ends with a non-zero one, unless the polynomial is 0: so
+/// equality of lists is equality of polynomials.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Polynomial<S> {
+    coefficients: Vec<S>,
+}
+
+impl<S: Ring> Polynomial<S> {
+    /// The constant polynomial.
+    #[must_use]
+    pub fn constant(value: S) -> Self {
+        Self { coefficients: vec![value] }
+    }
+
+    /// c₀ + c₁u + …, constant term `first`; trailing zeros are dropped.
+    #[must_use]
+    pub fn new(first: S, rest: impl IntoIterator<Item = S>) -> Self {
+        let mut coefficients = vec![first];
+        coefficients.extend(rest);
+        while coefficients.len() > 1 && coefficients.last().is_some_and(S::is_zero) {
+            coefficients.pop();
+        }
+        Self { coefficients }
+    }
+
+    /// The variable u, in the ring that `like` belongs to.
+    #[must_use]
+    pub fn variable(like: &S) -> Self {
+        Self { coefficients: vec![like.zero(), like.one()] }
+    }
+
+    /// From coefficients of which there is at least one.
+    fn from_coefficients(coefficients: Vec<S>) -> Self {
+        let mut coefficients = coefficients.into_iter();
+        match coefficients.next() {
+            Some(first) => Self::new(first, coefficients),
+            None => unreachable!("a polynomial has at least one coefficient"),
+        }
+    }
+
+    /// c₀, …, c_n.
+    #[must_use]
+    pub fn coefficients(&self) -> &[S] {
+        &self.coefficients
+    }
+
+    /// The degree; 0 for every constant, 0 included.
+    #[must_use]
+    pub fn degree(&self) -> usize {
+        self.coefficients.len() - 1
+    }
+
+    /// c_n ≠ 0, except for the polynomial 0.
+    #[must_use]
+    pub fn leading(&self) -> &S {
+        &self.coefficients[self.degree()]
+    }
+
+    /// The value at u, by Horner's rule.
+    #[must_use]
+    pub fn evaluate(&self, u: &S) -> S {
+        let mut coefficients = self.coefficients.iter().rev();
+        let leading = coefficients.next().map_or_else(|| u.zero(), S::clone);
+        coefficients.fold(leading, |value, c| value.times(u).plus(c))
+    }
+
+    /// d/du.
+    #[must_use]
+    pub fn derivative(&self) -> Self {
+        let one = self.coefficients[0].one();
+        let mut factor = one.zero();
+        let mut derived = Vec::with_capacity(self.coefficients.len());
+        for c in &self.coefficients[1..] {
+            factor = factor.plus(&one);
+            derived.push(c.times(&factor));
+        }
+        if derived.is_empty() {
+            derived.push(one.zero());
+        }
+        Self::from_coefficients(derived)
+    }
+
+    /// u^n p(1/u) for n ≥ deg p: the coefficients in reverse, on n + 1 places.
+    ///
+    /// # Panics
+    /// If n < deg p.
+    #[must_use]
+    pub fn reversed(&self, n: usize) -> Self {
+        assert!(n >= self.degree(), "reversing a polynomial of degree {} on {n} places", self.degree());
+        let zero = self.coefficients[0].zero();
+        let padding = std::iter::repeat_n(zero, n - self.degree());
+        Self::from_coefficients(padding.chain(self.coefficients.iter().rev().cloned()).collect())
+    }
+
+    /// p(factor·u).
+    #[must_use]
+    pub fn scaled_argument(&self, factor: &S) -> Self {
+        let mut power = factor.one();
+        let scale = |c: &S| {
+            let scaled = c.times(&power);
+            power = power.times(factor);
+            scaled
+        };
+        Self::from_coefficients(self.coefficients.iter().map(scale).collect())
+    }
+
+    /// p(u + 1): Taylor shift by additions alone (Pascal's triangle on the coefficients).
+    #[must_use]
+    pub fn shifted_by_one(&self) -> Self {
+        let mut c = self.coefficients.clone();
+        for start in 0..c.len() {
+            for i in (start..c.len() - 1).rev() {
+                c[i] = c[i].plus(&c[i + 1]);
+            }
+        }
+        Self::from_coefficients(c)
+    }
+
+    /// factor·p.
+    #[must_use]
+    pub fn scaled(&self, factor: &S) -> Self {
+        Self::from_coefficients(self.coefficients.iter().map(|c| c.times(factor)).collect())
+    }
+
+    fn zip_with(&self, rhs: &Self, operation: impl Fn(&S, &S) -> S) -> Self {
+        let zero = self.coefficients[0].zero();
+        let length = self.coefficients.len().max(rhs.coefficients.len());
+        let at = |p: &Self, i: usize| p.coefficients.get(i).unwrap_or(&zero).clone();
+        Self::from_coefficients((0..length).map(|i| operation(&at(self, i), &at(rhs, i))).collect())
+    }
+}
+
+impl<S: Ring> Ring for Polynomial<S> {
+    fn zero(&self) -> Self {
+        Self::constant(self.coefficients[0].zero())
+    }
+    fn one(&self) -> Self {
+        Self::constant(self.coefficients[0].one())
+    }
+    fn plus(&self, rhs: &Self) -> Self {
+        self.zip_with(rhs, S::plus)
+    }
+    fn minus(&self, rhs: &Self) -> Self {
+        self.zip_with(rhs, S::minus)
+    }
+    fn times(&self, rhs: &Self) -> Self {
+        let zero = self.coefficients[0].zero();
+        let mut product = vec![zero; self.coefficients.len() + rhs.coefficients.len() - 1];
+        for (i, a) in self.coefficients.iter().enumerate() {
+            for (j, b) in rhs.coefficients.iter().enumerate() {
+                product[i + j] = product[i + j].plus(&a.times(b));
+            }
+        }
+        Self::from_coefficients(product)
+    }
+    fn negate(&self) -> Self {
+        Self { coefficients: self.coefficients.iter().map(S::negate).collect() }
+    }
+    fn is_zero(&self) -> bool {
+        self.coefficients.len() == 1 && self.coefficients[0].is_zero()
+    }
+}
+
+impl<S: Field> Polynomial<S> {
+    /// Quotient and remainder: self = q·divisor + r with r = 0 or deg r < deg divisor. `None` for divisor 0.
+    #[must_use]
+    pub fn divide(&self, divisor: &Self) -> Option<(Self, Self)> {
+        let inverse = divisor.leading().reciprocal()?;
+        let mut remainder = self.coefficients.clone();
+        let mut quotient = Vec::new();
+        while remainder.len() >= divisor.coefficients.len() {
+            let factor = match remainder.last() {
+                Some(leading) => leading.times(&inverse),
+                None => break,
+            };
+            let shift = remainder.len() - divisor.coefficients.len();
+            for (i, c) in divisor.coefficients.iter().enumerate() {
+                remainder[shift + i] = remainder[shift + i].minus(&factor.times(c));
+            }
+            remainder.pop();
+            quotient.push(factor);
+        }
+        quotient.reverse();
+        let or_zero = |list: Vec<S>| {
+            if list.is_empty() { self.zero() } else { Self::from_coefficients(list) }
+        };
+        Some((or_zero(quotient), or_zero(remainder)))
+    }
+
+    /// The monic greatest common divisor, by Euclid's algorithm; 0 only for two zeros.
+    #[must_use]
+    pub fn gcd(&self, rhs: &Self) -> Self {
+        let (mut a, mut b) = (self.monic(), rhs.monic());
+        while let Some((_, remainder)) = a.divide(&b) {
+            (a, b) = (b, remainder.monic());
+        }
+        a
+    }
+
+    /// Divided by the leading coefficient; 0 stays 0.
+    #[must_use]
+    pub fn monic(&self) -> Self {
+        self.leading().reciprocal().map_or_else(|| self.clone(), |inverse| self.scaled(&inverse))
+    }
+
+    /// The product of the distinct irreducible factors, p/gcd(p, p′): the same roots, each simple.
+    #[must_use]
+    pub fn square_free(&self) -> Self {
+        let repeated = self.gcd(&self.derivative());
+        match self.divide(&repeated) {
+            Some((quotient, _)) => quotient,
+            None => self.clone(),
+        }
+    }
+}

@@ -1,0 +1,151 @@
+//! Quotients of polynomials in one variable: the field in which the triangle gives whole pieces.
+
+use num_rational::BigRational;
+
+use super::polynomial::Polynomial;
+use super::ring::{ExactField, Field, RationalAlgebra, Ring};
+
+/// P(u)/Q(u) over an exact field, in lowest terms with Q monic: so `==` is equality of functions, and an
+/// identity that holds here holds at every u where both sides are defined.
+///
+/// ```
+/// use knotproof::scalar::{RationalAlgebra, RationalFunction, Ring, rational};
+///
+/// let u = RationalFunction::variable(&rational(1, 1));
+/// let difference_of_squares = u.times(&u).minus(&u.one());
+/// assert_eq!(difference_of_squares.over(&u.minus(&u.one())), Some(u.plus(&u.one())));
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct RationalFunction<S> {
+    numerator: Polynomial<S>,
+    denominator: Polynomial<S>,
+}
+
+impl<S: ExactField> RationalFunction<S> {
+    /// numerator/denominator, reduced; `None` if the denominator is 0.
+    #[must_use]
+    pub fn new(numerator: &Polynomial<S>, denominator: &Polynomial<S>) -> Option<Self> {
+        let common = numerator.gcd(denominator);
+        let (numerator, _) = numerator.divide(&common)?;
+        let (denominator, _) = denominator.divide(&common)?;
+        let inverse = denominator.leading().reciprocal()?;
+        Some(Self { numerator: numerator.scaled(&inverse), denominator: denominator.scaled(&inverse) })
+    }
+
+    /// The polynomial P as P/1.
+    #[must_use]
+    pub fn from_polynomial(numerator: Polynomial<S>) -> Self {
+        let denominator = numerator.one();
+        Self { numerator, denominator }
+    }
+
+    /// The constant function.
+    #[must_use]
+    pub fn constant(value: S) -> Self {
+        Self::from_polynomial(Polynomial::constant(value))
+    }
+
+    /// The variable u, over the field that `like` belongs to.
+    #[must_use]
+    pub fn variable(like: &S) -> Self {
+        Self::from_polynomial(Polynomial::variable(like))
+    }
+
+    /// P.
+    #[must_use]
+    pub fn numerator(&self) -> &Polynomial<S> {
+        &self.numerator
+    }
+
+    /// Q: monic and without a common factor with P.
+    #[must_use]
+    pub fn denominator(&self) -> &Polynomial<S> {
+        &self.denominator
+    }
+
+    /// The value at u; `None` at a pole.
+    #[must_use]
+    pub fn evaluate(&self, u: &S) -> Option<S> {
+        self.numerator.evaluate(u).over(&self.denominator.evaluate(u))
+    }
+
+    /// The limit for u → ∞; `None` if it is not finite.
+    #[must_use]
+    pub fn at_infinity(&self) -> Option<S> {
+        let (p, q) = (&self.numerator, &self.denominator);
+        match p.degree().cmp(&q.degree()) {
+            std::cmp::Ordering::Less => Some(p.leading().zero()),
+            std::cmp::Ordering::Equal => p.leading().over(q.leading()),
+            std::cmp::Ordering::Greater => None,
+        }
+    }
+
+    /// u ↦ f(1/u).
+    #[must_use]
+    pub fn reciprocal_argument(&self) -> Self {
+        let n = self.numerator.degree().max(self.denominator.degree());
+        self.rebuilt(&self.numerator.reversed(n), &self.denominator.reversed(n))
+    }
+
+    /// u ↦ f(factor·u), for factor ≠ 0.
+    #[must_use]
+    pub fn scaled_argument(&self, factor: &S) -> Self {
+        self.rebuilt(&self.numerator.scaled_argument(factor), &self.denominator.scaled_argument(factor))
+    }
+
+    /// df/du.
+    #[must_use]
+    pub fn derivative(&self) -> Self {
+        let (p, q) = (&self.numerator, &self.denominator);
+        let numerator = p.derivative().times(q).minus(&p.times(&q.derivative()));
+        self.rebuilt(&numerator, &q.times(q))
+    }
+
+    /// A quotient whose denominator comes from a non-zero one by an operation that keeps it so.
+    fn rebuilt(&self, numerator: &Polynomial<S>, denominator: &Polynomial<S>) -> Self {
+        match Self::new(numerator, denominator) {
+            Some(result) => result,
+            None => unreachable!("a product of non-zero polynomials over a field is not zero"),
+        }
+    }
+}
+
+impl<S: ExactField> Ring for RationalFunction<S> {
+    fn zero(&self) -> Self {
+        Self::from_polynomial(self.numerator.zero())
+    }
+    fn one(&self) -> Self {
+        Self::from_polynomial(self.numerator.one())
+    }
+    fn plus(&self, rhs: &Self) -> Self {
+        if self.denominator == rhs.denominator {
+            return self.rebuilt(&self.numerator.plus(&rhs.numerator), &self.denominator);
+        }
+        let numerator = self.numerator.times(&rhs.denominator).plus(&rhs.numerator.times(&self.denominator));
+        self.rebuilt(&numerator, &self.denominator.times(&rhs.denominator))
+    }
+    fn minus(&self, rhs: &Self) -> Self {
+        self.plus(&rhs.negate())
+    }
+    fn times(&self, rhs: &Self) -> Self {
+        self.rebuilt(&self.numerator.times(&rhs.numerator), &self.denominator.times(&rhs.denominator))
+    }
+    fn negate(&self) -> Self {
+        Self { numerator: self.numerator.negate(), denominator: self.denominator.clone() }
+    }
+    fn is_zero(&self) -> bool {
+        self.numerator.is_zero()
+    }
+}
+
+impl<S: ExactField> RationalAlgebra for RationalFunction<S> {
+    fn embed(&self, value: &BigRational) -> Self {
+        Self::constant(self.denominator.leading().embed(value))
+    }
+    fn reciprocal(&self) -> Option<Self> {
+        Self::new(&self.denominator, &self.numerator)
+    }
+}
+
+impl<S: ExactField> Field for RationalFunction<S> {}
+impl<S: ExactField> ExactField for RationalFunction<S> {}

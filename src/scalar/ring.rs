@@ -1,0 +1,80 @@
+//! The structures that the rest of the library asks for, weakest first.
+//!
+//! An algorithm states the weakest one that it needs: the triangle of the paper asks for a [`Ring`], the
+//! weight at a point for a [`RationalAlgebra`], a verdict for an [`ExactField`].
+
+use std::cmp::Ordering;
+use std::fmt::Debug;
+
+use num_rational::BigRational;
+
+/// A commutative ring with 1, as a type of elements.
+///
+/// `zero` and `one` are taken from an element, since a ring may need more than its type to be known (a
+/// [`Jet`](super::Jet) has an order). All operations are total. The laws are checked by
+/// [`axioms::ring`](super::axioms::ring).
+pub trait Ring: Clone + PartialEq + Debug {
+    /// 0 of the ring that `self` belongs to.
+    fn zero(&self) -> Self;
+    /// 1 of the ring that `self` belongs to.
+    fn one(&self) -> Self;
+    /// self + rhs.
+    fn plus(&self, rhs: &Self) -> Self;
+    /// self − rhs.
+    fn minus(&self, rhs: &Self) -> Self;
+    /// self · rhs.
+    fn times(&self, rhs: &Self) -> Self;
+    /// −self.
+    fn negate(&self) -> Self;
+
+    /// Is this the 0 of its ring?
+    fn is_zero(&self) -> bool {
+        *self == self.zero()
+    }
+
+    /// self^exponent, by repeated squaring; self⁰ = 1, also for 0.
+    fn power(&self, exponent: usize) -> Self {
+        let (mut result, mut base, mut left) = (self.one(), self.clone(), exponent);
+        while left > 0 {
+            if left % 2 == 1 {
+                result = result.times(&base);
+            }
+            left /= 2;
+            if left > 0 {
+                base = base.times(&base);
+            }
+        }
+        result
+    }
+}
+
+/// A commutative ring that contains an image of the rational numbers and knows its units.
+pub trait RationalAlgebra: Ring {
+    /// The image of `value` in the ring that `self` belongs to; rounded to nearest where the ring is inexact.
+    fn embed(&self, value: &BigRational) -> Self;
+
+    /// The inverse, if there is one.
+    fn reciprocal(&self) -> Option<Self>;
+
+    /// self / rhs, if `rhs` is a unit.
+    fn over(&self, rhs: &Self) -> Option<Self> {
+        Some(self.times(&rhs.reciprocal()?))
+    }
+}
+
+/// A [`RationalAlgebra`] in which every element except 0 is a unit.
+pub trait Field: RationalAlgebra {}
+
+/// A [`Field`] in which `==` and every operation are those of mathematics: no rounding.
+///
+/// Only such scalars can lead to a verdict. `f64` is a [`Field`] here and never an `ExactField`; the
+/// [crate documentation](crate#floats-cannot-prove) shows that the compiler holds to it.
+pub trait ExactField: Field {}
+
+/// A [`Field`] with an order that agrees with its operations.
+pub trait OrderedField: Field + PartialOrd {
+    /// The sign of self as its comparison with 0; `None` where there is none (a float's NaN).
+    fn sign(&self) -> Option<Ordering> {
+        self.partial_cmp(&self.zero())
+    }
+}

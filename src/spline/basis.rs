@@ -1,0 +1,136 @@
+//! The basis functions G_0^k, …, G_n^k of an index on a knot vector.
+
+use num_rational::BigRational;
+use thiserror::Error;
+
+use crate::scalar::{Jet, RationalAlgebra, integer};
+
+use super::index::Index;
+use super::knots::{KnotVector, Side, Span};
+use super::triangle::{Active, triangle};
+use super::weight::PointWeights;
+
+/// The basis (^αG_i^k), i = 0..n, of degree k and index α on U = (t_0, …, t_m), n = m − k − 1 (D3.3).
+///
+/// ```
+/// use knotproof::scalar::{integer, rational};
+/// use knotproof::spline::{Basis, Index, KnotVector, Side};
+///
+/// let knots = KnotVector::new([0, 0, 0, 1, 1, 1].map(integer).to_vec())?;
+/// let basis = Basis::new(knots, 2, "-1".parse::<Index>()?)?;
+/// // φ = x/(2 − x), so φ(1/2) = 1/3 and the Bernstein values are 4/9, 4/9, 1/9.
+/// let values = basis.values(&rational(1, 2), Side::Right);
+/// assert_eq!(values, [rational(4, 9), rational(4, 9), rational(1, 9)]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct Basis {
+    knots: KnotVector,
+    degree: usize,
+    index: Index,
+}
+
+/// Why a knot vector carries no basis of the degree.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[error("degree {degree} needs at least {needed} knots (m ≥ 2k and n ≥ 0, D3.2), and here are {count}")]
+pub struct BasisError {
+    degree: usize,
+    needed: usize,
+    count: usize,
+}
+
+impl Basis {
+    /// Checks that there are knots enough: m ≥ 2k (D3.2), and at least one function.
+    ///
+    /// The paper's n ≥ k and t_k < t_{m−k} are not asked for: its own U0 has neither in degree 3, and the
+    /// recursion needs neither. Claims that need them say so.
+    ///
+    /// # Errors
+    /// [`BasisError`] with the number of knots that the degree needs.
+    pub fn new(knots: KnotVector, degree: usize, index: Index) -> Result<Self, BasisError> {
+        let count = knots.m() + 1;
+        let needed = degree.saturating_mul(2).max(degree.saturating_add(1)).saturating_add(1);
+        if count < needed {
+            return Err(BasisError { degree, needed, count });
+        }
+        Ok(Self { knots, degree, index })
+    }
+
+    /// U.
+    #[must_use]
+    pub fn knots(&self) -> &KnotVector {
+        &self.knots
+    }
+
+    /// k.
+    #[must_use]
+    pub fn degree(&self) -> usize {
+        self.degree
+    }
+
+    /// α.
+    #[must_use]
+    pub fn index(&self) -> &Index {
+        &self.index
+    }
+
+    /// n, the index of the last function: m − k − 1.
+    #[must_use]
+    pub fn n(&self) -> usize {
+        self.knots.m() - self.degree - 1
+    }
+
+    /// The same knots and degree with another index.
+    #[must_use]
+    pub fn with_index(&self, index: Index) -> Self {
+        Self { index, ..self.clone() }
+    }
+
+    /// [t_i, t_{i+k+1}], outside of which G_i^k is 0.
+    ///
+    /// # Panics
+    /// If i > n.
+    #[must_use]
+    pub fn support(&self, i: usize) -> (&BigRational, &BigRational) {
+        (self.knots.t(i), self.knots.t(i + self.degree + 1))
+    }
+
+    /// [t_k, t_{n+1}], on which the functions add up to 1; `None` if it is a point or less.
+    #[must_use]
+    pub fn base_interval(&self) -> Option<(&BigRational, &BigRational)> {
+        let (a, b) = (self.knots.t(self.degree), self.knots.t(self.n() + 1));
+        (a < b).then_some((a, b))
+    }
+
+    /// The functions that live on the span, at any scalar x of the closed span: a point, a jet, a variable.
+    pub fn active<S: RationalAlgebra>(&self, span: Span, x: &S) -> Active<S> {
+        let weights = PointWeights::new(&self.knots, x.embed(self.index.ratio()), x.clone());
+        triangle(&weights, span, self.degree, self.knots.m())
+    }
+
+    /// G_0^k, …, G_n^k at x as jets of the given order: values and one-sided derivatives.
+    #[must_use]
+    pub fn jets(&self, x: &BigRational, side: Side, order: usize) -> Vec<Jet<BigRational>> {
+        let zero = Jet::constant(integer(0), order);
+        let mut jets = vec![zero; self.n() + 1];
+        if let Some(span) = self.knots.span_at(x, side) {
+            let active = self.active(span, &Jet::variable(x.clone(), order));
+            for (i, jet) in active.iter() {
+                jets[i] = jet.clone();
+            }
+        }
+        jets
+    }
+
+    /// G_0^k(x), …, G_n^k(x), as limits from the given side.
+    #[must_use]
+    pub fn values(&self, x: &BigRational, side: Side) -> Vec<BigRational> {
+        let mut values = vec![integer(0); self.n() + 1];
+        if let Some(span) = self.knots.span_at(x, side) {
+            for (i, value) in self.active(span, x).iter() {
+                values[i] = value.clone();
+            }
+        }
+        values
+    }
+}

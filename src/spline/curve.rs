@@ -1,0 +1,157 @@
+//! Curves (D3.4).
+
+use num_rational::BigRational;
+use thiserror::Error;
+
+use crate::scalar::{Jet, RationalAlgebra, integer};
+
+use super::basis::Basis;
+use super::knots::{Side, Span};
+use super::triangle::{Active, de_boor};
+use super::weight::PointWeights;
+
+/// A point of R^d, 1 ≤ d ≤ 3.
+pub type Point = Vec<BigRational>;
+
+/// The curve G_α(x) = Σ d_i G_i^k(x), x in [t_0, t_m], with control points d_0..d_n in R^d, 1 ≤ d ≤ 3 (D3.4).
+///
+/// ```
+/// use knotproof::scalar::{integer, rational};
+/// use knotproof::spline::{Basis, Curve, Index, KnotVector, Side};
+///
+/// let knots = KnotVector::bernstein(2, &integer(0), &integer(1))?;
+/// let basis = Basis::new(knots, 2, "-1".parse::<Index>()?)?;
+/// let points = [[0, 0], [1, 2], [2, 0]].map(|point| point.map(integer).to_vec());
+/// let curve = Curve::new(basis, points.to_vec())?;
+/// let point = curve.point(&rational(1, 2), Side::Right);
+/// assert_eq!(point, [rational(2, 3), rational(8, 9)]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Curve {
+    basis: Basis,
+    points: Vec<Point>,
+}
+
+/// Why a list of points is no control polygon for a basis.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum CurveError {
+    /// Not n + 1 points.
+    #[error("degree {degree} on {knots} knots takes {needed} control points (n + 1, D3.4), and here are {count}")]
+    Count {
+        /// k.
+        degree: usize,
+        /// m + 1.
+        knots: usize,
+        /// n + 1.
+        needed: usize,
+        /// The number of points given.
+        count: usize,
+    },
+    /// A point outside of R¹, R², R³.
+    #[error("control point {position} has {dimension} coordinates; a curve lives in dimension 1, 2 or 3 (D3.4)")]
+    Dimension {
+        /// The index of the point, from 0.
+        position: usize,
+        /// Its number of coordinates.
+        dimension: usize,
+    },
+    /// Points of different dimensions.
+    #[error("control point {position} has {dimension} coordinates and point 0 has {expected}: all need the same")]
+    Mixed {
+        /// The index of the point, from 0.
+        position: usize,
+        /// Its number of coordinates.
+        dimension: usize,
+        /// The number of coordinates of point 0.
+        expected: usize,
+    },
+}
+
+impl Curve {
+    /// Checks the number of the control points and their dimension.
+    ///
+    /// # Errors
+    /// [`CurveError`], with the position of the first offence.
+    pub fn new(basis: Basis, points: Vec<Point>) -> Result<Self, CurveError> {
+        let needed = basis.n() + 1;
+        if points.len() != needed {
+            let (degree, knots) = (basis.degree(), basis.knots().m() + 1);
+            return Err(CurveError::Count { degree, knots, needed, count: points.len() });
+        }
+        let expected = points[0].len();
+        for (position, point) in points.iter().enumerate() {
+            let dimension = point.len();
+            if !(1..=3).contains(&dimension) {
+                return Err(CurveError::Dimension { position, dimension });
+            }
+            if dimension != expected {
+                return Err(CurveError::Mixed { position, dimension, expected });
+            }
+        }
+        Ok(Self { basis, points })
+    }
+
+    /// The basis.
+    #[must_use]
+    pub fn basis(&self) -> &Basis {
+        &self.basis
+    }
+
+    /// d_0, …, d_n.
+    #[must_use]
+    pub fn points(&self) -> &[Point] {
+        &self.points
+    }
+
+    /// d.
+    #[must_use]
+    pub fn dimension(&self) -> usize {
+        self.points[0].len()
+    }
+
+    /// Σ d_i g_i for functions g_i over any scalar, such as the pieces of the basis on a span.
+    pub fn combine<S: RationalAlgebra>(&self, functions: &Active<S>) -> Vec<S> {
+        let coordinate = |c: usize| {
+            let terms = functions.iter().map(|(i, g)| g.times(&g.embed(&self.points[i][c])));
+            terms.reduce(|sum, term| sum.plus(&term))
+        };
+        (0..self.dimension()).filter_map(coordinate).collect()
+    }
+
+    /// The point of the curve at x, as a limit from the given side: Σ d_i G_i^k(x).
+    #[must_use]
+    pub fn point(&self, x: &BigRational, side: Side) -> Point {
+        match self.basis.knots().span_at(x, side) {
+            Some(span) => self.combine(&self.basis.active(span, x)),
+            None => vec![integer(0); self.dimension()],
+        }
+    }
+
+    /// The coordinates of the curve at x as jets of the given order.
+    #[must_use]
+    pub fn jets(&self, x: &BigRational, side: Side, order: usize) -> Vec<Jet<BigRational>> {
+        match self.basis.knots().span_at(x, side) {
+            Some(span) => self.combine(&self.basis.active(span, &Jet::variable(x.clone(), order))),
+            None => vec![Jet::constant(integer(0), order); self.dimension()],
+        }
+    }
+
+    /// All points d_i^r of de Boor's algorithm at x (T4.1), level by level: the last level is the point of
+    /// the curve. `None` outside of [t_k, t_{n+1}], where the algorithm has too few control points.
+    #[must_use]
+    pub fn de_boor(&self, x: &BigRational, side: Side) -> Option<Vec<Active<Point>>> {
+        let span = self.basis.knots().span_at(x, side)?;
+        let points = self.points.get(self.local(span)?)?;
+        let ratio = self.basis.index().ratio().clone();
+        let weights = PointWeights::new(self.basis.knots(), ratio, x.clone());
+        Some(de_boor(&weights, span, points))
+    }
+
+    /// j − k..=j, for k ≤ j ≤ n.
+    fn local(&self, span: Span) -> Option<std::ops::RangeInclusive<usize>> {
+        let j = span.index();
+        let first = j.checked_sub(self.basis.degree())?;
+        (j <= self.basis.n()).then_some(first..=j)
+    }
+}

@@ -1,0 +1,33 @@
+//! The recursion of D3.3 word for word, all functions of all degrees, zeros included.
+//!
+//! Slow and simple: the test of the [`triangle`](super::triangle()), and what every witness is computed with
+//! once more before it is believed.
+
+use crate::scalar::RationalAlgebra;
+
+use super::basis::Basis;
+use super::knots::Span;
+use super::weight::weight;
+
+/// Entry d, i is G_i^d at x, for 0 ≤ d ≤ k and 0 ≤ i ≤ m − d − 1, where x is a scalar of the closed span (a
+/// point, a jet, or the span coordinate as a variable) and the limit is taken in the span.
+///
+/// G_i^0 is 1 on its own interval and 0 elsewhere; w_i^d is 0 where [t_i, t_{i+d}) does not contain the span.
+pub fn by_definition<S: RationalAlgebra>(basis: &Basis, span: Span, x: &S) -> Vec<Vec<S>> {
+    let (knots, j) = (basis.knots(), span.index());
+    let ratio = x.embed(basis.index().ratio());
+    let w = |i: usize, d: usize| {
+        let inside = i <= j && j < i + d;
+        if inside { weight(&ratio, x, knots.t(i), knots.t(i + d)).0 } else { x.zero() }
+    };
+    let mut table = vec![(0..knots.m()).map(|i| if i == j { x.one() } else { x.zero() }).collect::<Vec<_>>()];
+    for d in 1..=basis.degree() {
+        let lower = &table[d - 1];
+        let function = |i: usize| {
+            let complement = x.one().minus(&w(i + 1, d));
+            w(i, d).times(&lower[i]).plus(&complement.times(&lower[i + 1]))
+        };
+        table.push((0..knots.m() - d).map(function).collect());
+    }
+    table
+}

@@ -1,0 +1,95 @@
+//! The weights of the recursion: D2.3 at a point, and free ones.
+
+use num_rational::BigRational;
+
+use crate::scalar::{RationalAlgebra, Ring};
+
+use super::knots::KnotVector;
+
+/// Where the triangle gets its weights from, on one span.
+pub trait Weights {
+    /// What the triangle is run over.
+    type Scalar: Ring;
+
+    /// 1 of the scalars.
+    fn one(&self) -> Self::Scalar;
+
+    /// (w_i^d, 1 − w_i^d), for an interval [t_i, t_{i+d}] that contains the span.
+    fn pair(&self, i: usize, d: usize) -> (Self::Scalar, Self::Scalar);
+}
+
+/// φ_α(x, a, b) and 1 − φ_α(x, a, b) for x in [a, b], in the form in which nothing cancels:
+///
+/// φ = r(x − a) / (r(x − a) + (b − x)),  1 − φ = (b − x) / (r(x − a) + (b − x)).
+///
+/// x may be any scalar: a point, the jet of one, or the span coordinate as a variable. An interval that is
+/// empty gives φ = 0, by D2.3; so does one whose ends the scalar cannot tell apart.
+pub fn weight<S: RationalAlgebra>(ratio: &S, x: &S, a: &BigRational, b: &BigRational) -> (S, S) {
+    if a < b {
+        let rise = ratio.times(&x.minus(&x.embed(a)));
+        let fall = x.embed(b).minus(x);
+        let total = rise.plus(&fall);
+        if let (Some(w), Some(complement)) = (rise.over(&total), fall.over(&total)) {
+            return (w, complement);
+        }
+    }
+    (x.zero(), x.one())
+}
+
+/// The weights w_i^d(x) = φ_α(x, t_i, t_{i+d}) of D3.3 at an x of the closed span.
+#[derive(Debug, Clone)]
+pub struct PointWeights<'a, S> {
+    knots: &'a KnotVector,
+    ratio: S,
+    x: S,
+}
+
+impl<'a, S: RationalAlgebra> PointWeights<'a, S> {
+    /// The weights at x for the slope ratio `ratio` = α/(α − 1).
+    #[must_use]
+    pub fn new(knots: &'a KnotVector, ratio: S, x: S) -> Self {
+        Self { knots, ratio, x }
+    }
+}
+
+impl<S: RationalAlgebra> Weights for PointWeights<'_, S> {
+    type Scalar = S;
+
+    fn one(&self) -> S {
+        self.x.one()
+    }
+
+    fn pair(&self, i: usize, d: usize) -> (S, S) {
+        weight(&self.ratio, &self.x, self.knots.t(i), self.knots.t(i + d))
+    }
+}
+
+/// Weights given by a formula in i and d, over any ring: what holds for them as indeterminates holds for
+/// every weight function whatever.
+#[derive(Debug, Clone)]
+pub struct FormalWeights<S, F> {
+    one: S,
+    weight: F,
+}
+
+impl<S: Ring, F: Fn(usize, usize) -> S> FormalWeights<S, F> {
+    /// w_i^d = `weight(i, d)`, in the ring that `like` belongs to.
+    #[must_use]
+    pub fn new(like: &S, weight: F) -> Self {
+        Self { one: like.one(), weight }
+    }
+}
+
+impl<S: Ring, F: Fn(usize, usize) -> S> Weights for FormalWeights<S, F> {
+    type Scalar = S;
+
+    fn one(&self) -> S {
+        self.one.clone()
+    }
+
+    fn pair(&self, i: usize, d: usize) -> (S, S) {
+        let weight = (self.weight)(i, d);
+        let complement = self.one.minus(&weight);
+        (weight, complement)
+    }
+}
