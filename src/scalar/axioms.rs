@@ -21,7 +21,12 @@ pub struct BrokenLaw {
     pub right: String,
 }
 
-fn expect<S: PartialEq + std::fmt::Debug>(law: &str, on: &[&S], left: &S, right: &S) -> Result<(), BrokenLaw> {
+fn expect<S: PartialEq + std::fmt::Debug>(
+    law: &str,
+    on: &[&S],
+    left: &S,
+    right: &S,
+) -> Result<(), BrokenLaw> {
     if left == right {
         return Ok(());
     }
@@ -125,7 +130,10 @@ pub fn ordered_field<S: OrderedField>(elements: &[S]) -> Result<(), BrokenLaw> {
                 let broken = BrokenLaw { law, left: "false".into(), right: "true".into() };
                 if holds { Ok(()) } else { Err(broken) }
             };
-            law("exactly one of a < b, a = b, a > b", [a < b, a == b, a > b].iter().filter(|x| **x).count() == 1)?;
+            law(
+                "exactly one of a < b, a = b, a > b",
+                [a < b, a == b, a > b].iter().filter(|x| **x).count() == 1,
+            )?;
             law("a < b ⇔ b − a > 0", (a < b) == positive(&b.minus(a)))?;
             law("a > 0 and b > 0 ⇒ a + b > 0", !(positive(a) && positive(b)) || positive(&a.plus(b)))?;
             law("a > 0 and b > 0 ⇒ a·b > 0", !(positive(a) && positive(b)) || positive(&a.times(b)))?;

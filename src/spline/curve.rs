@@ -37,7 +37,9 @@ pub struct Curve {
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum CurveError {
     /// Not n + 1 points.
-    #[error("degree {degree} on {knots} knots takes {needed} control points (n + 1, D3.4), and here are {count}")]
+    #[error(
+        "degree {degree} on {knots} knots takes {needed} control points (n + 1, D3.4), and here are {count}"
+    )]
     Count {
         /// k.
         degree: usize,
@@ -49,7 +51,9 @@ pub enum CurveError {
         count: usize,
     },
     /// A point outside of R¹, R², R³.
-    #[error("control point {position} has {dimension} coordinates; a curve lives in dimension 1, 2 or 3 (D3.4)")]
+    #[error(
+        "control point {position} has {dimension} coordinates; a curve lives in dimension 1, 2 or 3 (D3.4)"
+    )]
     Dimension {
         /// The index of the point, from 0.
         position: usize,
@@ -57,7 +61,9 @@ pub enum CurveError {
         dimension: usize,
     },
     /// Points of different dimensions.
-    #[error("control point {position} has {dimension} coordinates and point 0 has {expected}: all need the same")]
+    #[error(
+        "control point {position} has {dimension} coordinates and point 0 has {expected}: all need the same"
+    )]
     Mixed {
         /// The index of the point, from 0.
         position: usize,

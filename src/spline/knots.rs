@@ -72,7 +72,9 @@ pub enum KnotError {
         value: BigRational,
     },
     /// t_0 = t_m.
-    #[error("all {count} knots are equal to {value}: there is no interval between them (D3.2 asks for a < b)")]
+    #[error(
+        "all {count} knots are equal to {value}: there is no interval between them (D3.2 asks for a < b)"
+    )]
     AllEqual {
         /// m + 1.
         count: usize,

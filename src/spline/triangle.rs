@@ -95,7 +95,11 @@ pub fn de_boor<W: Weights>(
         let first = level.first + 1;
         let blend = |(i, pair): (usize, &[Vec<W::Scalar>])| {
             let (w, complement) = weights.pair(i, degree - r);
-            pair[1].iter().zip(&pair[0]).map(|(own, left)| w.times(own).plus(&complement.times(left))).collect()
+            pair[1]
+                .iter()
+                .zip(&pair[0])
+                .map(|(own, left)| w.times(own).plus(&complement.times(left)))
+                .collect()
         };
         let values = (first..).zip(level.values.windows(2)).map(blend).collect();
         levels.push(Active { first, values });

@@ -1,0 +1,5 @@
+//! Floor 4: the paper's claims and their verdicts.
+
+mod instances;
+
+pub use instances::{Instance, instances, instances_named};
