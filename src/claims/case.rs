@@ -1,0 +1,313 @@
+//! The cases in which claims are judged: the paper's instances, and small ones in order of size.
+
+use std::sync::OnceLock;
+
+use crate::analysis::Pieces;
+use crate::scalar::{BigRational, Jet, integer, rationals_between};
+use crate::spline::{Basis, Index, KnotVector, Side, Span, by_definition};
+
+use super::hypothesis::{Hypothesis, WeightHypothesis};
+use super::instances::instances;
+use super::verdict::{Stop, Witness, show};
+
+/// Where a case comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Origin {
+    /// The engine's enumeration.
+    Small,
+    /// The paper's illustrations.
+    Paper,
+    /// Whoever runs the program.
+    User,
+}
+
+/// Something that a statement can be judged on.
+pub trait Case: Sync {
+    /// The conditions that a statement about such cases can ask for.
+    type Hypothesis: std::fmt::Display + PartialEq + Send + Sync;
+    /// Where it comes from.
+    fn origin(&self) -> Origin;
+    /// Is the hypothesis true here?
+    fn meets(&self, hypothesis: &Self::Hypothesis) -> bool;
+    /// k, where there is one.
+    fn degree(&self) -> Option<usize>;
+}
+
+/// A basis to judge claims on, with its pieces computed once and when first asked for.
+#[derive(Debug)]
+pub struct BasisCase {
+    basis: Basis,
+    origin: Origin,
+    pieces: OnceLock<Pieces>,
+    conjugate: OnceLock<Pieces>,
+}
+
+impl Case for BasisCase {
+    type Hypothesis = Hypothesis;
+    fn origin(&self) -> Origin {
+        self.origin
+    }
+    fn meets(&self, hypothesis: &Hypothesis) -> bool {
+        hypothesis.holds(&self.basis)
+    }
+    fn degree(&self) -> Option<usize> {
+        Some(self.basis.degree())
+    }
+}
+
+impl BasisCase {
+    /// A case of the given origin.
+    #[must_use]
+    pub fn new(basis: Basis, origin: Origin) -> Self {
+        Self { basis, origin, pieces: OnceLock::new(), conjugate: OnceLock::new() }
+    }
+
+    /// The basis.
+    #[must_use]
+    pub fn basis(&self) -> &Basis {
+        &self.basis
+    }
+
+    /// U.
+    #[must_use]
+    pub fn knots(&self) -> &KnotVector {
+        self.basis.knots()
+    }
+
+    /// k.
+    #[must_use]
+    pub fn k(&self) -> usize {
+        self.basis.degree()
+    }
+
+    /// n.
+    #[must_use]
+    pub fn n(&self) -> usize {
+        self.basis.n()
+    }
+
+    /// The pieces of the basis.
+    pub fn pieces(&self) -> &Pieces {
+        self.pieces.get_or_init(|| Pieces::of(&self.basis))
+    }
+
+    /// The basis of the conjugate index.
+    #[must_use]
+    pub fn conjugate_basis(&self) -> Basis {
+        self.basis.with_index(self.basis.index().conjugate())
+    }
+
+    /// The pieces of the basis of the conjugate index.
+    pub fn conjugate_pieces(&self) -> &Pieces {
+        self.conjugate.get_or_init(|| Pieces::of(&self.conjugate_basis()))
+    }
+
+    /// All G_i^k(x) by the definition, word for word.
+    #[must_use]
+    pub fn values(&self, x: &BigRational, side: Side) -> Vec<BigRational> {
+        definition_values(&self.basis, x, side)
+    }
+
+    /// The values and derivatives of all functions of all degrees, as jets of order 1 by the definition:
+    /// entry d, i is G_i^d. `None` where the limit is taken outside of [t_0, t_m].
+    #[must_use]
+    pub fn jet_table(&self, x: &BigRational, side: Side, order: usize) -> Option<Vec<Vec<Jet<BigRational>>>> {
+        let span = self.knots().span_at(x, side)?;
+        Some(by_definition(&self.basis, span, &Jet::variable(x.clone(), order)))
+    }
+
+    /// A witness in this case; `at` names the place in it.
+    pub(super) fn witness<const N: usize>(
+        &self,
+        at: [(&str, String); N],
+        claimed: String,
+        found: String,
+    ) -> Witness {
+        let knots: Vec<_> = self.knots().knots().iter().map(show).collect();
+        let mut given = vec![
+            ("k".to_owned(), self.k().to_string()),
+            ("U".to_owned(), self.knots().to_string()),
+            ("α".to_owned(), self.basis.index().to_string()),
+        ];
+        given.extend(at.iter().map(|(name, value)| ((*name).to_owned(), value.clone())));
+        let x = at.iter().find(|(name, _)| *name == "x").map(|(_, x)| {
+            let (degree, list, alpha) = (self.k(), knots.join(","), self.basis.index());
+            format!("knotproof eval --degree {degree} --knots {list} --alpha {alpha} --x {x} --derivatives 1")
+        });
+        Witness { given, claimed, found, reproduce: x }
+    }
+
+    /// The claim is false in this case, at the given place.
+    pub(super) fn refuted<const N: usize>(
+        &self,
+        at: [(&str, String); N],
+        claimed: String,
+        found: String,
+    ) -> Stop {
+        Stop::Refuted(Box::new(self.witness(at, claimed, found)))
+    }
+
+    /// Turns "false somewhere on this span", as the pieces say, into a witness at one point, which `test`
+    /// computes by the definition: first at the knot t_j, then at simple numbers between t_j and t_{j+1}.
+    pub(super) fn locate(&self, span: Span, test: impl Fn(&BigRational) -> Option<Witness>) -> Stop {
+        /// A rational function has few zeros: more places than that are never needed.
+        const PLACES: usize = 1000;
+        let (start, end) = self.knots().ends(span);
+        let places = std::iter::once(start.clone()).chain(rationals_between(start, end));
+        match places.take(PLACES).find_map(|x| test(&x)) {
+            Some(witness) => Stop::Refuted(Box::new(witness)),
+            None => Stop::Fault(format!(
+                "the pieces on [{start}, {end}) of k = {}, U = {}, α = {} fail a claim that holds at {PLACES} points",
+                self.k(),
+                self.knots(),
+                self.basis.index()
+            )),
+        }
+    }
+}
+
+/// G_0^k(x), …, G_n^k(x) by the definition, as limits from the side.
+pub(super) fn definition_values(basis: &Basis, x: &BigRational, side: Side) -> Vec<BigRational> {
+    let table = basis.knots().span_at(x, side).map(|span| by_definition(basis, span, x));
+    let top = table.and_then(|mut table| table.pop());
+    top.unwrap_or_else(|| vec![integer(0); basis.n() + 1])
+}
+
+/// An interval [a, b] and an index, to judge statements about the weight on.
+#[derive(Debug, Clone)]
+pub struct WeightCase {
+    /// a.
+    pub a: BigRational,
+    /// b.
+    pub b: BigRational,
+    /// α.
+    pub index: Index,
+    origin: Origin,
+}
+
+impl Case for WeightCase {
+    type Hypothesis = WeightHypothesis;
+    fn origin(&self) -> Origin {
+        self.origin
+    }
+    fn meets(&self, hypothesis: &WeightHypothesis) -> bool {
+        match hypothesis {
+            WeightHypothesis::FiniteIndex => !self.index.is_infinite(),
+            WeightHypothesis::Proper => self.a < self.b,
+        }
+    }
+    fn degree(&self) -> Option<usize> {
+        None
+    }
+}
+
+/// All cases of a run.
+#[derive(Debug)]
+pub struct Cases {
+    /// Bases by size: small ones, then the paper's.
+    pub bases: Vec<BasisCase>,
+    /// Intervals for the weight: small ones, then the paper's.
+    pub weights: Vec<WeightCase>,
+}
+
+impl Cases {
+    /// The cases on which a report rests: [`small_bases`], and every basis of the paper's instances once.
+    #[must_use]
+    pub fn all() -> Self {
+        let mut bases: Vec<_> =
+            small_bases().into_iter().map(|basis| BasisCase::new(basis, Origin::Small)).collect();
+        let mut seen = std::collections::HashSet::new();
+        for instance in instances() {
+            for index in &instance.indices {
+                let basis = Basis::new(instance.knots.clone(), instance.degree, index.clone());
+                let Ok(basis) = basis else { unreachable!("a test builds every instance") };
+                if seen.insert(basis.clone()) {
+                    bases.push(BasisCase::new(basis, Origin::Paper));
+                }
+            }
+        }
+        Self { bases, weights: weight_cases() }
+    }
+}
+
+/// Indices of small height: conjugate pairs on both sides, then the classical one.
+fn small_indices() -> Vec<Index> {
+    let Ok(indices) = ["-1", "2", "-2", "3", "inf"].into_iter().map(str::parse).collect() else {
+        unreachable!("none of these lies in [0, 1]")
+    };
+    indices
+}
+
+/// Bases in order of size: by degree, by the number of knots, by length, by gaps; then by index.
+///
+/// Knots are integers from 0 with gaps 0, 1 or 2 (only 0 or 1 in the larger sets), all multiplicities, open and
+/// not, with n ≥ k and t_k < t_{m−k} as the paper's statements ask (D3.2, D3.3). Beyond the first sets only
+/// one conjugate pair of indices and ∞ is taken.
+fn small_bases() -> Vec<Basis> {
+    /// Degree, least and greatest m, greatest gap, number of indices from the front, ∞ counted apart.
+    const SETS: [(usize, std::ops::RangeInclusive<usize>, usize, usize); 6] = [
+        (1, 3..=4, 2, 4),
+        (1, 5..=5, 2, 2),
+        (2, 5..=5, 2, 4),
+        (2, 6..=7, 1, 2),
+        (3, 7..=7, 1, 2),
+        (3, 8..=9, 1, 1),
+    ];
+    let indices = small_indices();
+    let mut bases = Vec::new();
+    for (k, sizes, greatest_gap, count) in SETS {
+        for m in sizes {
+            let mut vectors: Vec<Vec<usize>> = Vec::new();
+            for code in 0..(greatest_gap + 1).pow(u32::try_from(m).unwrap_or(u32::MAX)) {
+                let digits = (0..m).scan(code, |rest, _| {
+                    let digit = *rest % (greatest_gap + 1);
+                    *rest /= greatest_gap + 1;
+                    Some(digit)
+                });
+                let mut knots = vec![0];
+                knots.extend(digits.scan(0, |t, gap| {
+                    *t += gap;
+                    Some(*t)
+                }));
+                if knots[k] < knots[m - k] {
+                    vectors.push(knots);
+                }
+            }
+            vectors.sort_by_key(|knots| (knots[m], knots.clone()));
+            for knots in vectors {
+                let Ok(knots) = KnotVector::new(knots.into_iter().map(integer).collect()) else {
+                    unreachable!("the knots rise")
+                };
+                let (finite, infinite) = indices.split_at(indices.len() - 1);
+                for index in finite.iter().take(count).chain(infinite) {
+                    let Ok(basis) = Basis::new(knots.clone(), k, index.clone()) else {
+                        unreachable!("m ≥ 2k + 1")
+                    };
+                    bases.push(basis);
+                }
+            }
+        }
+    }
+    bases
+}
+
+/// Intervals of small integers, empty and reversed ones included, with small indices; then those of Fig. 1
+/// to 3 with the indices shown there.
+fn weight_cases() -> Vec<WeightCase> {
+    let small = [(0, 1), (0, 0), (1, 0), (0, 2), (1, 2), (-1, 1), (1, 3)];
+    let shown: [(i64, i64, &[&str]); 2] =
+        [(0, 1, &["-1/3", "-1", "-4", "inf", "4/3", "2", "5"]), (1, 3, &["-1/3", "-1", "-4", "inf", "4/3", "2", "5"])];
+    let mut cases = Vec::new();
+    let number = |n: i64| BigRational::from_integer(n.into());
+    for (a, b) in small {
+        for index in small_indices() {
+            cases.push(WeightCase { a: number(a), b: number(b), index, origin: Origin::Small });
+        }
+    }
+    for (a, b, indices) in shown {
+        for index in indices.iter().filter_map(|text| text.parse().ok()) {
+            cases.push(WeightCase { a: number(a), b: number(b), index, origin: Origin::Paper });
+        }
+    }
+    cases
+}

@@ -1,0 +1,89 @@
+//! Hypotheses of the paper's statements, as data.
+
+use crate::spline::Basis;
+
+/// A condition on a knot vector, a degree and an index.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Hypothesis {
+    /// α ≠ ∞.
+    FiniteIndex,
+    /// k ≥ the number.
+    DegreeAtLeast(usize),
+    /// k ≤ the number.
+    DegreeAtMost(usize),
+    /// U is open (D3.2).
+    Open,
+    /// U is symmetric (D3.2).
+    Symmetric,
+    /// Open, with no interior knot: n = k, m = 2k + 1 (P3.3).
+    Bernstein,
+    /// Every knot has multiplicity 1.
+    SimpleKnots,
+    /// Every interior knot t_{k+1}, …, t_{m−k−1} has multiplicity at most k.
+    InteriorMultiplicityAtMostDegree,
+    /// No knot inside (t_0, t_m) has multiplicity greater than k.
+    InnerMultiplicityAtMostDegree,
+    /// t_k < t_{k+1}: the first knot of an open vector occurs only k + 1 times.
+    FirstSpan,
+    /// t_n < t_{n+1}: the last knot of an open vector occurs only k + 1 times.
+    LastSpan,
+}
+
+impl Hypothesis {
+    /// Does it hold?
+    #[must_use]
+    pub fn holds(self, basis: &Basis) -> bool {
+        let (knots, k, n) = (basis.knots(), basis.degree(), basis.n());
+        match self {
+            Self::FiniteIndex => !basis.index().is_infinite(),
+            Self::DegreeAtLeast(least) => k >= least,
+            Self::DegreeAtMost(most) => k <= most,
+            Self::Open => knots.is_open(k),
+            Self::Symmetric => knots.is_symmetric(),
+            Self::Bernstein => knots.is_open(k) && knots.m() == 2 * k + 1,
+            Self::SimpleKnots => knots.stop_knots().all(|(_, p)| p == 1),
+            Self::InteriorMultiplicityAtMostDegree => {
+                knots.interior(k).iter().all(|t| knots.multiplicity(t) <= k)
+            }
+            Self::InnerMultiplicityAtMostDegree => knots.inner_stop_knots().all(|(_, p)| p <= k),
+            Self::FirstSpan => knots.t(k) < knots.t(k + 1),
+            Self::LastSpan => knots.t(n) < knots.t(n + 1),
+        }
+    }
+}
+
+impl std::fmt::Display for Hypothesis {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::FiniteIndex => f.write_str("α is finite"),
+            Self::DegreeAtLeast(least) => write!(f, "k ≥ {least}"),
+            Self::DegreeAtMost(most) => write!(f, "k ≤ {most}"),
+            Self::Open => f.write_str("U is open"),
+            Self::Symmetric => f.write_str("U is symmetric"),
+            Self::Bernstein => f.write_str("U is open without interior knots"),
+            Self::SimpleKnots => f.write_str("every knot is simple"),
+            Self::InteriorMultiplicityAtMostDegree => f.write_str("interior knots have multiplicity ≤ k"),
+            Self::InnerMultiplicityAtMostDegree => f.write_str("no knot inside (t_0, t_m) has multiplicity > k"),
+            Self::FirstSpan => f.write_str("t_k < t_{k+1}"),
+            Self::LastSpan => f.write_str("t_n < t_{n+1}"),
+        }
+    }
+}
+
+/// A condition on an interval and an index.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum WeightHypothesis {
+    /// a < b.
+    Proper,
+    /// α ≠ ∞.
+    FiniteIndex,
+}
+
+impl std::fmt::Display for WeightHypothesis {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Proper => "a < b",
+            Self::FiniteIndex => "α is finite",
+        })
+    }
+}

@@ -1,0 +1,170 @@
+//! Linear independence, and the Bernstein case.
+
+use crate::analysis::{Pieces, common_numerators, in_span, rank};
+use crate::scalar::{BigRational, RationalAlgebra, Ring, integer};
+use crate::spline::{Basis, KnotVector, Side, bernstein, binomial, weight};
+
+use super::basis::name;
+use super::case::BasisCase;
+use super::hypothesis::Hypothesis::{Bernstein, DegreeAtLeast, InteriorMultiplicityAtMostDegree, Open};
+use super::registry::{Claim, Form};
+use super::statement::Statement;
+use super::verdict::{Judgement, Ledger, Stop};
+
+/// Row i: the coefficients of G_i^k on all spans, over one denominator for each span. A linear relation between
+/// the functions is one between the rows.
+pub(super) fn coefficient_rows(pieces: &Pieces, n: usize) -> Vec<Vec<BigRational>> {
+    let mut rows = vec![Vec::new(); n + 1];
+    for span in pieces.spans() {
+        let functions: Vec<_> = (0..=n).map(|i| span.function(i)).collect();
+        let numerators = common_numerators(&functions);
+        let length = numerators.iter().map(|p| p.degree() + 1).max().unwrap_or(0);
+        for (row, numerator) in rows.iter_mut().zip(&numerators) {
+            row.extend(numerator.coefficients().iter().cloned());
+            row.extend(std::iter::repeat_n(integer(0), length - numerator.degree() - 1));
+        }
+    }
+    rows
+}
+
+/// The rank of the coefficient rows is n + 1.
+pub(super) fn independence(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
+    let rows = coefficient_rows(case.pieces(), case.n());
+    if ledger.count(rank(&rows), rows.len()) {
+        return Ok(());
+    }
+    let dependent = (0..rows.len()).find_map(|i| Some((i, in_span(&rows[..i], &rows[i])?)));
+    let Some((i, coefficients)) = dependent else {
+        return Err(Stop::Fault("rows of less than full rank, and none depends on the others".into()));
+    };
+    let terms: Vec<_> = coefficients
+        .iter()
+        .enumerate()
+        .filter(|(_, c)| !c.is_zero())
+        .map(|(j, c)| format!("({c})·{}", name(case.k(), j)))
+        .collect();
+    let sum = if terms.is_empty() { "0".to_owned() } else { terms.join(" + ") };
+    let found = format!("{} = {sum} everywhere", name(case.k(), i));
+    Err(case.refuted([("i", i.to_string())], "the functions are linearly independent".into(), found))
+}
+
+/// B_i^k = w B_{i−1}^{k−1} + (1 − w) B_i^{k−1}, with the functions of degree k − 1 on their own knots; `shift` is
+/// how far the first index lags behind i, 1 in the claim.
+fn bernstein_recurrence(shift: usize) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
+    move |case, ledger| {
+        let (a, b, k) = (case.knots().first(), case.knots().last(), case.k());
+        let lower = KnotVector::bernstein(k - 1, a, b)
+            .ok()
+            .and_then(|knots| Basis::new(knots, k - 1, case.basis().index().clone()).ok());
+        let Some(lower) = lower else { return Err(Stop::Fault("no Bernstein basis of degree k − 1".into())) };
+        let (pieces, lower) = (case.pieces(), Pieces::of(&lower));
+        let (Some(span), Some(lower)) = (pieces.spans().first(), lower.spans().first()) else { return Ok(()) };
+        let (w, complement) = weight(&span.x.embed(case.basis().index().ratio()), &span.x, a, b);
+        for i in 0..=k {
+            let previous = i.checked_sub(shift).map_or_else(|| pieces.zero(), |i| lower.function(i));
+            let claimed = w.times(&previous).plus(&complement.times(&lower.function(i)));
+            if !ledger.equal(&span.function(i), &claimed) {
+                return Err(case.locate(span.span, |x| {
+                    let value = case.values(x, Side::Right)[i].clone();
+                    let u = crate::analysis::coordinate_of(case.knots(), span.span, x)?;
+                    let claimed = claimed.evaluate(&u)?;
+                    (value != claimed).then(|| {
+                        let at = [("i", i.to_string()), ("x", x.to_string())];
+                        let b = format!("B_{i}^{k}({x})");
+                        case.witness(at, format!("{b} = {claimed}"), format!("{b} = {value}"))
+                    })
+                }));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// B_i^k = coefficient(k, i) w^i (1 − w)^{k−i}.
+fn closed_form(coefficient: fn(usize, usize) -> BigRational) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
+    move |case, ledger| {
+        let (a, b, k) = (case.knots().first(), case.knots().last(), case.k());
+        let Some(span) = case.pieces().spans().first() else { return Ok(()) };
+        let (w, complement) = weight(&span.x.embed(case.basis().index().ratio()), &span.x, a, b);
+        for i in 0..=k {
+            let factor = coefficient(k, i) / binomial(k, i);
+            let claimed = bernstein(k, i, (&w, &complement)).times(&crate::analysis::constant(factor.clone()));
+            if !ledger.equal(&span.function(i), &claimed) {
+                return Err(case.locate(span.span, |x| {
+                    let value = case.values(x, Side::Right)[i].clone();
+                    let (w, complement) = weight(case.basis().index().ratio(), x, a, b);
+                    let claimed = bernstein(k, i, (&w, &complement)) * &factor;
+                    (value != claimed).then(|| {
+                        let at = [("i", i.to_string()), ("x", x.to_string())];
+                        let b = format!("B_{i}^{k}({x})");
+                        case.witness(at, format!("{b} = {claimed}"), format!("{b} = {value}"))
+                    })
+                }));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The claims of P3.2 and P3.3.
+pub(super) fn claims() -> Vec<Claim> {
+    vec![
+        Claim::new(
+            "P3.2",
+            "Proposition 3.2",
+            Form::Basis(
+                Statement::new(
+                    "Open U, interior multiplicities ≤ k: the G_i^k are linearly independent on [t_0, t_m].",
+                    independence,
+                )
+                .given([Open, DegreeAtLeast(1), InteriorMultiplicityAtMostDegree]),
+            ),
+        ),
+        Claim::new(
+            "P3.3.1",
+            "Proposition 3.3 (1)",
+            Form::Basis(
+                Statement::new(
+                    "Open U without interior knots, on [a,b): B_i^k = w B_{i−1}^{k−1} + (1−w) B_i^{k−1}.",
+                    bernstein_recurrence(1),
+                )
+                .given([Bernstein, DegreeAtLeast(1)]),
+            ),
+        ),
+        Claim::new(
+            "P3.3.2",
+            "Proposition 3.3 (2)",
+            Form::Basis(
+                Statement::new(
+                    "Open U without interior knots, on [a,b): B_i^k = C(k,i) w^i (1−w)^{k−i}.",
+                    closed_form(binomial),
+                )
+                .given([Bernstein]),
+            ),
+        ),
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::claims::case::Cases;
+    use crate::claims::statement::judge;
+    use crate::claims::verdict::Verdict;
+
+    fn refuted(
+        conclusion: impl Fn(&BasisCase, &mut Ledger) -> Judgement + Send + Sync + 'static,
+        given: impl IntoIterator<Item = crate::claims::Hypothesis>,
+    ) -> bool {
+        let statement = Statement::new("", conclusion).given(given);
+        matches!(judge(&statement, &Cases::all().bases).unwrap(), Verdict::Refuted(_))
+    }
+
+    #[test]
+    fn false_variants_are_refuted() {
+        let given = [Bernstein, DegreeAtLeast(1)];
+        assert!(refuted(closed_form(|k, i| binomial(k, i + 1)), given), "C(k, i + 1)");
+        assert!(refuted(bernstein_recurrence(0), given), "B_i for B_{{i−1}}");
+        assert!(refuted(independence, [Open]), "independence for any multiplicity");
+    }
+}

@@ -1,0 +1,152 @@
+//! The register of claims: what each says, and how it is judged.
+
+use super::case::{BasisCase, Cases, WeightCase};
+use super::illustrations::Illustration;
+use super::statement::{Fault, Sharpness, Statement, judge, judge_by_degree, sharpness};
+use super::verdict::Verdict;
+
+/// A statement with the kind of cases that it speaks of.
+pub enum Form {
+    /// About the weight on an interval.
+    Weight(Statement<WeightCase>),
+    /// About the basis of a knot vector, and so about all curves on it.
+    Basis(Statement<BasisCase>),
+    /// About examples of the paper, given with it.
+    Illustration(Statement<Illustration>, Vec<Illustration>),
+}
+
+impl Form {
+    /// The statement in words and formulas.
+    #[must_use]
+    pub fn text(&self) -> &'static str {
+        match self {
+            Self::Weight(statement) => statement.text,
+            Self::Basis(statement) => statement.text,
+            Self::Illustration(statement, _) => statement.text,
+        }
+    }
+
+    /// The hypotheses in words.
+    #[must_use]
+    pub fn hypotheses(&self) -> Vec<String> {
+        fn words(list: &[impl ToString]) -> Vec<String> {
+            list.iter().map(ToString::to_string).collect()
+        }
+        match self {
+            Self::Weight(statement) => words(&statement.hypotheses),
+            Self::Basis(statement) => words(&statement.hypotheses),
+            Self::Illustration(statement, _) => words(&statement.hypotheses),
+        }
+    }
+
+    /// Judged on the cases it speaks of.
+    ///
+    /// # Errors
+    /// [`Fault`], if two computations disagree.
+    pub fn judge(&self, cases: &Cases) -> Result<Verdict, Fault> {
+        match self {
+            Self::Weight(statement) => judge(statement, &cases.weights),
+            Self::Basis(statement) => judge(statement, &cases.bases),
+            Self::Illustration(statement, examples) => judge(statement, examples),
+        }
+    }
+
+    fn sharpness(&self, amended: &Self, cases: &Cases) -> Result<Option<Sharpness>, Fault> {
+        match (self, amended) {
+            (Self::Weight(printed), Self::Weight(amended)) => sharpness(printed, amended, &cases.weights),
+            (Self::Basis(printed), Self::Basis(amended)) => sharpness(printed, amended, &cases.bases),
+            _ => Ok(None),
+        }
+    }
+}
+
+/// A claim of the paper, or a question that its users will ask (identifiers `X.…`).
+pub struct Claim {
+    /// The identifier, such as `T3.5.2`.
+    pub id: &'static str,
+    /// Where the paper makes it.
+    pub locator: &'static str,
+    /// The statement as printed.
+    pub printed: Form,
+    /// The strongest true statement known instead, where the printed one fails.
+    pub amended: Option<Form>,
+    /// How words were made into mathematics, where the paper leaves room.
+    pub note: Option<&'static str>,
+}
+
+impl Claim {
+    /// A claim as printed.
+    #[must_use]
+    pub fn new(id: &'static str, locator: &'static str, printed: Form) -> Self {
+        Self { id, locator, printed, amended: None, note: None }
+    }
+
+    /// With an amended statement.
+    #[must_use]
+    pub fn amended(mut self, form: Form) -> Self {
+        self.amended = Some(form);
+        self
+    }
+
+    /// With a note on the reading.
+    #[must_use]
+    pub fn note(mut self, note: &'static str) -> Self {
+        self.note = Some(note);
+        self
+    }
+
+    /// Judges the claim as printed and, where that is refuted, as amended.
+    ///
+    /// # Errors
+    /// [`Fault`], if two computations disagree.
+    pub fn judge(&self, cases: &Cases) -> Result<Judged, Fault> {
+        let printed = self.printed.judge(cases)?;
+        let mut judged = Judged { printed, amended: None, sharpness: None, by_degree: Vec::new() };
+        if let (Verdict::Refuted(_), Some(amended)) = (&judged.printed, &self.amended) {
+            judged.amended = Some(amended.judge(cases)?);
+            judged.sharpness = self.printed.sharpness(amended, cases)?;
+        }
+        if let (true, Form::Basis(statement)) = (self.is_question(), &self.printed) {
+            judged.by_degree = judge_by_degree(statement, &cases.bases)?;
+        }
+        Ok(judged)
+    }
+
+    /// Is it a question of ours, settled degree by degree, and not a claim of the paper's?
+    #[must_use]
+    pub fn is_question(&self) -> bool {
+        self.id.starts_with("X.")
+    }
+}
+
+/// What came of judging a claim.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Judged {
+    /// As printed.
+    pub printed: Verdict,
+    /// As amended; only where the printed statement is refuted and an amended one is given.
+    pub amended: Option<Verdict>,
+    /// Are the extra hypotheses of the amended statement the weakest?
+    pub sharpness: Option<Sharpness>,
+    /// For the questions `X.…`: the verdict for each degree.
+    pub by_degree: Vec<(usize, Verdict)>,
+}
+
+/// All claims, in the order of the paper.
+#[must_use]
+pub fn claims() -> Vec<Claim> {
+    [
+        super::weight::claims(),
+        super::basis::claims(),
+        super::regularity::claims(),
+        super::maximum::claims(),
+        super::independence::claims(),
+        super::curve::claims(),
+        super::illustrations::claims(),
+        super::steps::claims(),
+        super::questions::claims(),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
+}

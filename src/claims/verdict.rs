@@ -1,0 +1,203 @@
+//! Verdicts, and the only ways to earn one.
+
+use std::fmt;
+
+use serde::{Deserialize, Serialize};
+
+use crate::analysis::{Piece, everywhere_positive};
+use crate::scalar::{BigRational, ExactField, OrderedField};
+
+/// How far a verdict reaches, weakest first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Scope {
+    /// Finitely many exact points.
+    Points,
+    /// One U, k and α (one a, b, α for a weight); every x.
+    Instance,
+    /// Every α.
+    Alpha,
+    /// One k; every U and α.
+    Knots,
+    /// Every k.
+    Degree,
+}
+
+impl Scope {
+    /// All scopes, weakest first.
+    pub const ALL: [Self; 5] = [Self::Points, Self::Instance, Self::Alpha, Self::Knots, Self::Degree];
+
+    /// The name used in reports.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Points => "points",
+            Self::Instance => "instance",
+            Self::Alpha => "alpha",
+            Self::Knots => "knots",
+            Self::Degree => "degree",
+        }
+    }
+}
+
+impl fmt::Display for Scope {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// An exact counterexample that a reader can check by hand.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Witness {
+    /// The case and the place in it, as name and exact value, in reading order: `k`, `U`, `α`, `i`, `x`, ….
+    pub given: Vec<(String, String)>,
+    /// What the claim says there.
+    pub claimed: String,
+    /// What is so.
+    pub found: String,
+    /// A command that computes it again, where one does.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub reproduce: Option<String>,
+}
+
+/// `k = 1, U = (0, 0, 1, 1), …: the claim says …; but …`
+impl fmt::Display for Witness {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let given: Vec<_> = self.given.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+        write!(f, "{}: the claim says {}, but {}", given.join(", "), self.claimed, self.found)
+    }
+}
+
+/// Why a conclusion was not established in a case.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Stop {
+    /// It is false, and here is where.
+    Refuted(Box<Witness>),
+    /// A limit was hit, named here.
+    Undecided(String),
+    /// Two ways of computing the same thing disagree: a bug of this program, and no verdict on anything.
+    Fault(String),
+}
+
+/// What a conclusion comes to in one case: established, or stopped.
+pub type Judgement = Result<(), Stop>;
+
+/// The facts that were established on the way to a conclusion.
+///
+/// Every entry is a decision over an exact field. A float is none, so no computation in floats can add one:
+///
+/// ```compile_fail
+/// # use knotproof::claims::Ledger;
+/// Ledger::default().equal(&0.5_f64, &0.5_f64);
+/// ```
+///
+/// while the same line over the rationals compiles:
+///
+/// ```
+/// # use knotproof::claims::Ledger;
+/// # use knotproof::scalar::rational;
+/// assert!(Ledger::default().equal(&rational(1, 2), &rational(1, 2)));
+/// ```
+#[derive(Debug, Default, Clone, PartialEq, Eq)]
+pub struct Ledger {
+    facts: usize,
+}
+
+impl Ledger {
+    /// How many facts there are.
+    #[must_use]
+    pub fn facts(&self) -> usize {
+        self.facts
+    }
+
+    fn enter(&mut self, holds: bool) -> bool {
+        self.facts += usize::from(holds);
+        holds
+    }
+
+    /// left = right: of numbers, or of functions as an identity.
+    pub fn equal<S: ExactField>(&mut self, left: &S, right: &S) -> bool {
+        self.enter(left == right)
+    }
+
+    /// left ≠ right.
+    pub fn differ<S: ExactField>(&mut self, left: &S, right: &S) -> bool {
+        self.enter(left != right)
+    }
+
+    /// left < right.
+    pub fn less<S: ExactField + OrderedField>(&mut self, left: &S, right: &S) -> bool {
+        self.enter(left < right)
+    }
+
+    /// f > 0 on the whole open span.
+    pub fn positive(&mut self, f: &Piece) -> bool {
+        self.enter(everywhere_positive(f))
+    }
+
+    /// Two numbers of things agree: a rank and a dimension, a count of maxima and 1.
+    pub fn count(&mut self, found: usize, expected: usize) -> bool {
+        self.enter(found == expected)
+    }
+}
+
+/// Which cases a verdict rests on.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Reach {
+    /// Instances of the paper (each U, k and α counts).
+    pub instances: usize,
+    /// Small cases of the engine's own.
+    pub small_cases: usize,
+    /// Exact decisions that were made in them.
+    pub facts: usize,
+    /// The degrees that occur.
+    pub degrees: Vec<usize>,
+}
+
+/// What is known of a statement.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Verdict {
+    /// True, as far as the scope says.
+    Proved {
+        /// How far.
+        scope: Scope,
+        /// In which cases.
+        reach: Reach,
+    },
+    /// False.
+    Refuted(Box<Witness>),
+    /// Not settled, with the limit that was hit.
+    Undecided(String),
+    /// Not a mathematical statement, with the reason.
+    NotFormal(String),
+    /// The hypotheses do not hold here, or there is nothing to check: nothing is said.
+    NotApplicable(String),
+}
+
+impl Verdict {
+    /// The one-word status used in reports.
+    #[must_use]
+    pub fn status(&self) -> &'static str {
+        match self {
+            Self::Proved { .. } => "proved",
+            Self::Refuted(_) => "refuted",
+            Self::Undecided(_) => "undecided",
+            Self::NotFormal(_) => "not-formal",
+            Self::NotApplicable(_) => "not-applicable",
+        }
+    }
+
+    /// The scope of a proof.
+    #[must_use]
+    pub fn scope(&self) -> Option<Scope> {
+        match self {
+            Self::Proved { scope, .. } => Some(*scope),
+            _ => None,
+        }
+    }
+}
+
+/// Shorthand for the exact numbers in a witness.
+pub(super) fn show(value: &BigRational) -> String {
+    value.to_string()
+}
