@@ -1,0 +1,184 @@
+//! Exact linear algebra: independence and combinations, of vectors and so of functions.
+
+use crate::scalar::{ExactField, Polynomial, RationalFunction, Ring};
+
+/// The dimension of the span of the vectors. A vector stands for the sequence that goes on with zeros, so the
+/// lists may differ in length.
+///
+/// ```
+/// # use knotproof::analysis::rank;
+/// # use knotproof::scalar::integer;
+/// let rows = [[1, 2, 3], [2, 4, 6], [0, 1, 1]].map(|row| row.map(integer).to_vec());
+/// assert_eq!(rank(&rows), 2);
+/// ```
+#[must_use]
+pub fn rank<S: ExactField>(vectors: &[Vec<S>]) -> usize {
+    let mut echelon = Echelon::default();
+    vectors.iter().filter(|vector| echelon.insert(vector)).count()
+}
+
+/// Coefficients c_i with Σ c_i v_i = target, one for each vector; `None` if there are none, and they are
+/// unique if the vectors are independent. As in [`rank`], missing entries are 0.
+///
+/// ```
+/// # use knotproof::analysis::in_span;
+/// # use knotproof::scalar::{integer, rational};
+/// let vectors = [[1, 1, 0], [0, 1, 1]].map(|row| row.map(integer).to_vec());
+/// let target = [2, 5, 3].map(integer);
+/// assert_eq!(in_span(&vectors, &target), Some(vec![integer(2), integer(3)]));
+/// assert_eq!(in_span(&vectors, &[1, 0, 1].map(integer)), None);
+/// ```
+#[must_use]
+pub fn in_span<S: ExactField>(vectors: &[Vec<S>], target: &[S]) -> Option<Vec<S>> {
+    let mut echelon = Echelon::default();
+    for vector in vectors {
+        echelon.insert(vector);
+    }
+    let Some(zero) = target.first().or_else(|| vectors.iter().flatten().next()).map(S::zero) else {
+        // No entry anywhere, so there is no 0 to be had: only an empty list of coefficients can be given.
+        return vectors.is_empty().then(Vec::new);
+    };
+    let reduced = echelon.reduce(target);
+    if reduced.entries.iter().any(|entry| !entry.is_zero()) {
+        return None;
+    }
+    // 0 = target + Σ (combination), over all vectors.
+    let mut coefficients: Vec<S> = reduced.combination.iter().map(S::negate).collect();
+    coefficients.resize(vectors.len(), zero);
+    Some(coefficients)
+}
+
+/// Vectors in echelon form, with the way in which they were obtained from the inserted ones.
+#[derive(Debug)]
+struct Echelon<S> {
+    rows: Vec<Row<S>>,
+    inserted: usize,
+}
+
+impl<S> Default for Echelon<S> {
+    fn default() -> Self {
+        Self { rows: Vec::new(), inserted: 0 }
+    }
+}
+
+/// entries = (some vector) + Σ combination_i · (inserted vector i), with a 1 as the first non-zero entry.
+#[derive(Debug)]
+struct Row<S> {
+    pivot: usize,
+    entries: Vec<S>,
+    combination: Vec<S>,
+}
+
+/// A vector after the elimination of the pivots: vector + Σ combination_i · (inserted vector i).
+struct Reduced<S> {
+    entries: Vec<S>,
+    combination: Vec<S>,
+}
+
+impl<S: ExactField> Echelon<S> {
+    fn reduce(&self, vector: &[S]) -> Reduced<S> {
+        let mut reduced = Reduced { entries: vector.to_vec(), combination: Vec::new() };
+        for row in &self.rows {
+            let Some(factor) = reduced.entries.get(row.pivot).filter(|c| !c.is_zero()).map(S::negate) else {
+                continue;
+            };
+            add_multiple(&mut reduced.entries, &factor, &row.entries);
+            add_multiple(&mut reduced.combination, &factor, &row.combination);
+        }
+        reduced
+    }
+
+    /// Is the vector independent of those before? If so, it becomes a row.
+    fn insert(&mut self, vector: &[S]) -> bool {
+        let position = self.inserted;
+        self.inserted += 1;
+        let Reduced { mut entries, mut combination } = self.reduce(vector);
+        let Some(pivot) = entries.iter().position(|entry| !entry.is_zero()) else { return false };
+        let Some(inverse) = entries[pivot].reciprocal() else { return false };
+        combination.resize(position, inverse.zero());
+        combination.push(inverse.one());
+        for entry in entries.iter_mut().chain(&mut combination) {
+            *entry = entry.times(&inverse);
+        }
+        self.rows.push(Row { pivot, entries, combination });
+        true
+    }
+}
+
+/// target += factor·vector, the shorter one continued with zeros.
+fn add_multiple<S: Ring>(target: &mut Vec<S>, factor: &S, vector: &[S]) {
+    if target.len() < vector.len() {
+        target.resize(vector.len(), factor.zero());
+    }
+    for (t, v) in target.iter_mut().zip(vector) {
+        *t = t.plus(&factor.times(v));
+    }
+}
+
+/// Polynomials P_i with f_i = P_i/Q for one common denominator Q, the least one: a linear relation between the
+/// functions is one between the coefficient vectors of the P_i, and the other way round.
+///
+/// ```
+/// # use knotproof::analysis::{common_numerators, rank};
+/// # use knotproof::scalar::{Polynomial, RationalAlgebra, RationalFunction, Ring, rational};
+/// // 1/(1 + u), u/(1 + u) and 1 are dependent: the first two add up to the third.
+/// let u = RationalFunction::variable(&rational(1, 1));
+/// let total = u.plus(&u.one());
+/// let functions = [u.one().over(&total).unwrap(), u.over(&total).unwrap(), u.one()];
+/// let rows: Vec<_> = common_numerators(&functions).iter().map(|p| p.coefficients().to_vec()).collect();
+/// assert_eq!(rank(&rows), 2);
+/// ```
+#[must_use]
+pub fn common_numerators<S: ExactField>(functions: &[RationalFunction<S>]) -> Vec<Polynomial<S>> {
+    let Some(first) = functions.first() else { return Vec::new() };
+    let quotient = |p: &Polynomial<S>, divisor: &Polynomial<S>| match p.divide(divisor) {
+        Some((quotient, _)) => quotient,
+        None => unreachable!("a denominator is not 0"),
+    };
+    let common = functions.iter().fold(first.denominator().clone(), |common, f| {
+        let divisor = common.gcd(f.denominator());
+        common.times(&quotient(f.denominator(), &divisor))
+    });
+    functions.iter().map(|f| f.numerator().times(&quotient(&common, f.denominator()))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::{BigRational, integer, rational};
+
+    fn row(entries: &[i64]) -> Vec<BigRational> {
+        entries.iter().map(|&e| rational(e, 1)).collect()
+    }
+
+    #[test]
+    fn ranks() {
+        assert_eq!(rank::<BigRational>(&[]), 0);
+        assert_eq!(rank(&[row(&[0, 0]), row(&[])]), 0);
+        assert_eq!(rank(&[row(&[0, 1]), row(&[1]), row(&[3, 4, 0])]), 2);
+        assert_eq!(rank(&[row(&[0, 0, 1]), row(&[0, 1, 1]), row(&[1, 1, 1])]), 3);
+    }
+
+    #[test]
+    fn combinations_are_found_if_and_only_if_there_are_any() {
+        // Dependent vectors, a pivot out of order, rows of different lengths.
+        let vectors = [row(&[0, 2, 1]), row(&[0, 4, 2]), row(&[3]), row(&[1, 1, 1, 5])];
+        for target in [row(&[7, 3, 2, 5]), row(&[0, 0, 0, 0]), row(&[1, 2, 3, 4]), row(&[1]), row(&[])] {
+            let with_target: Vec<_> = vectors.iter().cloned().chain([target.clone()]).collect();
+            let inside = rank(&with_target) == rank(&vectors);
+            let found = in_span(&vectors, &target);
+            assert_eq!(found.is_some(), inside, "{target:?}");
+            if let Some(coefficients) = found {
+                let mut sum = Vec::new();
+                for (c, vector) in coefficients.iter().zip(&vectors) {
+                    add_multiple(&mut sum, c, vector);
+                }
+                add_multiple(&mut sum, &rational(-1, 1), &target);
+                assert!(sum.iter().all(|entry| *entry == integer(0)), "{target:?}");
+            }
+        }
+        assert_eq!(in_span::<BigRational>(&[], &[]), Some(vec![]));
+        assert_eq!(in_span(&[], &row(&[0, 0])), Some(vec![]));
+        assert_eq!(in_span(&[], &row(&[0, 1])), None);
+    }
+}

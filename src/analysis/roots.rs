@@ -1,0 +1,360 @@
+//! The positive roots of a polynomial, isolated exactly.
+
+use std::sync::Arc;
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+
+use crate::scalar::Polynomial;
+
+use super::integer_polynomial::IntegerPolynomial;
+use super::sign::Sign;
+
+/// A root u in (0, ∞) of a polynomial, known by an interval for y = u/(1 + u) in (0, 1).
+///
+/// Either `lo` = `hi`, and the root is that y exactly, or `lo` < `hi` are dyadic rationals with 0 < lo, hi < 1,
+/// and the polynomial has exactly one root in the open interval (lo, hi) and none at its ends. On a span the
+/// point is x = t_j + y·(t_{j+1} − t_j): y is the affine coordinate there, u the positive one.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct IsolatedRoot {
+    lo: BigRational,
+    hi: BigRational,
+    /// The sign of the square-free part just below the root; it is the opposite one just above.
+    below: Sign,
+    /// The square-free part, without a root at 0.
+    polynomial: Arc<IntegerPolynomial>,
+}
+
+impl IsolatedRoot {
+    /// The lower end of the interval for y.
+    #[must_use]
+    pub fn lo(&self) -> &BigRational {
+        &self.lo
+    }
+
+    /// The upper end of the interval for y.
+    #[must_use]
+    pub fn hi(&self) -> &BigRational {
+        &self.hi
+    }
+
+    /// (lo/(1 − lo), hi/(1 − hi)): the interval for u.
+    #[must_use]
+    pub fn interval(&self) -> (BigRational, BigRational) {
+        (to_positive(&self.lo), to_positive(&self.hi))
+    }
+
+    /// y, if it is known exactly.
+    #[must_use]
+    pub fn exact(&self) -> Option<&BigRational> {
+        (self.lo == self.hi).then_some(&self.lo)
+    }
+
+    /// Halves the interval, by the sign of the square-free part in its middle; hits the root exactly if that
+    /// is the middle.
+    pub fn refine(&mut self) {
+        if self.lo == self.hi {
+            return;
+        }
+        let middle = (&self.lo + &self.hi) / BigInt::from(2);
+        match self.sign_at(&middle) {
+            Sign::Zero => (self.lo, self.hi) = (middle.clone(), middle),
+            sign if sign == self.below => self.lo = middle,
+            _ => self.hi = middle,
+        }
+    }
+
+    /// Halves the interval for y until hi − lo ≤ `width`, for `width` > 0.
+    pub fn refine_to(&mut self, width: &BigRational) {
+        while width.is_positive() && &self.hi - &self.lo > *width {
+            self.refine();
+        }
+    }
+
+    /// The root u if it is rational, decided exactly; afterwards such a root is [`exact`](Self::exact).
+    ///
+    /// The denominator of a rational root divides the leading coefficient c, so c·u is an integer: the interval
+    /// is refined until it holds one candidate at most.
+    pub fn rational(&mut self) -> Option<BigRational> {
+        let polynomial = Arc::clone(&self.polynomial);
+        let scale = polynomial.coefficients().last()?.abs();
+        while self.lo < self.hi {
+            let (lo, hi) = self.interval();
+            let candidate = (lo * &scale).floor() + BigRational::one();
+            let end = hi * &scale;
+            if candidate >= end {
+                return None;
+            }
+            if &candidate + BigRational::one() < end {
+                self.refine();
+                continue;
+            }
+            let u = candidate / &scale;
+            if polynomial.sign_at(u.numer(), u.denom()) != Sign::Zero {
+                return None;
+            }
+            let y = &u / (&u + BigRational::one());
+            (self.lo, self.hi) = (y.clone(), y);
+        }
+        Some(to_positive(&self.lo))
+    }
+
+    /// Is this root one of p's as well? Decided exactly: the greatest common divisor of p and the square-free
+    /// part has simple roots only, so it has one in (lo, hi) if and only if its sign changes there.
+    #[must_use]
+    pub fn is_root_of(&self, p: &Polynomial<BigRational>) -> bool {
+        let p = IntegerPolynomial::from_rational(p);
+        if p.is_zero() {
+            return true;
+        }
+        if self.lo == self.hi {
+            return sign_in_unit(&p, &self.lo) == Sign::Zero;
+        }
+        let common = p.gcd(&self.polynomial);
+        sign_in_unit(&common, &self.lo) != sign_in_unit(&common, &self.hi)
+    }
+
+    fn sign_at(&self, y: &BigRational) -> Sign {
+        sign_in_unit(&self.polynomial, y)
+    }
+}
+
+/// The sign at u = y/(1 − y) for 0 ≤ y ≤ 1.
+fn sign_in_unit(p: &IntegerPolynomial, y: &BigRational) -> Sign {
+    p.sign_at(y.numer(), &(y.denom() - y.numer()))
+}
+
+/// u = y/(1 − y), for y < 1.
+fn to_positive(y: &BigRational) -> BigRational {
+    y / (BigRational::one() - y)
+}
+
+/// The roots of p in (0, ∞), each once, from left to right in disjoint intervals (ends may be shared). A root
+/// at 0 is not among them. The polynomial 0 has no isolated root.
+///
+/// Descartes' rule of signs with subdivision (Collins & Akritas 1976; Rouillier & Zimmermann 2004), on the
+/// square-free part and in integers. The coefficients of p in u are, up to binomial factors, the Bernstein
+/// coefficients in y = u/(1 + u): so their sign changes bound the number of roots with y in (0, 1), exactly if
+/// there are 0 or 1. Otherwise (0, 1) is halved: with v the positive coordinate of a half,
+///
+/// left: p_L(v) = Σ c_i v^i (v + 2)^(n−i),  right: p_R(v) = p(1 + 2v),
+///
+/// and the middle u = 1 is a root if and only if p(1) = 0. The roots being simple, it ends by the two-circle
+/// theorem.
+///
+/// ```
+/// use knotproof::analysis::positive_roots;
+/// use knotproof::scalar::{Polynomial, rational};
+///
+/// // (u − 1)(u² − 2): u = 1 is y = 1/2 and is found exactly, √2 lies in (1, ∞).
+/// let p = Polynomial::new(rational(2, 1), [-2, -1, 1].map(|c| rational(c, 1)));
+/// let roots = positive_roots(&p);
+/// assert_eq!(roots.len(), 2);
+/// assert_eq!(roots[0].exact(), Some(&rational(1, 2)));
+/// let (lo, hi) = roots[1].interval();
+/// assert!(&lo * &lo < rational(2, 1) && rational(2, 1) < &hi * &hi);
+/// ```
+#[must_use]
+pub fn positive_roots(p: &Polynomial<BigRational>) -> Vec<IsolatedRoot> {
+    roots_of(IntegerPolynomial::from_rational(p))
+}
+
+/// The number of distinct roots of p in (0, ∞); 0 for the polynomial 0, which has no isolated one.
+#[must_use]
+pub fn count_positive_roots(p: &Polynomial<BigRational>) -> usize {
+    // Without variations, or with one, Descartes' rule is exact, and multiplicities do not matter.
+    let polynomial = IntegerPolynomial::from_rational(p);
+    match IntegerPolynomial::variations(polynomial.coefficients()) {
+        few @ (0 | 1) => few,
+        _ => isolate(&polynomial.without_root_at_zero().square_free()).len(),
+    }
+}
+
+/// [`positive_roots`] of a polynomial that is in integers already.
+pub(super) fn roots_of(p: IntegerPolynomial) -> Vec<IsolatedRoot> {
+    if IntegerPolynomial::variations(p.coefficients()) == 0 {
+        return Vec::new();
+    }
+    let polynomial = Arc::new(p.without_root_at_zero().square_free());
+    // All roots are simple: the sign alternates from one to the next, beginning with that at 0.
+    let mut below = polynomial.coefficients().first().map_or(Sign::Zero, Sign::of);
+    let intervals = isolate(&polynomial);
+    let exact: Vec<BigRational> =
+        intervals.iter().filter(|(lo, hi)| lo == hi).map(|(lo, _)| lo.clone()).collect();
+    let mut roots = Vec::with_capacity(intervals.len());
+    for (lo, hi) in intervals {
+        let mut root = IsolatedRoot { lo, hi, below, polynomial: Arc::clone(&polynomial) };
+        below = below.opposite();
+        // An interval next to a root that was found exactly has it as its end, and the first and the last
+        // may end at y = 0 and y = 1: they shrink until they do not.
+        let forbidden = |end: &BigRational| end.is_zero() || end.is_one() || exact.contains(end);
+        while root.lo < root.hi && (forbidden(&root.lo) || forbidden(&root.hi)) {
+            root.refine();
+        }
+        roots.push(root);
+    }
+    roots
+}
+
+/// An interval [place/2^depth, (place + 1)/2^depth] for y, or the root place/2^depth itself.
+enum Task {
+    /// The polynomial in the positive coordinate of the interval, with no root at its ends.
+    Search { coefficients: Vec<BigInt>, place: BigInt, depth: u32 },
+    /// A root between two halves.
+    Exact { place: BigInt, depth: u32 },
+}
+
+/// Intervals for y with one root each, lo = hi where it is exact; for a square-free polynomial without a root
+/// at 0. An interval may end at a root that another entry holds exactly.
+fn isolate(polynomial: &IntegerPolynomial) -> Vec<(BigRational, BigRational)> {
+    let dyadic = |place: BigInt, depth: u32| BigRational::new(place, BigInt::one() << depth);
+    if let [constant, leading] = polynomial.coefficients() {
+        // u = −c₀/c₁, that is y = c₀/(c₀ − c₁).
+        let y = BigRational::new(constant.clone(), constant - leading);
+        return if constant.is_negative() == leading.is_negative() { Vec::new() } else { vec![(y.clone(), y)] };
+    }
+    let coefficients = polynomial.coefficients().to_vec();
+    let mut tasks = vec![Task::Search { coefficients, place: BigInt::zero(), depth: 0 }];
+    let mut found = Vec::new();
+    while let Some(task) = tasks.pop() {
+        match task {
+            Task::Exact { place, depth } => {
+                let y = dyadic(place, depth);
+                found.push((y.clone(), y));
+            }
+            Task::Search { coefficients, place, depth } => {
+                match IntegerPolynomial::variations(&coefficients) {
+                    0 => {}
+                    1 => found.push((dyadic(place.clone(), depth), dyadic(place + 1, depth))),
+                    _ => {
+                        let (left, right, middle) = halves(coefficients);
+                        let (start, depth) = (place * 2, depth + 1);
+                        let after: BigInt = &start + 1;
+                        tasks.push(Task::Search { coefficients: right, place: after.clone(), depth });
+                        if middle {
+                            tasks.push(Task::Exact { place: after, depth });
+                        }
+                        tasks.push(Task::Search { coefficients: left, place: start, depth });
+                    }
+                }
+            }
+        }
+    }
+    found
+}
+
+/// (p_L, p_R, p(1) = 0): the halves of an interval, with a root in the middle divided out of both.
+fn halves(coefficients: Vec<BigInt>) -> (Vec<BigInt>, Vec<BigInt>, bool) {
+    let mut right = coefficients.clone();
+    shift_and_double(&mut right);
+    // Σ c_i v^i (v + 2)^(n−i): in reverse, p(1 + 2w) of the reversed polynomial.
+    let mut left = coefficients;
+    left.reverse();
+    shift_and_double(&mut left);
+    let middle = left.first().is_some_and(Zero::is_zero);
+    if middle {
+        left.remove(0);
+        right.remove(0);
+    }
+    left.reverse();
+    remove_powers_of_two(&mut left);
+    remove_powers_of_two(&mut right);
+    (left, right, middle)
+}
+
+/// p(1 + 2v): the Taylor shift by 1, then c_i·2^i.
+fn shift_and_double(c: &mut [BigInt]) {
+    for start in 0..c.len() {
+        for i in (start..c.len() - 1).rev() {
+            let (low, high) = c.split_at_mut(i + 1);
+            low[i] += &high[0];
+        }
+    }
+    for (i, c) in c.iter_mut().enumerate() {
+        *c <<= i;
+    }
+}
+
+fn remove_powers_of_two(coefficients: &mut [BigInt]) {
+    let powers = coefficients.iter().filter_map(BigInt::trailing_zeros).min().unwrap_or(0);
+    if powers > 0 {
+        for c in coefficients {
+            *c >>= powers;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::{Ring, integer, rational};
+
+    fn polynomial(coefficients: &[i64]) -> Polynomial<BigRational> {
+        let mut coefficients = coefficients.iter().map(|&c| rational(c, 1));
+        Polynomial::new(coefficients.next().unwrap(), coefficients)
+    }
+
+    #[test]
+    fn halves_are_the_formulas_of_the_documentation() {
+        // p = 1 − 3u + 5u²: p_L = (v+2)² − 3v(v+2) + 5v² = 4 − 2v + 3v², p_R = p(1+2v) = 3 + 14v + 20v².
+        let integers = |list: [i64; 3]| list.map(BigInt::from).to_vec();
+        let (left, right, middle) = halves(integers([1, -3, 5]));
+        assert_eq!((left, right, middle), (integers([4, -2, 3]), integers([3, 14, 20]), false));
+    }
+
+    #[test]
+    fn a_trinomial_that_another_root_counter_got_wrong() {
+        let p = polynomial(&[52, 0, 0, -304, 0, 0, 0, 0, -23]);
+        assert_eq!(count_positive_roots(&p), 1);
+        let (_, hi) = positive_roots(&p)[0].interval();
+        assert!(hi <= integer(1));
+        // The same on (0, 1) itself: x = v/(1 + v), times (1 + v)⁸.
+        let one_plus = polynomial(&[1, 1]);
+        let term = |c: i64, i: usize| polynomial(&[0, 1]).power(i).times(&one_plus.power(8 - i)).scaled(&rational(c, 1));
+        let on_unit = term(52, 0).plus(&term(-304, 3)).plus(&term(-23, 8));
+        assert_eq!(count_positive_roots(&on_unit), 1);
+        assert_eq!(positive_roots(&on_unit).len(), 1);
+    }
+
+    #[test]
+    fn exact_roots_and_their_neighbours_do_not_touch() {
+        // u = 1 (y = 1/2) and u = 1/3 (y = 1/4), next to √(9/10) and to 0.
+        let p = polynomial(&[-1, 1]).times(&polynomial(&[-1, 3])).times(&polynomial(&[-9, 0, 10]));
+        let p = p.times(&polynomial(&[0, 0, 1]));
+        let roots = positive_roots(&p);
+        assert_eq!(roots.len(), 3);
+        assert_eq!(roots[0].exact(), Some(&rational(1, 4)));
+        assert_eq!(roots[2].exact(), Some(&rational(1, 2)));
+        let (lo, hi) = (roots[1].lo(), roots[1].hi());
+        assert!(rational(1, 4) < *lo && lo < hi && *hi < rational(1, 2));
+    }
+
+    #[test]
+    fn refining_keeps_the_root() {
+        let mut root = positive_roots(&polynomial(&[-2, 0, 1])).remove(0);
+        root.refine_to(&rational(1, 1 << 40));
+        assert!(root.hi() - root.lo() <= rational(1, 1 << 40));
+        let (lo, hi) = root.interval();
+        assert!(&lo * &lo < integer(2) && integer(2) < &hi * &hi);
+        assert_eq!(root.rational(), None);
+        assert!(root.is_root_of(&polynomial(&[4, 2, -2, -1])));
+        assert!(!root.is_root_of(&polynomial(&[-3, 0, 1])));
+    }
+
+    #[test]
+    fn rational_roots_are_recognised() {
+        // (7u − 3)(5u − 11)(u² − 5).
+        let p = polynomial(&[-3, 7]).times(&polynomial(&[-11, 5])).times(&polynomial(&[-5, 0, 1]));
+        let found: Vec<_> = positive_roots(&p).iter_mut().map(IsolatedRoot::rational).collect();
+        assert_eq!(found, [Some(rational(3, 7)), Some(rational(11, 5)), None]);
+    }
+
+    #[test]
+    fn constants_and_zero_have_no_isolated_root() {
+        for p in [polynomial(&[0]), polynomial(&[3]), polynomial(&[0, 5]), polynomial(&[0, 0, -1])] {
+            assert!(positive_roots(&p).is_empty());
+            assert_eq!(count_positive_roots(&p), 0);
+        }
+    }
+}
