@@ -1,15 +1,18 @@
 //! Floor 3: from exact pieces to decisions about every x.
 
+mod contenders;
 mod integer_polynomial;
 mod linear;
 mod pieces;
 mod roots;
+mod shape;
 mod sign;
 mod supremum;
 
 pub use linear::{common_numerators, in_span, rank};
 pub use pieces::{Piece, Pieces, SpanPieces, constant, coordinate_of, positive_coordinate};
 pub use roots::{IsolatedRoot, count_positive_roots, positive_roots};
+pub use shape::{Extremum, ExtremumKind, Jump, Place, Shape};
 pub use sign::{
     Decision, PositivePoint, Sign, SignPattern, Zeros, always_nonnegative, always_positive,
     common_positive_roots, sign_pattern,
