@@ -9,6 +9,7 @@
 //! | [`RationalFunction`] | exact field | the piece itself: a statement about every x of a span |
 
 pub mod axioms;
+mod decimal;
 mod float;
 mod jet;
 mod polynomial;
@@ -16,6 +17,7 @@ mod rational;
 mod rational_function;
 mod ring;
 
+pub use decimal::decimal;
 pub use float::{exact_value, ulp};
 pub use jet::Jet;
 pub use num_rational::BigRational;
