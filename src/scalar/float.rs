@@ -54,10 +54,10 @@ impl OrderedField for f64 {}
 /// ```
 #[must_use]
 pub fn ulp(value: &BigRational) -> BigRational {
-    const LEAST: i64 = -1074;
+    const LEAST: i32 = -1074;
     let two = || rational(2, 1);
     if value.is_zero() {
-        return num_traits::Pow::pow(two(), LEAST as i32);
+        return num_traits::Pow::pow(two(), LEAST);
     }
     // The bit lengths give the binary exponent up to one, which the comparison settles.
     let bits = |n: &num_bigint::BigInt| i64::try_from(n.bits()).unwrap_or(i64::MAX);
@@ -66,7 +66,7 @@ pub fn ulp(value: &BigRational) -> BigRational {
     if value.abs() < power(exponent) {
         exponent -= 1;
     }
-    power((exponent - 52).max(LEAST))
+    power((exponent - 52).max(LEAST.into()))
 }
 
 /// The exact value of a finite float; `None` for infinities and NaN.
