@@ -142,6 +142,30 @@ pub fn common_numerators<S: ExactField>(functions: &[RationalFunction<S>]) -> Ve
     functions.iter().map(|f| f.numerator().times(&quotient(&common, f.denominator()))).collect()
 }
 
+/// One row for each function, given as its pieces on one span after the other: the coefficients of the
+/// numerators over one denominator for each span. A linear relation between functions is one between rows.
+///
+/// Every span must list the same functions in the same order.
+pub fn coefficient_rows<S: ExactField>(spans: impl IntoIterator<Item = Vec<RationalFunction<S>>>) -> Vec<Vec<S>> {
+    let mut rows: Vec<Vec<S>> = Vec::new();
+    for functions in spans {
+        let numerators = common_numerators(&functions);
+        rows.resize(rows.len().max(numerators.len()), Vec::new());
+        let length = numerators.iter().map(|p| p.degree() + 1).max().unwrap_or(0);
+        for (row, numerator) in rows.iter_mut().zip(&numerators) {
+            let zeros = std::iter::repeat_n(numerator.leading().zero(), length - numerator.degree() - 1);
+            row.extend(numerator.coefficients().iter().cloned().chain(zeros));
+        }
+    }
+    rows
+}
+
+/// Is the target a linear combination of the functions? All of them are pieces on one span.
+pub fn is_combination<S: ExactField>(functions: &[RationalFunction<S>], target: &RationalFunction<S>) -> bool {
+    let mut rows = coefficient_rows([[functions, std::slice::from_ref(target)].concat()]);
+    rows.pop().is_some_and(|target| in_span(&rows, &target).is_some())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

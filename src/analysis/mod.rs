@@ -9,8 +9,10 @@ mod shape;
 mod sign;
 mod supremum;
 
-pub use linear::{common_numerators, in_span, rank};
-pub use pieces::{Piece, Pieces, SpanPieces, constant, coordinate_of, positive_coordinate};
+pub use linear::{coefficient_rows, common_numerators, in_span, is_combination, rank};
+pub use pieces::{
+    Piece, Pieces, SpanPieces, constant, coordinate_between, coordinate_of, positive_coordinate,
+};
 pub use roots::{IsolatedRoot, count_positive_roots, positive_roots};
 pub use shape::{Extremum, ExtremumKind, Jump, Place, Shape};
 pub use sign::{

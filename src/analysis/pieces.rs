@@ -15,9 +15,14 @@ pub type Piece = RationalFunction<BigRational>;
 #[must_use]
 pub fn positive_coordinate(knots: &KnotVector, span: Span) -> Piece {
     let (start, end) = knots.ends(span);
-    let one = start.one();
-    let numerator = Polynomial::new(start.clone(), [end.clone()]);
-    match RationalFunction::new(&numerator, &Polynomial::new(one.clone(), [one])) {
+    coordinate_between(start, end)
+}
+
+/// x = (a + u·b)/(1 + u), the positive coordinate of any interval [a, b].
+#[must_use]
+pub fn coordinate_between(a: &BigRational, b: &BigRational) -> Piece {
+    let one = a.one();
+    match RationalFunction::new(&Polynomial::new(a.clone(), [b.clone()]), &Polynomial::new(one.clone(), [one])) {
         Some(x) => x,
         None => unreachable!("1 + u is not 0"),
     }

@@ -6,7 +6,7 @@ use crate::spline::{KnotVector, Side, Span};
 
 use super::case::{BasisCase, definition_values};
 use super::hypothesis::Hypothesis::{
-    DegreeAtLeast, FirstSpan, InnerMultiplicityAtMostDegree, InteriorMultiplicityAtMostDegree, LastSpan, Open,
+    DegreeAtLeast, FirstSpan, InteriorMultiplicityAtMostDegree, LastSpan, Open,
     Symmetric,
 };
 use super::registry::{Claim, Form};

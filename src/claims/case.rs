@@ -31,6 +31,10 @@ pub trait Case: Sync {
     fn meets(&self, hypothesis: &Self::Hypothesis) -> bool;
     /// k, where there is one.
     fn degree(&self) -> Option<usize>;
+    /// How many bases or curves the case is about.
+    fn instances(&self) -> usize {
+        1
+    }
 }
 
 /// A basis to judge claims on, with its pieces computed once and when first asked for.

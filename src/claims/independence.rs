@@ -1,7 +1,7 @@
 //! Linear independence, and the Bernstein case.
 
-use crate::analysis::{Pieces, common_numerators, in_span, rank};
-use crate::scalar::{BigRational, RationalAlgebra, Ring, integer};
+use crate::analysis::{Pieces, coefficient_rows, in_span, rank};
+use crate::scalar::{BigRational, RationalAlgebra, Ring};
 use crate::spline::{Basis, KnotVector, Side, bernstein, binomial, weight};
 
 use super::basis::name;
@@ -11,25 +11,14 @@ use super::registry::{Claim, Form};
 use super::statement::Statement;
 use super::verdict::{Judgement, Ledger, Stop};
 
-/// Row i: the coefficients of G_i^k on all spans, over one denominator for each span. A linear relation between
-/// the functions is one between the rows.
-pub(super) fn coefficient_rows(pieces: &Pieces, n: usize) -> Vec<Vec<BigRational>> {
-    let mut rows = vec![Vec::new(); n + 1];
-    for span in pieces.spans() {
-        let functions: Vec<_> = (0..=n).map(|i| span.function(i)).collect();
-        let numerators = common_numerators(&functions);
-        let length = numerators.iter().map(|p| p.degree() + 1).max().unwrap_or(0);
-        for (row, numerator) in rows.iter_mut().zip(&numerators) {
-            row.extend(numerator.coefficients().iter().cloned());
-            row.extend(std::iter::repeat_n(integer(0), length - numerator.degree() - 1));
-        }
-    }
-    rows
+/// Row i: the coefficients of G_i^k on all spans.
+fn rows_of(pieces: &Pieces, n: usize) -> Vec<Vec<BigRational>> {
+    coefficient_rows(pieces.spans().iter().map(|span| (0..=n).map(|i| span.function(i)).collect()))
 }
 
 /// The rank of the coefficient rows is n + 1.
 pub(super) fn independence(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
-    let rows = coefficient_rows(case.pieces(), case.n());
+    let rows = rows_of(case.pieces(), case.n());
     if ledger.count(rank(&rows), rows.len()) {
         return Ok(());
     }

@@ -1,5 +1,34 @@
 //! Floor 4: the paper's claims and their verdicts.
+//!
+//! A [`Claim`] is data: a [`Statement`] as printed and, where that fails, an amended one. A statement has
+//! hypotheses and a conclusion, which decides one case completely, for every x. One engine ([`judge`]) runs every
+//! conclusion over the paper's instances and over small cases in order of size: the first failure is the smallest
+//! witness, and a statement that fails nowhere is proved at scope `instance` on the cases it was decided in.
+//!
+//! One file for each part of the paper holds the conclusions and the claims made of them.
 
+mod basis;
+mod case;
+mod curve;
+mod hypothesis;
+mod illustrated_bases;
+mod illustrated_curves;
+mod illustrations;
+mod independence;
 mod instances;
+mod maximum;
+mod questions;
+mod registry;
+mod regularity;
+mod statement;
+mod steps;
+mod verdict;
+mod weight;
 
+pub use case::{BasisCase, Case, Cases, Origin, WeightCase};
+pub use hypothesis::{Hypothesis, WeightHypothesis};
+pub use illustrations::Illustration;
 pub use instances::{Instance, instances, instances_named};
+pub use registry::{Claim, Form, Judged, claims};
+pub use statement::{Conclusion, Fault, Sharpness, Statement, judge, judge_by_degree, sharpness};
+pub use verdict::{Judgement, Ledger, Reach, Scope, Stop, Verdict, Witness};

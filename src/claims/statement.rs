@@ -52,14 +52,14 @@ impl<C: Case> Statement<C> {
         match (self.conclusion)(case, &mut ledger) {
             // A conclusion that found nothing to decide has proved nothing.
             Ok(()) if ledger.facts() == 0 => Outcome::Nothing("there is nothing to check here".into()),
-            Ok(()) => Outcome::Holds(ledger.facts()),
+            Ok(()) => Outcome::Holds(ledger),
             Err(stop) => Outcome::Stopped(stop),
         }
     }
 }
 
 enum Outcome {
-    Holds(usize),
+    Holds(Ledger),
     Nothing(String),
     Stopped(Stop),
 }
@@ -121,9 +121,13 @@ fn summarise<'a, C: Case + 'a>(
     let (mut undecided, mut nothing) = (None, None);
     for (outcome, case) in outcomes.into_iter().zip(cases) {
         match outcome {
-            Outcome::Holds(facts) => {
-                reach.facts += facts;
-                *(if case.origin() == Origin::Small { &mut reach.small_cases } else { &mut reach.instances }) += 1;
+            Outcome::Holds(ledger) => {
+                reach.facts += ledger.facts();
+                reach.remarks.extend_from_slice(ledger.remarks());
+                match case.origin() {
+                    Origin::Small => reach.small_cases += 1,
+                    Origin::Paper | Origin::User => reach.instances += case.instances(),
+                }
                 degrees.extend(case.degree());
             }
             Outcome::Stopped(Stop::Refuted(witness)) => return Ok(Verdict::Refuted(witness.clone())),

@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
-use crate::analysis::{Piece, everywhere_positive};
+use crate::analysis::{Piece, always_positive};
 use crate::scalar::{BigRational, ExactField, OrderedField};
 
 /// How far a verdict reaches, weakest first.
@@ -101,6 +101,7 @@ pub type Judgement = Result<(), Stop>;
 #[derive(Debug, Default, Clone, PartialEq, Eq)]
 pub struct Ledger {
     facts: usize,
+    remarks: Vec<String>,
 }
 
 impl Ledger {
@@ -108,6 +109,17 @@ impl Ledger {
     #[must_use]
     pub fn facts(&self) -> usize {
         self.facts
+    }
+
+    /// Adds a figure that was computed on the way and that readers will ask for.
+    pub fn remark(&mut self, remark: String) {
+        self.remarks.push(remark);
+    }
+
+    /// The remarks so far.
+    #[must_use]
+    pub fn remarks(&self) -> &[String] {
+        &self.remarks
     }
 
     fn enter(&mut self, holds: bool) -> bool {
@@ -132,7 +144,7 @@ impl Ledger {
 
     /// f > 0 on the whole open span.
     pub fn positive(&mut self, f: &Piece) -> bool {
-        self.enter(everywhere_positive(f))
+        self.enter(always_positive(f).holds())
     }
 
     /// Two numbers of things agree: a rank and a dimension, a count of maxima and 1.
@@ -152,6 +164,9 @@ pub struct Reach {
     pub facts: usize,
     /// The degrees that occur.
     pub degrees: Vec<usize>,
+    /// Figures that were computed on the way, such as certified suprema.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub remarks: Vec<String>,
 }
 
 /// What is known of a statement.

@@ -1,7 +1,7 @@
 //! Introduction and section 2: the weight φ_α.
 
 use crate::analysis::{Piece, coordinate_between};
-use crate::scalar::{BigRational, Polynomial, RationalAlgebra, RationalFunction, Ring, integer, rational};
+use crate::scalar::{BigRational, RationalAlgebra, RationalFunction, Ring, integer, rational};
 use crate::spline::{Index, weight};
 
 use super::case::WeightCase;

@@ -1,0 +1,620 @@
+//! Illustrations 5.5 to 5.8: the curves C5 to C7 and S1 to S7.
+
+use crate::analysis::{Enclosure, Piece, SpanPieces, common_positive_roots};
+use crate::scalar::{BigRational, Polynomial, RationalAlgebra, Ring, integer, rational, rationals_between};
+use crate::spline::{Curve, Index, Point, Side};
+
+use super::basis::mirrored_span;
+use super::case::BasisCase;
+use super::curve::{convex_hull, shifts_weight};
+use super::illustrations::{
+    Illustration, case_of, each, every_basis, illustrated, largest, named, of_degree, refuted, together,
+};
+use super::instances::Instance;
+use super::registry::Claim;
+use super::verdict::{Judgement, Ledger, Stop};
+
+/// A curve of the paper with the pieces of its basis.
+struct Drawn {
+    case: BasisCase,
+    curve: Curve,
+}
+
+impl Drawn {
+    fn new(instance: &Instance, index: &Index) -> Self {
+        let case = case_of(instance, index);
+        match Curve::new(case.basis().clone(), instance.points.clone().unwrap_or_default()) {
+            Ok(curve) => Self { case, curve },
+            Err(error) => unreachable!("a test builds every instance: {error}"),
+        }
+    }
+
+    /// The coordinates on a span, as functions of u.
+    fn on(&self, pieces: &SpanPieces) -> Vec<Piece> {
+        self.curve.combine(&pieces.functions)
+    }
+
+    /// The coordinates on all spans.
+    fn everywhere(&self) -> Vec<Vec<Piece>> {
+        self.case.pieces().spans().iter().map(|pieces| self.on(pieces)).collect()
+    }
+}
+
+/// (x, y, …) in parentheses.
+fn show(point: &[BigRational]) -> String {
+    let coordinates: Vec<_> = point.iter().map(ToString::to_string).collect();
+    format!("({})", coordinates.join(", "))
+}
+
+fn alpha(index: &Index) -> (&'static str, String) {
+    ("α", index.to_string())
+}
+
+fn squared_length(vector: &[Piece]) -> Option<Piece> {
+    vector.iter().map(|c| c.times(c)).reduce(|sum, square| sum.plus(&square))
+}
+
+/// An enclosure of sup |G_α(x) − G_∞(x)|².
+fn squared_distance(instance: &Instance, index: &Index) -> Result<Enclosure, Stop> {
+    let (curve, classical) = (Drawn::new(instance, index), Drawn::new(instance, &Index::infinity()));
+    let spans = curve.everywhere().into_iter().zip(classical.everywhere());
+    let squares = spans.filter_map(|(one, two)| {
+        let difference: Vec<_> = one.iter().zip(&two).map(|(one, two)| one.minus(two)).collect();
+        squared_length(&difference)
+    });
+    largest(&squares.collect::<Vec<_>>())
+}
+
+/// |G_α(x) − G_∞(x)|² ≤ bound for all x and the given indices.
+fn close_to_classical(
+    indices: &'static [&'static str],
+    bound: BigRational,
+) -> impl Fn(&Illustration, &mut Ledger) -> Judgement {
+    move |illustration, ledger| {
+        for instance in &illustration.instances {
+            for index in indices.iter().filter_map(|text| text.parse().ok()) {
+                let Enclosure { lo, hi, .. } = squared_distance(instance, &index)?;
+                if ledger.less(&bound, &lo) {
+                    let claimed = format!("the squared distance is at most {bound}");
+                    return Err(refuted(instance, &[alpha(&index)], claimed, format!("somewhere it is {lo}")));
+                }
+                if !ledger.less(&hi, &bound) {
+                    return Err(Stop::Undecided(format!("the enclosure [{lo}, {hi}] contains {bound}")));
+                }
+                ledger.remark(format!("α = {index}: the largest squared distance lies in [{lo}, {hi}]."));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The largest distance from G_∞ grows strictly along each chain of indices.
+fn separates(chains: [&'static [&'static str]; 2]) -> impl Fn(&Illustration, &mut Ledger) -> Judgement {
+    move |illustration, ledger| {
+        for instance in &illustration.instances {
+            for chain in chains {
+                let mut last: Option<Enclosure> = None;
+                for index in chain.iter().filter_map(|text| text.parse().ok()) {
+                    let next = squared_distance(instance, &index)?;
+                    if let Some(last) = &last
+                        && !ledger.less(&last.hi, &next.lo)
+                    {
+                        let claimed = "the curve is farther from the classical one than for the index before".into();
+                        let found = format!(
+                            "the squared distances lie in [{}, {}] and then in [{}, {}]",
+                            last.lo, last.hi, next.lo, next.hi
+                        );
+                        return Err(refuted(instance, &[alpha(&index)], claimed, found));
+                    }
+                    let Enclosure { lo, hi, .. } = &next;
+                    ledger.remark(format!("α = {index}: the largest squared distance lies in [{lo}, {hi}]."));
+                    last = Some(next);
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Degree 1: on the span j the curve is d_{j−1} + w(d_j − d_{j−1}), and w climbs from 0 to 1.
+fn polygon_is_trace(illustration: &Illustration, ledger: &mut Ledger) -> Judgement {
+    for instance in &illustration.instances {
+        for index in &instance.indices {
+            let drawn = Drawn::new(instance, index);
+            for pieces in drawn.case.pieces().spans() {
+                let j = pieces.span.index();
+                let (w, points) = (pieces.function(j), drawn.curve.points());
+                let Some(before) = j.checked_sub(1).and_then(|i| points.get(i)).zip(points.get(j)) else {
+                    return Err(refuted(instance, &[alpha(index)], "a leg for every span".into(), "none".into()));
+                };
+                let leg = before.0.iter().zip(before.1).map(|(from, to)| {
+                    w.embed(from).plus(&w.times(&w.embed(&(to - from))))
+                });
+                let on_leg = drawn.on(pieces).iter().zip(leg).all(|(c, leg)| ledger.equal(c, &leg));
+                let climbs = w.evaluate(&integer(0)).is_some_and(|w| ledger.equal(&w, &integer(0)))
+                    && w.at_infinity().is_some_and(|w| ledger.equal(&w, &integer(1)))
+                    && ledger.positive(&w.derivative());
+                if !(on_leg && climbs) {
+                    let claimed = format!("on span {j} the curve runs along the leg from d_{} to d_{j}", j - 1);
+                    return Err(refuted(instance, &[alpha(index)], claimed, "it does not".into()));
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+/// G_α at u is G_∞ at r·u on every span: the same points in the same order, since u ↦ ru maps (0, ∞) onto itself.
+fn trace_is_classical(illustration: &Illustration, ledger: &mut Ledger) -> Judgement {
+    for instance in &illustration.instances {
+        let classical = Drawn::new(instance, &Index::infinity()).everywhere();
+        for index in &instance.indices {
+            for (span, (curve, classical)) in
+                Drawn::new(instance, index).everywhere().iter().zip(&classical).enumerate()
+            {
+                for (c, wanted) in curve.iter().zip(classical) {
+                    if !ledger.equal(c, &wanted.scaled_argument(index.ratio())) {
+                        let at = [alpha(index), ("span", span.to_string())];
+                        let claimed = "G_α(u) = G_∞(r·u) in the coordinate u of the span".into();
+                        return Err(refuted(instance, &at, claimed, "the two differ".into()));
+                    }
+                }
+            }
+        }
+        if !instance.indices.is_empty() {
+            ledger.remark(format!(
+                "{}, degree {}: on every span [a, b), G_α at x is G_∞ at the y with (y−a)/(b−y) = r·(x−a)/(b−x).",
+                instance.name, instance.degree
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// Does the plane curve pass through the point, for some x of [t_0, t_m]?
+fn passes_through(drawn: &Drawn, point: &Point, ledger: &mut Ledger) -> bool {
+    let numerators = |pieces: &SpanPieces| -> Vec<Polynomial<BigRational>> {
+        let coordinates = drawn.on(pieces);
+        coordinates.iter().zip(point).map(|(c, p)| c.minus(&c.embed(p)).numerator().clone()).collect()
+    };
+    let spans = drawn.case.pieces().spans();
+    let inside = spans.iter().any(|pieces| match numerators(pieces).as_slice() {
+        [x, y] => common_positive_roots(x, y).exist(),
+        _ => false,
+    });
+    let at_knots = drawn.case.knots().stop_knots().any(|(t, _)| {
+        [Side::Left, Side::Right].iter().any(|side| t != drawn.case.knots().first() && drawn.curve.point(t, *side) == *point)
+            || drawn.curve.point(t, Side::Right) == *point
+    });
+    // Both decisions are exact; what enters the ledger is that there are no such points.
+    let passes = inside || at_knots;
+    ledger.count(usize::from(passes), 0);
+    passes
+}
+
+/// For every finite index some point of G_α is no point of G_∞.
+fn trace_differs(illustration: &Illustration, ledger: &mut Ledger) -> Judgement {
+    /// Points tried on each span.
+    const TRIED: usize = 3;
+    for instance in &illustration.instances {
+        let classical = Drawn::new(instance, &Index::infinity());
+        for index in instance.indices.iter().filter(|index| !index.is_infinite()) {
+            let drawn = Drawn::new(instance, index);
+            let places = drawn.case.pieces().spans().iter().flat_map(|pieces| {
+                let (start, end) = drawn.case.knots().ends(pieces.span);
+                rationals_between(start, end).take(TRIED)
+            });
+            let off = places
+                .map(|x| (drawn.curve.point(&x, Side::Right), x))
+                .find(|(point, _)| !passes_through(&classical, point, ledger));
+            match off {
+                Some((point, x)) => ledger.remark(format!(
+                    "{}, degree {}, α = {index}: G_α({x}) = {} is no point of G_∞.",
+                    instance.name,
+                    instance.degree,
+                    show(&point)
+                )),
+                None => {
+                    let claimed = "G_α has a point that G_∞ does not have".into();
+                    let found = format!("none of {TRIED} points on each span is one");
+                    return Err(refuted(instance, &[alpha(index)], claimed, found));
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The three curves of C7 differ exactly for t_4 < x < t_8; `three_segments`: and that is the second of three
+/// segments, with something unmoved before it and after it.
+fn moves_locally(three_segments: bool) -> impl Fn(&Illustration, &mut Ledger) -> Judgement {
+    const MOVED: usize = 4;
+    move |illustration, ledger| {
+        let [first, others @ ..] = illustration.instances.as_slice() else { return Ok(()) };
+        for index in &first.indices {
+            let one = Drawn::new(first, index);
+            let (low, high) = one.case.basis().support(MOVED);
+            for other in others {
+                let two = Drawn::new(other, index);
+                let both = one.everywhere().into_iter().zip(two.everywhere());
+                for (pieces, (one_on, two_on)) in one.case.pieces().spans().iter().zip(both) {
+                    let (start, end) = one.case.knots().ends(pieces.span);
+                    let acts = low <= start && end <= high;
+                    let difference: Vec<_> = one_on.iter().zip(&two_on).map(|(a, b)| a.minus(b)).collect();
+                    let square = squared_length(&difference).unwrap_or_else(|| pieces.x.zero());
+                    let as_claimed =
+                        if acts { ledger.positive(&square) } else { ledger.equal(&square, &pieces.x.zero()) };
+                    if !as_claimed {
+                        let claimed = format!("the curves differ exactly for {low} < x < {high}");
+                        let found = format!("on ({start}, {end}) it is otherwise");
+                        return Err(refuted(other, &[alpha(index)], claimed, found));
+                    }
+                }
+            }
+            let knots = one.case.knots();
+            let inner = ledger.less(knots.first(), low) && ledger.less(high, knots.last());
+            if three_segments && !inner {
+                let claimed = "an unmoved segment, one moved with d_4, and an unmoved one".into();
+                let found = format!(
+                    "d_4 moves the curve on ({low}, {high}), up to its end t_m = {}: nothing unmoved follows",
+                    knots.last()
+                );
+                return Err(refuted(first, &[alpha(index)], claimed, found));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The reflection of the plane at the perpendicular bisector of two different points.
+struct Reflection {
+    middle: Point,
+    normal: Point,
+}
+
+impl Reflection {
+    fn between(from: &Point, to: &Point) -> Option<Self> {
+        let normal: Point = to.iter().zip(from).map(|(to, from)| to - from).collect();
+        let middle = to.iter().zip(from).map(|(to, from)| (to + from) / integer(2)).collect();
+        (from != to).then_some(Self { middle, normal })
+    }
+
+    /// P − 2((P − M)·v)/(v·v) v, over any scalar.
+    fn apply<S: RationalAlgebra>(&self, point: &[S]) -> Vec<S> {
+        let square: BigRational = self.normal.iter().map(|v| v * v).sum();
+        let terms = point.iter().zip(&self.middle).zip(&self.normal).map(|((p, m), v)| {
+            p.minus(&p.embed(m)).times(&p.embed(&(v * integer(2) / &square)))
+        });
+        let Some(factor) = terms.reduce(|sum, term| sum.plus(&term)) else { return Vec::new() };
+        point.iter().zip(&self.normal).map(|(p, v)| p.minus(&factor.times(&p.embed(v)))).collect()
+    }
+}
+
+/// G_α and G_{1−α} are mirror images, x against t_0 + t_m − x; `by_ends`: at the bisector of d_0 and d_n, which must
+/// exist; otherwise at the axis that exchanges d_i and d_{n−i} for all i.
+fn mirror_images(by_ends: bool) -> impl Fn(&Illustration, &mut Ledger) -> Judgement {
+    move |illustration, ledger| {
+        for instance in &illustration.instances {
+            let points = instance.points.clone().unwrap_or_default();
+            let mut pairs = points.iter().zip(points.iter().rev());
+            let axis = if by_ends {
+                pairs.next().and_then(|(from, to)| Reflection::between(from, to))
+            } else {
+                pairs.find_map(|(from, to)| Reflection::between(from, to))
+            };
+            let Some(axis) = axis else {
+                let claimed = "d_0 and d_n have a perpendicular bisector".into();
+                let found = format!("d_0 = d_n = {}", points.first().map_or_else(String::new, |p| show(p)));
+                return Err(refuted(instance, &[], claimed, found));
+            };
+            for (i, (point, partner)) in points.iter().zip(points.iter().rev()).enumerate() {
+                let image = axis.apply(point);
+                if !image.iter().zip(partner).all(|(a, b)| ledger.equal(a, b)) {
+                    let claimed = "the control polygon is symmetric".into();
+                    let found = format!("d_{i} is mapped to {}", show(&image));
+                    return Err(refuted(instance, &[], claimed, found));
+                }
+            }
+            for index in &instance.indices {
+                let (one, two) = (Drawn::new(instance, index), Drawn::new(instance, &index.conjugate()));
+                for pieces in two.case.pieces().spans() {
+                    let mirrored = mirrored_span(two.case.knots(), pieces.span);
+                    let Some(partner) = mirrored.and_then(|span| one.case.pieces().on(span)) else {
+                        return Err(Stop::Fault(format!("{} is not symmetric", instance.name)));
+                    };
+                    let image = axis.apply(&one.on(partner));
+                    for (c, wanted) in image.iter().zip(two.on(pieces)) {
+                        if !ledger.equal(&c.reciprocal_argument(), &wanted) {
+                            let claimed = "the reflection takes G_α(t_0+t_m−x) to G_{1−α}(x)".into();
+                            let found = format!("not on span {}", pieces.span.index());
+                            return Err(refuted(instance, &[alpha(index)], claimed, found));
+                        }
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The first control point that equals its successor.
+fn double_point(instance: &Instance) -> Option<&Point> {
+    instance.points.iter().flatten().zip(instance.points.iter().flatten().skip(1)).find(|(p, q)| p == q).map(|(p, _)| p)
+}
+
+/// An enclosure of the least squared distance from the curve to a point: −sup(−|G − P|²).
+fn least_squared_distance(drawn: &Drawn, point: &Point) -> Result<(BigRational, BigRational), Stop> {
+    let negated = drawn.everywhere().into_iter().filter_map(|curve| {
+        let difference: Vec<_> = curve.iter().zip(point).map(|(c, p)| c.minus(&c.embed(p))).collect();
+        squared_length(&difference).map(|square| square.negate())
+    });
+    let Enclosure { lo, hi, .. } = largest(&negated.collect::<Vec<_>>())?;
+    Ok((-hi, -lo))
+}
+
+/// The curve passes through its double control point.
+fn adheres(illustration: &Illustration, ledger: &mut Ledger) -> Judgement {
+    for instance in &illustration.instances {
+        let Some(point) = double_point(instance) else { continue };
+        for index in &instance.indices {
+            let drawn = Drawn::new(instance, index);
+            if !passes_through(&drawn, point, ledger) {
+                let (low, high) = least_squared_distance(&drawn, point)?;
+                let claimed = format!("the curve passes through the double control point {}", show(point));
+                let found = format!("its least squared distance from there lies in [{low}, {high}]");
+                return Err(refuted(instance, &[alpha(index)], claimed, found));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The curve misses its double control point, by a squared distance of at most the bound.
+fn nearly_adheres(bound: BigRational) -> impl Fn(&Illustration, &mut Ledger) -> Judgement {
+    move |illustration, ledger| {
+        for instance in &illustration.instances {
+            let Some(point) = double_point(instance) else { continue };
+            for index in &instance.indices {
+                let (low, high) = least_squared_distance(&Drawn::new(instance, index), point)?;
+                if !(ledger.less(&integer(0), &low) && ledger.less(&high, &bound)) {
+                    let claimed = format!("the least squared distance is positive and less than {bound}");
+                    return Err(refuted(instance, &[alpha(index)], claimed, format!("it lies in [{low}, {high}]")));
+                }
+                ledger.remark(format!(
+                    "{}, α = {index}: the least squared distance lies in [{low}, {high}].",
+                    instance.name
+                ));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The direction in which the curve moves just before or after x: the first derivative that is not 0, with its
+/// sign turned for even orders on the left.
+fn direction(curve: &Curve, x: &BigRational, side: Side) -> Option<Point> {
+    let order = curve.basis().degree() + 1;
+    let jets = curve.jets(x, side, order);
+    (1..=order).find_map(|d| {
+        let vector: Point = jets.iter().map(|jet| jet.coefficients()[d].clone()).collect();
+        let turned = side == Side::Left && d % 2 == 0;
+        vector.iter().any(|c| !c.is_zero()).then(|| {
+            if turned { vector.iter().map(|c| -c).collect() } else { vector }
+        })
+    })
+}
+
+/// At every knot inside of the given multiplicity the directions from the two sides are not the same.
+fn corner(multiplicity: usize) -> impl Fn(&Illustration, &mut Ledger) -> Judgement {
+    move |illustration, ledger| {
+        for instance in &illustration.instances {
+            for index in &instance.indices {
+                let drawn = Drawn::new(instance, index);
+                for (x, _) in drawn.case.knots().inner_stop_knots().filter(|(_, p)| *p == multiplicity) {
+                    let of = |side| direction(&drawn.curve, x, side);
+                    let (Some(left), Some(right)) = (of(Side::Left), of(Side::Right)) else { continue };
+                    let [a, b, c, d] = [&left[0], &left[1], &right[0], &right[1]];
+                    let parallel = a * d == b * c;
+                    let ahead = a * c + b * d;
+                    let same = parallel && !ledger.less(&ahead, &integer(0));
+                    if same || (!parallel && !ledger.differ(&(a * d), &(b * c))) {
+                        let at = [alpha(index), ("x", x.to_string())];
+                        let claimed = "the tangent directions from the two sides differ".into();
+                        return Err(refuted(instance, &at, claimed, format!("both are along {}", show(&left))));
+                    }
+                    ledger.remark(format!(
+                        "{}, α = {index}: at x = {x} the curve arrives along {} and leaves along {}.",
+                        instance.name,
+                        show(&left),
+                        show(&right)
+                    ));
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// `shifts_weight` for every finite index.
+fn weight_shifts(instance: &Instance, ledger: &mut Ledger) -> Judgement {
+    for index in instance.indices.iter().filter(|index| !index.is_infinite()) {
+        shifts_weight(&case_of(instance, index), false, ledger).map_err(|stop| named(instance, stop))?;
+    }
+    Ok(())
+}
+
+/// The claims about curves.
+pub(super) fn claims() -> Vec<Claim> {
+    const SYMMETRIC: [&str; 7] = ["S1", "S2", "S3", "S4", "S5", "S6", "S7"];
+    const HULL: [&str; 6] = ["C5", "C6a", "C6b", "C7a", "C7b", "C7c"];
+    const TO_ZERO: &[&str] = &["-4", "-1/2", "-1/5", "-1/7"];
+    const TO_ONE: &[&str] = &["5", "3/2", "6/5", "8/7"];
+    let hull = |text| illustrated(text, each(&HULL), every_basis(convex_hull));
+    vec![
+        Claim::new(
+            "Ill5.5.1",
+            "Illustration 5.5 (1)",
+            illustrated(
+                "C5, α = −4 and α = 5: |G_α(x) − G_∞(x)| < 1/2 for all x (the polygon is 10 wide and 4 high).",
+                each(&["C5"]),
+                close_to_classical(&["-4", "5"], rational(1, 4)),
+            ),
+        )
+        .note("\"Good approximation\" is our 1/2. Judged at the two ends of the printed ranges α ≤ −4 and α ≥ 5."),
+        Claim::new(
+            "Ill5.5.2",
+            "Illustration 5.5 (2)",
+            illustrated(
+                "C5: sup |G_α(x) − G_∞(x)| grows along α = −4, −1/2, −1/5, −1/7 and along α = 5, 3/2, 6/5, 8/7.",
+                each(&["C5"]),
+                separates([TO_ZERO, TO_ONE]),
+            ),
+        )
+        .note("Judged along the indices of the figure."),
+        Claim::new(
+            "Ill5.6.k1",
+            "Illustration 5.6",
+            illustrated(
+                "C6a, C6b, degree 1: the curve's trace is the control polygon, whatever α.",
+                of_degree(each(&["C6a", "C6b"]), &[1]),
+                polygon_is_trace,
+            ),
+        ),
+        Claim::new(
+            "Ill5.6.bezier",
+            "Illustration 5.6",
+            illustrated(
+                "C6a with degree 3, C6b with degree 5 (no interior knot): the curve's trace does not depend on α.",
+                [of_degree(each(&["C6a"]), &[3]), of_degree(each(&["C6b"]), &[5])].into_iter().flatten().collect(),
+                trace_is_classical,
+            ),
+        ),
+        Claim::new(
+            "Ill5.6.between",
+            "Illustration 5.6",
+            illustrated(
+                "C6a degree 2, C6b degrees 2 to 4: α does influence the trace.",
+                [of_degree(each(&["C6a"]), &[2]), of_degree(each(&["C6b"]), &[2, 3, 4])]
+                    .into_iter()
+                    .flatten()
+                    .collect(),
+                trace_differs,
+            ),
+        )
+        .note("For every finite index shown, some point of G_α is not on G_∞."),
+        Claim::new(
+            "Ill5.7.local",
+            "Illustration 5.7",
+            illustrated(
+                "C7: the curves differ only where the moved d_4 acts, and each is made up of three segments of which the second moves with it.",
+                together(&["C7a", "C7b", "C7c"]),
+                moves_locally(true),
+            ),
+        )
+        .amended(illustrated(
+            "C7: the curves differ exactly for x in (t_4, t_8) = (1, 4), the second of two segments; it ends at the fixed point d_6.",
+            together(&["C7a", "C7b", "C7c"]),
+            moves_locally(false),
+        )),
+        Claim::new(
+            "Ill5.7.hull",
+            "Illustration 5.7",
+            hull("In Illustrations 5.5 to 5.7 every curve lies in the convex hull of its control polygon."),
+        ),
+        Claim::new(
+            "Ill5.7.shift",
+            "Illustration 5.7",
+            illustrated(
+                "C7: for every x and j, G_0 + … + G_j is at least its classical value for α < 0 and at most that for α > 1: weight moves from d_{i+1} to d_i, or back.",
+                each(&["C7a"]),
+                |illustration, ledger| {
+                    illustration.instances.iter().try_for_each(|instance| weight_shifts(instance, ledger))
+                },
+            ),
+        )
+        .note("Our formalisation of \"near a segment [d_i, d_{i+1}] the curve moves towards d_i for α in (−1,0) and towards d_{i+1} for α in (1,2)\"."),
+        Claim::new(
+            "Rem5.2",
+            "Remark 5.2",
+            hull("In Illustrations 5.5 to 5.7 the convex hull property holds."),
+        ),
+        Claim::new(
+            "Ill5.8.symmetry",
+            "Illustration 5.8",
+            illustrated(
+                "S1 to S7, α in {∞, −1, −1/2, −1/5}: G_α and G_{1−α} are symmetric with respect to the perpendicular bisector of (d_0, d_n).",
+                each(&SYMMETRIC),
+                mirror_images(true),
+            ),
+        )
+        .amended(illustrated(
+            "The same with respect to the axis that exchanges d_i and d_{n−i}; in S7, where d_0 = d_n, that is y = 2.",
+            each(&SYMMETRIC),
+            mirror_images(false),
+        )),
+        Claim::new(
+            "Ill5.8.double",
+            "Illustration 5.8",
+            illustrated(
+                "S2, S5: the curves G_α and G_{1−α} pass through the double control point.",
+                each(&["S2", "S5"]),
+                adheres,
+            ),
+        )
+        .amended(illustrated(
+            "S2, S5: they miss the double control point, by a distance less than 1.",
+            each(&["S2", "S5"]),
+            nearly_adheres(integer(1)),
+        ))
+        .note("\"Adhere\" is read as passing through."),
+        Claim::new(
+            "Ill5.8.fig29",
+            "Illustration 5.8, Fig. 29",
+            illustrated(
+                "S3: the trace of the curve does not depend on α.",
+                each(&["S3"]),
+                trace_is_classical,
+            ),
+        )
+        .note("On either span only the weight on [0, 4] differs from the Bernstein weights, and it acts only between the two equal control points: G_α is a Bézier curve in w."),
+        Claim::new(
+            "Ill5.8.multiplicity",
+            "Illustration 5.8",
+            illustrated(
+                "S3, S6: at the double knot the tangent directions of G_α and of G_{1−α} from the left and from the right differ.",
+                each(&["S3", "S6"]),
+                corner(2),
+            ),
+        )
+        .note("The corner is there for α = ∞ too, since the double control point lies over the double knot."),
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::claims::statement::{Statement, judge};
+    use crate::claims::verdict::Verdict;
+
+    fn refuted(
+        examples: Vec<Illustration>,
+        conclusion: impl Fn(&Illustration, &mut Ledger) -> Judgement + Send + Sync + 'static,
+    ) -> bool {
+        matches!(judge(&Statement::new("", conclusion), &examples).unwrap(), Verdict::Refuted(_))
+    }
+
+    #[test]
+    fn false_variants_are_refuted() {
+        assert!(refuted(each(&["C5"]), close_to_classical(&["-4", "5"], rational(1, 1000))), "too close");
+        assert!(refuted(each(&["C5"]), separates([&["-1/2", "-4"], &["5", "6/5"]])), "approaches");
+        assert!(refuted(of_degree(each(&["C6a"]), &[2]), polygon_is_trace), "degree 2 along the polygon");
+        assert!(refuted(of_degree(each(&["C6a"]), &[2]), trace_is_classical), "degree 2 independent of α");
+        assert!(refuted(of_degree(each(&["C6a"]), &[3]), trace_differs), "the Bézier case depends on α");
+        assert!(refuted(together(&["C7a", "C7b"]), moves_locally(true)), "three segments");
+        assert!(refuted(each(&["S7"]), mirror_images(true)), "a bisector of one point");
+        assert!(refuted(each(&["C5"]), mirror_images(false)), "a polygon without symmetry");
+        assert!(refuted(each(&["S2"]), adheres), "adheres");
+        assert!(refuted(each(&["S3"]), nearly_adheres(integer(1))), "misses a point that it meets");
+        assert!(refuted(each(&["S1"]), corner(1)), "corners at simple knots, for α = ∞ too");
+    }
+}

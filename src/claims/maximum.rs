@@ -1,0 +1,158 @@
+//! Conjecture 3.1: every basis function has one and only one maximum.
+
+use crate::analysis::{Place, Shape};
+
+use super::basis::name;
+use super::case::BasisCase;
+use super::hypothesis::Hypothesis::{DegreeAtLeast, InnerMultiplicityAtMostDegree};
+use super::registry::{Claim, Form};
+use super::statement::Statement;
+use super::verdict::{Judgement, Ledger, Stop};
+
+/// The two readings of "one and only one maximum".
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Reading {
+    /// Exactly one local maximum (an interval of constancy counts once).
+    Strong,
+    /// The largest value exists and is taken at exactly one x.
+    Weak,
+}
+
+/// The conjecture for one function; `wanted` local maxima in the strong reading, 1 in the claim.
+fn one_maximum(case: &BasisCase, i: usize, reading: Reading, wanted: usize, ledger: &mut Ledger) -> Judgement {
+    let shape = Shape::of(case.basis(), case.pieces(), i);
+    let g = name(case.k(), i);
+    let at = [("i", i.to_string())];
+    let places = || {
+        let maxima: Vec<_> = shape.local_maxima().map(|maximum| place(&maximum.place)).collect();
+        let jumps = shape.jumps().iter().map(|jump| {
+            format!("at {} it jumps from the limit {} to {}", jump.at, jump.left, jump.right)
+        });
+        let mut found = vec![match maxima.as_slice() {
+            [] => format!("{g} has no local maximum"),
+            [one] => format!("its only local maximum is at {one}"),
+            several => format!("it has {} local maxima: at {}", several.len(), several.join(" and at ")),
+        }];
+        found.extend(jumps);
+        found.join("; ")
+    };
+    match reading {
+        Reading::Strong if ledger.count(shape.local_maxima().count(), wanted) => Ok(()),
+        Reading::Strong => Err(case.refuted(at, format!("{g} has exactly one local maximum"), places())),
+        Reading::Weak => match shape.weak() {
+            Some(once) if ledger.count(usize::from(once), wanted) => Ok(()),
+            Some(_) => {
+                let claimed = format!("{g} takes its largest value at exactly one x");
+                Err(case.refuted(at, claimed, places()))
+            }
+            None => Err(Stop::Undecided(format!("two local maxima of {g} lie too close to be told apart"))),
+        },
+    }
+}
+
+fn place(place: &Place) -> String {
+    match place {
+        Place::Point(x) => format!("x = {x}"),
+        Place::Irrational { lo, hi, .. } => format!("an irrational x in ({lo}, {hi})"),
+        Place::Plateau { from, to, closed } => format!("[{from}, {to}{}", if *closed { "]" } else { ")" }),
+    }
+}
+
+/// The conjecture for every function of the case that is not identically 0. `continuous`: only for those that
+/// do not jump inside (t_0, t_m).
+pub(super) fn conjecture(
+    reading: Reading,
+    continuous: bool,
+    wanted: usize,
+) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
+    move |case, ledger| {
+        let knots = case.knots();
+        for i in 0..=case.n() {
+            let (low, high) = case.basis().support(i);
+            let full = |x, p: usize| x != knots.first() && x != knots.last() && p > case.k();
+            // A function jumps at an end of its support if k + 1 of its knots are there.
+            let own = &knots.knots()[i..=i + case.k() + 1];
+            let jumps = [low, high].iter().any(|end| full(*end, own.iter().filter(|t| t == end).count()));
+            if low < high && !(continuous && jumps) {
+                one_maximum(case, i, reading, wanted, ledger)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The four readings of the conjecture.
+pub(super) fn claims() -> Vec<Claim> {
+    let statement = |text, reading, continuous| {
+        Form::Basis(Statement::new(text, conjecture(reading, continuous, 1)).given([DegreeAtLeast(1)]))
+    };
+    let under_multiplicity = |text, reading| {
+        let conclusion = conjecture(reading, false, 1);
+        Form::Basis(Statement::new(text, conclusion).given([DegreeAtLeast(1), InnerMultiplicityAtMostDegree]))
+    };
+    const WHERE: &str = "Functions with t_i = t_{i+k+1} are 0 and left out.";
+    const CONTINUOUS: &str = "Continuous is meant on (t_0, t_m). On the open support alone every function is continuous, those included that rise to a knot of multiplicity k + 1 and drop there.";
+    vec![
+        Claim::new(
+            "Conj3.1.strong",
+            "Conjecture 3.1",
+            statement(
+                "For k ≥ 1 every G_i^k has exactly one local maximum (an interval of constancy counts once).",
+                Reading::Strong,
+                false,
+            ),
+        )
+        .amended(under_multiplicity("The same if no knot inside (t_0, t_m) has multiplicity greater than k.", Reading::Strong))
+        .note(WHERE),
+        Claim::new(
+            "Conj3.1.weak",
+            "Conjecture 3.1",
+            statement(
+                "For k ≥ 1 every G_i^k has a largest value and takes it at exactly one x.",
+                Reading::Weak,
+                false,
+            ),
+        )
+        .amended(under_multiplicity("The same if no knot inside (t_0, t_m) has multiplicity greater than k.", Reading::Weak))
+        .note(WHERE),
+        Claim::new(
+            "Conj3.1.strong.continuous",
+            "Conjecture 3.1",
+            statement(
+                "For k ≥ 1 every G_i^k that is continuous on (t_0, t_m) has exactly one local maximum.",
+                Reading::Strong,
+                true,
+            ),
+        )
+        .note(CONTINUOUS),
+        Claim::new(
+            "Conj3.1.weak.continuous",
+            "Conjecture 3.1",
+            statement(
+                "For k ≥ 1 every G_i^k that is continuous on (t_0, t_m) has a largest value and takes it at exactly one x.",
+                Reading::Weak,
+                true,
+            ),
+        )
+        .note(CONTINUOUS),
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::claims::case::Cases;
+    use crate::claims::statement::judge;
+    use crate::claims::verdict::Verdict;
+
+    #[test]
+    fn false_variants_are_refuted() {
+        let bases = Cases::all().bases;
+        for reading in [Reading::Strong, Reading::Weak] {
+            let two_maxima = Statement::new("", conjecture(reading, true, 2));
+            assert!(matches!(judge(&two_maxima, &bases).unwrap(), Verdict::Refuted(_)));
+            let jumps_too = Statement::new("", conjecture(reading, false, 1));
+            assert!(matches!(judge(&jumps_too, &bases).unwrap(), Verdict::Refuted(_)));
+        }
+    }
+}

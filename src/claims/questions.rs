@@ -1,0 +1,329 @@
+//! Questions that the paper does not ask and its users will, for finite α; judged degree by degree as well.
+
+use crate::analysis::{
+    Piece, Pieces, Sign, SpanPieces, coefficient_rows, common_numerators, in_span, is_combination,
+    sign_pattern,
+};
+use crate::scalar::{BigRational, Polynomial, RationalAlgebra, Ring, integer};
+use crate::spline::{Basis, Side};
+
+use super::basis::name;
+use super::case::BasisCase;
+use super::hypothesis::Hypothesis::{
+    DegreeAtLeast, FiniteIndex, InnerMultiplicityAtMostDegree,
+};
+use super::registry::{Claim, Form};
+use super::statement::Statement;
+use super::verdict::{Judgement, Ledger, Stop};
+
+/// At every simple interior knot the factors of the control points in the two one-sided derivatives are
+/// proportional, by a positive number: then, and only then, have all curves a continuous tangent direction.
+fn tangent_continuity(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
+    let simple = case.knots().interior(case.k()).iter().filter(|t| case.knots().multiplicity(t) == 1);
+    for x in simple {
+        let slopes = |side| -> Vec<BigRational> {
+            case.basis().jets(x, side, 1).iter().map(|jet| jet.coefficients()[1].clone()).collect()
+        };
+        let (left, right) = (slopes(Side::Left), slopes(Side::Right));
+        let Some(p) = left.iter().position(|slope| !slope.is_zero()) else { continue };
+        for q in 0..left.len() {
+            if !ledger.equal(&(&left[p] * &right[q]), &(&left[q] * &right[p])) {
+                let at = [("x", x.to_string()), ("d", format!("0 but for d_{p} = (1, 0) and d_{q} = (0, 1)"))];
+                let found = format!(
+                    "the one-sided derivatives there are ({}, {}) and ({}, {})",
+                    left[p], left[q], right[p], right[q]
+                );
+                return Err(case.refuted(at, format!("every curve has one tangent direction at {x}"), found));
+            }
+        }
+        if !ledger.less(&integer(0), &(&left[p] * &right[p])) {
+            let at = [("x", x.to_string())];
+            return Err(case.refuted(at, "the tangent does not turn back".into(), format!("it does, for d_{p}")));
+        }
+    }
+    Ok(())
+}
+
+/// A function Σ c_i G_i with c_i = ±1 that changes its sign more often than the c_i do. In the plane, the line
+/// y = 0 then meets the curve with ordinates c_i more often than its polygon.
+fn variation(case: &BasisCase, _: &mut Ledger) -> Judgement {
+    /// Beyond that many control points the 2^(n+1) sign vectors are too many.
+    const MOST: usize = 8;
+    let count = case.n() + 1;
+    let undecided = || Err(Stop::Undecided("only control ordinates ±1 on small knot vectors were tried".into()));
+    if count > MOST {
+        return undecided();
+    }
+    for signs in 1..1_usize << (count - 1) {
+        let c: Vec<_> = (0..count).map(|i| BigRational::from_integer(if signs >> i & 1 == 1 { -1 } else { 1 }.into())).collect();
+        let polygon = c.windows(2).filter(|pair| pair[0] != pair[1]).count();
+        let curve = sign_changes(case.pieces(), &c);
+        if curve > polygon {
+            let list: Vec<_> = c.iter().map(ToString::to_string).collect();
+            let at = [("ordinates", format!("({})", list.join(", ")))];
+            let claimed = format!("y = 0 is crossed at most {polygon} times, as by the polygon");
+            return Err(case.refuted(at, claimed, format!("the curve crosses it {curve} times")));
+        }
+    }
+    undecided()
+}
+
+/// How often Σ c_i G_i changes its sign on [t_0, t_m].
+fn sign_changes(pieces: &Pieces, c: &[BigRational]) -> usize {
+    let signs = pieces.spans().iter().flat_map(|span| {
+        let terms = span.functions.iter().map(|(i, g)| g.times(&g.embed(&c[i])));
+        let sum: Piece = terms.fold(pieces.zero(), |sum, term| sum.plus(&term));
+        let pattern = sign_pattern(&sum.numerator().times(sum.denominator()));
+        pattern.between().iter().map(|(_, sign)| *sign).collect::<Vec<_>>()
+    });
+    let signs: Vec<_> = signs.filter(|sign| *sign != Sign::Zero).collect();
+    signs.windows(2).filter(|pair| pair[0] != pair[1]).count()
+}
+
+/// Minors of order 2 and 3 of (G_i(x_j)) at the knots and at the thirds of the spans.
+fn total_positivity(case: &BasisCase, _: &mut Ledger) -> Judgement {
+    let mut places: Vec<BigRational> = Vec::new();
+    for pieces in case.pieces().spans() {
+        let (start, end) = case.knots().ends(pieces.span);
+        let third = (end - start) / integer(3);
+        places.extend([start.clone(), start + &third, end - third]);
+    }
+    let rows: Vec<_> = places.iter().map(|x| case.basis().values(x, Side::Right)).collect();
+    for order in 2..=3 {
+        for x in subsets(places.len(), order) {
+            for i in subsets(case.n() + 1, order) {
+                let minor = determinant(&x.iter().map(|&x| i.iter().map(|&i| rows[x][i].clone()).collect()).collect::<Vec<_>>());
+                if minor < integer(0) {
+                    let list = |places: Vec<String>| format!("({})", places.join(", "));
+                    let at = [
+                        ("functions", list(i.iter().map(|&i| name(case.k(), i)).collect())),
+                        ("points", list(x.iter().map(|&x| places[x].to_string()).collect())),
+                    ];
+                    return Err(case.refuted(at, "the minor is ≥ 0".into(), format!("it is {minor}")));
+                }
+            }
+        }
+    }
+    Err(Stop::Undecided("only minors of order 2 and 3 at the knots and the thirds of spans were tried".into()))
+}
+
+/// The subsets of 0..n of the given size, as rising lists.
+fn subsets(n: usize, size: usize) -> Vec<Vec<usize>> {
+    if size == 0 {
+        return vec![Vec::new()];
+    }
+    let shorter = subsets(n, size - 1);
+    shorter
+        .into_iter()
+        .flat_map(|list| {
+            let from = list.last().map_or(0, |last| last + 1);
+            (from..n).map(move |next| [list.clone(), vec![next]].concat())
+        })
+        .collect()
+}
+
+/// Laplace expansion: for orders 2 and 3.
+fn determinant(rows: &[Vec<BigRational>]) -> BigRational {
+    let Some((first, rest)) = rows.split_first() else { return integer(1) };
+    let mut sum = integer(0);
+    for (column, entry) in first.iter().enumerate() {
+        let minor: Vec<Vec<_>> = rest
+            .iter()
+            .map(|row| row.iter().enumerate().filter(|(c, _)| *c != column).map(|(_, x)| x.clone()).collect())
+            .collect();
+        let term = entry * determinant(&minor);
+        if column % 2 == 0 { sum += term } else { sum -= term }
+    }
+    sum
+}
+
+/// x ↦ x is a combination of the basis on [t_k, t_{n+1}].
+fn linear_precision(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
+    // On one span first: what fails there fails on the whole interval.
+    for pieces in case.pieces().spans() {
+        if (case.k()..=case.n()).contains(&pieces.span.index())
+            && !ledger.count(usize::from(is_combination(pieces.functions.values(), &pieces.x)), 1)
+        {
+            let (start, end) = case.knots().ends(pieces.span);
+            let claimed = "x is a combination of the basis functions".to_owned();
+            let found = format!("on [{start}, {end}) it is none of those that live there");
+            return Err(case.refuted([("span", format!("[{start}, {end})"))], claimed, found));
+        }
+    }
+    Ok(())
+}
+
+/// Every function for U is a combination of those for U with one more knot, in the middle of any span.
+fn nested(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
+    for coarse in case.pieces().spans() {
+        let (start, end) = case.knots().ends(coarse.span);
+        let knot = (start + end) / integer(2);
+        let refined = case.knots().with_knot(&knot);
+        let Ok(refined) = Basis::new(refined, case.k(), case.basis().index().clone()) else { continue };
+        let fine = Pieces::of(&refined);
+        let rows = coefficient_rows(fine.spans().iter().map(|span| fine_and_coarse(span, refined.n(), case)));
+        let (basis, functions) = rows.split_at(refined.n() + 1);
+        for (i, function) in functions.iter().enumerate() {
+            if !ledger.count(usize::from(in_span(basis, function).is_some()), 1) {
+                let at = [("i", i.to_string()), ("new knot", knot.to_string())];
+                let g = name(case.k(), i);
+                let claimed = format!("{g} is a combination of the functions for the refined knots");
+                return Err(case.refuted(at, claimed, "it is none".into()));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// On a span of the refined knots: the refined functions, then those of the case.
+fn fine_and_coarse(fine: &SpanPieces, n: usize, case: &BasisCase) -> Vec<Piece> {
+    let start = fine.x.evaluate(&integer(0));
+    let coarse = start.and_then(|start| case.knots().span_at(&start, Side::Right));
+    let coarse = coarse.map(|span| case.basis().active(span, &fine.x));
+    let of_case = |i| coarse.as_ref().and_then(|active| active.get(i)).cloned().unwrap_or_else(|| fine.x.zero());
+    (0..=n).map(|i| fine.function(i)).chain((0..=case.n()).map(of_case)).collect()
+}
+
+/// On every span the derivative of every function is a combination of the functions of degree k − 1 on the same
+/// knots.
+fn derivative_in_class(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
+    let Ok(lower) = Basis::new(case.knots().clone(), case.k() - 1, case.basis().index().clone()) else { return Ok(()) };
+    let lower = Pieces::of(&lower);
+    for (pieces, lower) in case.pieces().spans().iter().zip(lower.spans()) {
+        for (i, g) in pieces.functions.iter() {
+            let slope = pieces.derivative(g);
+            if !ledger.count(usize::from(is_combination(lower.functions.values(), &slope)), 1) {
+                let (start, end) = case.knots().ends(pieces.span);
+                let at = [("i", i.to_string()), ("span", format!("[{start}, {end})"))];
+                let claimed = format!("D{} is a combination of the functions of degree {}", name(case.k(), i), case.k() - 1);
+                return Err(case.refuted(at, claimed, "it is none".into()));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// On every span, with Q the least common denominator: deg Q ≤ k(k + 1)/2, no numerator has a higher degree, and
+/// the coefficients of Q in u, which are positive multiples of its Bézier weights, are positive.
+fn rational_bezier(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
+    let most = case.k() * (case.k() + 1) / 2;
+    for pieces in case.pieces().spans() {
+        if !(case.k()..=case.n()).contains(&pieces.span.index()) {
+            continue;
+        }
+        let mut functions = pieces.functions.values().to_vec();
+        functions.push(case.pieces().one());
+        // The numerator of 1 over the common denominator is that denominator.
+        let mut numerators = common_numerators(&functions);
+        let Some(denominator) = numerators.pop() else { continue };
+        let degree = denominator.degree().max(numerators.iter().map(Polynomial::degree).max().unwrap_or(0));
+        let (start, end) = case.knots().ends(pieces.span);
+        let at = [("span", format!("[{start}, {end})"))];
+        if !ledger.count(degree.max(most), most) {
+            let claimed = format!("the curve is a rational Bézier curve of degree at most {most}");
+            return Err(case.refuted(at, claimed, format!("its least degree is {degree}")));
+        }
+        let padded = denominator.degree() == degree;
+        let positive = denominator.coefficients().iter().all(|c| ledger.less(&integer(0), c));
+        if !(padded && positive) {
+            return Err(case.refuted(at, "all Bézier weights are positive".into(), "one is not".into()));
+        }
+    }
+    Ok(())
+}
+
+/// The questions.
+pub(super) fn claims() -> Vec<Claim> {
+    vec![
+        Claim::new(
+            "X.G1",
+            "not in the paper",
+            Form::Basis(
+                Statement::new(
+                    "At every simple interior knot every curve of degree k ≥ 2 has a continuous tangent direction (the one-sided derivatives are non-negative multiples of one vector).",
+                    tangent_continuity,
+                )
+                .given([FiniteIndex, DegreeAtLeast(2)]),
+            ),
+        ),
+        Claim::new(
+            "X.variation",
+            "not in the paper",
+            Form::Basis(
+                Statement::new(
+                    "Variation diminishing: no line in R² meets the curve more often than the control polygon.",
+                    variation,
+                )
+                .given([FiniteIndex, DegreeAtLeast(1), InnerMultiplicityAtMostDegree]),
+            ),
+        ),
+        Claim::new(
+            "X.totalpositivity",
+            "not in the paper",
+            Form::Basis(
+                Statement::new(
+                    "Every collocation matrix (G_i^k(x_j)), x_1 < … < x_p, has only non-negative minors.",
+                    total_positivity,
+                )
+                .given([FiniteIndex, DegreeAtLeast(1)]),
+            ),
+        ),
+        Claim::new(
+            "X.linear",
+            "not in the paper",
+            Form::Basis(
+                Statement::new(
+                    "The span of the basis contains x ↦ x on [t_k, t_{n+1}].",
+                    linear_precision,
+                )
+                .given([FiniteIndex, DegreeAtLeast(1)]),
+            ),
+        ),
+        Claim::new(
+            "X.nested",
+            "not in the paper",
+            Form::Basis(
+                Statement::new(
+                    "Knot insertion: the span for U lies in the span for U with one more knot.",
+                    nested,
+                )
+                .given([FiniteIndex, DegreeAtLeast(1)]),
+            ),
+        ),
+        Claim::new(
+            "X.derivative",
+            "not in the paper",
+            Form::Basis(
+                Statement::new(
+                    "The derivative of a curve is, on each span, a curve of the same class of degree k−1 on the same knots.",
+                    derivative_in_class,
+                )
+                .given([FiniteIndex, DegreeAtLeast(1)]),
+            ),
+        ),
+        Claim::new(
+            "X.nurbs",
+            "not in the paper",
+            Form::Basis(
+                Statement::new(
+                    "On every span the curve is a rational Bézier curve of degree at most k(k+1)/2 with positive weights.",
+                    rational_bezier,
+                )
+                .given([FiniteIndex, DegreeAtLeast(1)]),
+            ),
+        ),
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn determinants_and_subsets() {
+        let matrix = [[1, 2, 3], [0, 1, 4], [5, 6, 0]].map(|row| row.map(|x| integer(x)).to_vec());
+        assert_eq!(determinant(&matrix), integer(1));
+        assert_eq!(subsets(4, 2).len(), 6);
+        assert_eq!(subsets(3, 3), [[0, 1, 2]]);
+    }
+}
