@@ -42,12 +42,17 @@ const STEP: u32 = 8;
 const LOOKS: u32 = 16;
 
 impl Height {
-    /// Lower and upper bounds, equal if the value is exact; `None` if the interval of the root is still too
-    /// wide for the denominator to have a sign.
-    pub(super) fn enclosure(&self) -> Option<(BigRational, BigRational)> {
+    /// Lower and upper bounds, equal if the value is exact. Refines the root until the denominator has a sign
+    /// on its interval: it has one, since a piece has no pole inside its span.
+    pub(super) fn enclosure(&mut self) -> (BigRational, BigRational) {
         match self {
-            Self::Exact(value) => Some((value.clone(), value.clone())),
-            Self::At(at) => enclose(&at.0, &at.1.interval()),
+            Self::Exact(value) => (value.clone(), value.clone()),
+            Self::At(at) => loop {
+                if let Some(bounds) = enclose(&at.0, &at.1.interval()) {
+                    break bounds;
+                }
+                at.1.refine();
+            },
         }
     }
 
@@ -129,9 +134,9 @@ pub(super) fn attained_once(mut contenders: Vec<Contender>) -> Option<bool> {
 
 /// Drops what is certainly smaller than another one.
 fn keep_largest(contenders: &mut Vec<Contender>) {
-    let bounds: Vec<_> = contenders.iter().map(|contender| contender.height.enclosure()).collect();
-    let Some(largest) = bounds.iter().flatten().map(|(lo, _)| lo).max() else { return };
-    let mut keep = bounds.iter().map(|bound| bound.as_ref().is_none_or(|(_, hi)| hi >= largest));
+    let bounds: Vec<_> = contenders.iter_mut().map(|contender| contender.height.enclosure()).collect();
+    let largest = bounds.iter().map(|(lo, _)| lo).max();
+    let mut keep = bounds.iter().map(|(_, hi)| largest.is_none_or(|largest| hi >= largest));
     contenders.retain(|_| keep.next().unwrap_or(true));
 }
 

@@ -232,11 +232,9 @@ mod tests {
     fn signs_at_fractions_and_at_infinity() {
         let p = polynomial(&[-2, 0, 1]);
         let at = |a: i64, d: i64| p.sign_at(&a.into(), &d.into());
-        assert_eq!((at(7, 5), at(3, 2), at(1, 0), at(0, 1)), (
-            Sign::Negative,
-            Sign::Positive,
-            Sign::Positive,
-            Sign::Negative
-        ));
+        assert_eq!(
+            (at(7, 5), at(3, 2), at(1, 0), at(0, 1)),
+            (Sign::Negative, Sign::Positive, Sign::Positive, Sign::Negative)
+        );
     }
 }

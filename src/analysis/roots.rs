@@ -212,7 +212,11 @@ fn isolate(polynomial: &IntegerPolynomial) -> Vec<(BigRational, BigRational)> {
     if let [constant, leading] = polynomial.coefficients() {
         // u = −c₀/c₁, that is y = c₀/(c₀ − c₁).
         let y = BigRational::new(constant.clone(), constant - leading);
-        return if constant.is_negative() == leading.is_negative() { Vec::new() } else { vec![(y.clone(), y)] };
+        return if constant.is_negative() == leading.is_negative() {
+            Vec::new()
+        } else {
+            vec![(y.clone(), y)]
+        };
     }
     let coefficients = polynomial.coefficients().to_vec();
     let mut tasks = vec![Task::Search { coefficients, place: BigInt::zero(), depth: 0 }];
@@ -311,7 +315,9 @@ mod tests {
         assert!(hi <= integer(1));
         // The same on (0, 1) itself: x = v/(1 + v), times (1 + v)⁸.
         let one_plus = polynomial(&[1, 1]);
-        let term = |c: i64, i: usize| polynomial(&[0, 1]).power(i).times(&one_plus.power(8 - i)).scaled(&rational(c, 1));
+        let term = |c: i64, i: usize| {
+            polynomial(&[0, 1]).power(i).times(&one_plus.power(8 - i)).scaled(&rational(c, 1))
+        };
         let on_unit = term(52, 0).plus(&term(-304, 3)).plus(&term(-23, 8));
         assert_eq!(count_positive_roots(&on_unit), 1);
         assert_eq!(positive_roots(&on_unit).len(), 1);

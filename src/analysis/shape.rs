@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
-use crate::scalar::{Polynomial, RationalAlgebra, Ring, integer};
+use crate::scalar::{Polynomial, Ring, integer};
 use crate::spline::Basis;
 
 use super::contenders::{Contender, Height, Role, attained_once};
@@ -289,7 +289,9 @@ impl Profile {
                 let (left, right) = (left.clone(), right.clone());
                 let (at, _) = station.place.interval();
                 if left > right {
-                    shape.contenders.push(Contender { height: Height::Exact(left.clone()), role: Role::Limit });
+                    shape
+                        .contenders
+                        .push(Contender { height: Height::Exact(left.clone()), role: Role::Limit });
                 }
                 shape.jumps.push(Jump { at: at.clone(), left, right });
             }
@@ -340,8 +342,7 @@ fn kind(left: Ordering, right: Ordering) -> Option<ExtremumKind> {
 
 impl Shape {
     fn extremum(&mut self, kind: ExtremumKind, place: Place, station: &Station, role: Role) {
-        // Outside bounds are those of every basis function: 0 ≤ G ≤ 1.
-        let value = station.height.enclosure().unwrap_or_else(|| (integer(0), integer(1)));
+        let value = station.height.clone().enclosure();
         if kind == ExtremumKind::Maximum {
             self.contenders.push(Contender { height: station.height.clone(), role });
         }
@@ -405,7 +406,7 @@ fn finite(value: Option<BigRational>) -> BigRational {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scalar::rational;
+    use crate::scalar::{RationalAlgebra, rational};
     use crate::spline::{Index, KnotVector};
 
     fn shapes(degree: usize, knots: &[usize], index: &str) -> Vec<Shape> {
@@ -501,7 +502,10 @@ mod tests {
         let plateau = |from, to, closed| Place::Plateau { from: integer(from), to: integer(to), closed };
         // Two hats: two maxima of the same height, a minimum between.
         let hats = shape(&[&up, &down, &up, &down], true);
-        assert_eq!(summary(&hats), (vec![(true, point(1)), (false, point(2)), (true, point(3))], Some(false)));
+        assert_eq!(
+            summary(&hats),
+            (vec![(true, point(1)), (false, point(2)), (true, point(3))], Some(false))
+        );
         // A rise, a plateau over two spans, a fall.
         let table = shape(&[&up, &flat, &flat, &down], true);
         assert_eq!(summary(&table), (vec![(true, plateau(1, 3, true))], Some(false)));

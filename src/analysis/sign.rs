@@ -237,7 +237,8 @@ mod tests {
         let decision = always_positive(&piece(&[4, 0, -4, 0, 1], &[1]));
         assert!(matches!(decision, Decision::Fails(PositivePoint::Root(_))));
         // Negative between 1 and 2 only.
-        let Decision::Fails(PositivePoint::Rational(u)) = always_nonnegative(&piece(&[2, -3, 1], &[1])) else {
+        let Decision::Fails(PositivePoint::Rational(u)) = always_nonnegative(&piece(&[2, -3, 1], &[1]))
+        else {
             panic!("(u − 1)(u − 2) is negative in between");
         };
         assert!(integer(1) < u && u < integer(2));

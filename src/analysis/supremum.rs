@@ -4,7 +4,7 @@ use num_rational::BigRational;
 use num_traits::Signed;
 use thiserror::Error;
 
-use crate::scalar::{RationalAlgebra, Ring, integer, rationals_between};
+use crate::scalar::{Ring, integer, rationals_between};
 
 use super::pieces::{Piece, constant};
 use super::roots::count_positive_roots;
@@ -128,7 +128,7 @@ impl Enclosure {
                 Some(u) => self.raise(position, f, u),
                 None => break candidate,
             }
-            step = step * integer(2);
+            step *= integer(2);
         };
         while &bound - &self.lo > *tolerance {
             let third = (&bound - &self.lo) / integer(3);
@@ -148,7 +148,7 @@ impl Enclosure {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scalar::{RationalFunction, rational};
+    use crate::scalar::{RationalAlgebra, RationalFunction, rational};
 
     fn u() -> Piece {
         RationalFunction::variable(&rational(1, 1))
