@@ -4,6 +4,7 @@ mod contenders;
 mod integer_polynomial;
 mod linear;
 mod pieces;
+mod profile;
 mod roots;
 mod shape;
 mod sign;

@@ -1,0 +1,317 @@
+//! A function of one variable span by span: the stations where it turns or jumps, and the runs between them.
+
+use std::cmp::Ordering;
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+
+use crate::scalar::{Polynomial, Ring, integer};
+
+use super::contenders::{Contender, Height, Role};
+use super::pieces::Piece;
+use super::roots::IsolatedRoot;
+use super::shape::{Extremum, ExtremumKind, Jump, Place, Shape};
+use super::sign::{Sign, sign_pattern};
+
+/// A function on one span.
+pub(super) struct Segment {
+    pub(super) start: BigRational,
+    pub(super) end: BigRational,
+    pub(super) piece: Piece,
+}
+
+/// How the function runs on an open interval.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Run {
+    Rising,
+    Constant,
+    Falling,
+}
+
+/// A knot or a critical point, with the function close by compared with the value there: `Less` where it is
+/// smaller, `Equal` where it is constant.
+struct Station {
+    place: Place,
+    at_knot: bool,
+    height: Height,
+    /// The limit from the left, where it is not the value.
+    left_limit: Option<BigRational>,
+    left: Ordering,
+    right: Ordering,
+}
+
+/// Knots and critical points from left to right, and the runs between them: one fewer.
+pub(super) struct Profile {
+    stations: Vec<Station>,
+    runs: Vec<Run>,
+}
+
+impl Run {
+    fn of(sign: Sign) -> Self {
+        match sign {
+            Sign::Negative => Self::Falling,
+            Sign::Zero => Self::Constant,
+            Sign::Positive => Self::Rising,
+        }
+    }
+
+    /// The function on the run, close to its right end, compared with the limit there.
+    fn before_end(self) -> Ordering {
+        match self {
+            Self::Rising => Ordering::Less,
+            Self::Constant => Ordering::Equal,
+            Self::Falling => Ordering::Greater,
+        }
+    }
+
+    /// The function on the run, close to its left end, compared with the limit there.
+    fn after_start(self) -> Ordering {
+        self.before_end().reverse()
+    }
+}
+
+impl Profile {
+    /// `inside`: does the support end before t_m?
+    pub(super) fn of(segments: impl Iterator<Item = Segment>, inside: bool) -> Self {
+        let mut profile = Self { stations: Vec::new(), runs: Vec::new() };
+        // Outside the function is 0.
+        let mut limit = integer(0);
+        let mut before = Run::Constant;
+        let mut end = None;
+        for segment in segments {
+            let critical = segment.critical_points();
+            let first = critical.first().map_or_else(|| segment.only_run(), |(before, _, _)| *before);
+            profile.knot(segment.start.clone(), (limit, before), (segment.at_start(), first));
+            profile.runs.push(first);
+            before = first;
+            for (run_before, root, run_after) in critical {
+                profile.stations.push(segment.station(root, run_before, run_after));
+                profile.runs.push(run_after);
+                before = run_after;
+            }
+            limit = segment.at_end();
+            end = Some(segment.end);
+        }
+        match end {
+            None => {}
+            Some(end) if inside => profile.knot(end, (limit, before), (integer(0), Run::Constant)),
+            // At t_m the value is the limit from the left, and 0 begins after it.
+            Some(end) => profile.stations.push(Station {
+                place: Place::Point(end),
+                at_knot: true,
+                left: before.before_end(),
+                right: integer(0).cmp(&limit),
+                left_limit: None,
+                height: Height::Exact(limit),
+            }),
+        }
+        profile
+    }
+
+    fn knot(&mut self, at: BigRational, left: (BigRational, Run), right: (BigRational, Run)) {
+        let (limit, before) = left;
+        let (value, after) = right;
+        self.stations.push(Station {
+            place: Place::Point(at),
+            at_knot: true,
+            left: limit.cmp(&value).then(before.before_end()),
+            right: after.after_start(),
+            left_limit: (limit != value).then_some(limit),
+            height: Height::Exact(value),
+        });
+    }
+
+    pub(super) fn shape(self) -> Shape {
+        let mut shape = Shape { extrema: Vec::new(), jumps: Vec::new(), contenders: Vec::new() };
+        for (position, station) in self.stations.iter().enumerate() {
+            if let (Some(left), Height::Exact(right)) = (&station.left_limit, &station.height) {
+                let (left, right) = (left.clone(), right.clone());
+                let (at, _) = station.place.interval();
+                if left > right {
+                    shape
+                        .contenders
+                        .push(Contender { height: Height::Exact(left.clone()), role: Role::Limit });
+                }
+                shape.jumps.push(Jump { at: at.clone(), left, right });
+            }
+            if let Some(kind) = kind(station.left, station.right) {
+                shape.extremum(kind, station.place.clone(), station, Role::Point);
+            }
+            // A plateau begins here, unless it has begun before.
+            if self.runs.get(position) == Some(&Run::Constant) && station.left != Ordering::Equal {
+                let (end, closed, right) = self.plateau_end(position);
+                let bounds = |station: &Station| station.place.interval().0.clone();
+                let place = Place::Plateau { from: bounds(station), to: bounds(end), closed };
+                if let Some(kind) = kind(station.left, right) {
+                    shape.extremum(kind, place, station, Role::Plateau);
+                }
+            }
+        }
+        shape
+    }
+
+    /// Where a plateau that begins at a station ends, whether that point belongs to it, and how the function
+    /// compares with it on the right.
+    fn plateau_end(&self, start: usize) -> (&Station, bool, Ordering) {
+        let mut end = start;
+        loop {
+            let Some(station) = self.stations.get(end + 1) else {
+                return (&self.stations[end], true, self.stations[end].right);
+            };
+            end += 1;
+            if station.left != Ordering::Equal {
+                // A jump: from there on the function is close to the value after it.
+                return (station, false, station.left.reverse());
+            }
+            if self.runs.get(end) != Some(&Run::Constant) {
+                return (station, true, station.right);
+            }
+        }
+    }
+}
+
+/// What it is, if the function close by is smaller on both sides, or larger on both.
+fn kind(left: Ordering, right: Ordering) -> Option<ExtremumKind> {
+    match (left, right) {
+        (Ordering::Less, Ordering::Less) => Some(ExtremumKind::Maximum),
+        (Ordering::Greater, Ordering::Greater) => Some(ExtremumKind::Minimum),
+        _ => None,
+    }
+}
+
+impl Shape {
+    fn extremum(&mut self, kind: ExtremumKind, place: Place, station: &Station, role: Role) {
+        let value = station.height.clone().enclosure();
+        if kind == ExtremumKind::Maximum {
+            self.contenders.push(Contender { height: station.height.clone(), role });
+        }
+        self.extrema.push(Extremum { kind, place, at_knot: station.at_knot, value });
+    }
+}
+
+impl Segment {
+    /// P′Q − PQ′, which has the sign of dG/du. Not reduced: that would cost more than it saves.
+    fn slope(&self) -> Polynomial<BigRational> {
+        let (p, q) = (self.piece.numerator(), self.piece.denominator());
+        p.derivative().times(q).minus(&p.times(&q.derivative()))
+    }
+
+    /// The points where the slope changes its sign, with the runs before and after.
+    fn critical_points(&self) -> Vec<(Run, IsolatedRoot, Run)> {
+        let pattern = sign_pattern(&self.slope());
+        pattern.changes().map(|(b, root, a)| (Run::of(b), root.clone(), Run::of(a))).collect()
+    }
+
+    /// The run, where there is no critical point.
+    fn only_run(&self) -> Run {
+        Run::of(sign_pattern(&self.slope()).between().first().map_or(Sign::Zero, |(_, sign)| *sign))
+    }
+
+    fn at_start(&self) -> BigRational {
+        finite(self.piece.evaluate(&integer(0)))
+    }
+
+    fn at_end(&self) -> BigRational {
+        finite(self.piece.at_infinity())
+    }
+
+    fn station(&self, mut root: IsolatedRoot, before: Run, after: Run) -> Station {
+        // Narrow enough to be read; the search for a rational root may go further, on a copy.
+        root.refine_to(&BigRational::new(1.into(), BigInt::from(1_u32 << 20)));
+        let x = |y: &BigRational| &self.start + y * (&self.end - &self.start);
+        let (place, height) = match root.clone().rational() {
+            Some(u) => {
+                let y = &u / (&u + integer(1));
+                (Place::Point(x(&y)), Height::Exact(finite(self.piece.evaluate(&u))))
+            }
+            None => (
+                Place::Irrational { lo: x(root.lo()), hi: x(root.hi()), root: root.clone() },
+                Height::At(Box::new((self.piece.clone(), root))),
+            ),
+        };
+        let (left, right) = (before.before_end(), after.after_start());
+        Station { place, at_knot: false, height, left_limit: None, left, right }
+    }
+}
+
+/// Every weight lies in [0, 1], and so does every basis function (P2.1.1, T3.5.2, T3.5.3).
+fn finite(value: Option<BigRational>) -> BigRational {
+    match value {
+        Some(value) => value,
+        None => unreachable!("a basis function has no pole on a closed span"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::{RationalAlgebra, rational};
+
+    /// Functions that no basis has, to reach every rule.
+    #[test]
+    fn profiles_by_hand() {
+        let u: Piece = Piece::variable(&rational(1, 1));
+        let y = u.over(&u.plus(&u.one())).unwrap();
+        let segment = |start: usize, piece: &Piece| Segment {
+            start: integer(start),
+            end: integer(start + 1),
+            piece: piece.clone(),
+        };
+        let (up, down, flat) = (y.clone(), y.one().minus(&y), y.one());
+        let bump = y.times(&down).scaled(4);
+        let shape = |pieces: &[&Piece], inside| {
+            let segments = pieces.iter().enumerate().map(|(start, piece)| segment(start, piece));
+            Profile::of(segments, inside).shape()
+        };
+        let summary = |shape: &Shape| {
+            let kinds = shape.extrema.iter().map(|e| (e.kind == ExtremumKind::Maximum, e.place.clone()));
+            (kinds.collect::<Vec<_>>(), shape.weak())
+        };
+        let point = |x| Place::Point(integer(x));
+        let half = |x: i64| Place::Point(rational(2 * x + 1, 2));
+        let plateau = |from, to, closed| Place::Plateau { from: integer(from), to: integer(to), closed };
+        // Two hats: two maxima of the same height, a minimum between.
+        let hats = shape(&[&up, &down, &up, &down], true);
+        assert_eq!(
+            summary(&hats),
+            (vec![(true, point(1)), (false, point(2)), (true, point(3))], Some(false))
+        );
+        // A rise, a plateau over two spans, a fall.
+        let table = shape(&[&up, &flat, &flat, &down], true);
+        assert_eq!(summary(&table), (vec![(true, plateau(1, 3, true))], Some(false)));
+        // A plateau from which the function jumps down, falls on: attained, on a half-open interval.
+        let step = shape(&[&up, &flat, &down.scaled_by(1, 2)], true);
+        assert_eq!(summary(&step), (vec![(true, plateau(1, 2, false))], Some(false)));
+        // A plateau in a valley, and one on a slope.
+        let valley = shape(&[&flat.plus(&down), &flat, &flat.plus(&up)], false);
+        assert_eq!(
+            summary(&valley),
+            (vec![(true, point(0)), (false, plateau(1, 2, true)), (true, point(3))], Some(false))
+        );
+        let slope = shape(&[&up, &flat, &flat.plus(&up)], false);
+        assert_eq!(summary(&slope), (vec![(true, point(3))], Some(true)));
+        // A bump below a limit that is not attained; a bump of the same height as it.
+        let below = shape(&[&bump.scaled_by(1, 2), &up], true);
+        assert_eq!(summary(&below), (vec![(true, half(0)), (false, point(1))], Some(false)));
+        let level = shape(&[&bump, &up], true);
+        assert_eq!(summary(&level), (vec![(true, half(0)), (false, point(1))], Some(true)));
+        // Jumps up: into a fall, into a rise, onto a plateau.
+        assert_eq!(summary(&shape(&[&down], true)), (vec![(true, point(0))], Some(true)));
+        assert_eq!(summary(&shape(&[&up.plus(&flat)], true)), (vec![], Some(false)));
+        assert_eq!(summary(&shape(&[&flat, &down], true)), (vec![(true, plateau(0, 1, true))], Some(false)));
+    }
+
+    trait Scaled {
+        fn scaled_by(&self, numerator: i64, denominator: i64) -> Self;
+        fn scaled(&self, factor: i64) -> Self;
+    }
+
+    impl Scaled for Piece {
+        fn scaled_by(&self, numerator: i64, denominator: i64) -> Self {
+            self.times(&self.embed(&rational(numerator, denominator)))
+        }
+        fn scaled(&self, factor: i64) -> Self {
+            self.scaled_by(factor, 1)
+        }
+    }
+}
