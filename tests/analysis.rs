@@ -245,7 +245,8 @@ fn maxima(word: &str) -> usize {
 fn basis() -> impl Strategy<Value = Basis> {
     let gap = prop_oneof![3 => Just(0_usize), 3 => Just(1), 1 => Just(2), 1 => Just(9)];
     let index = prop::sample::select(vec!["inf", "-1", "2", "5", "-1/7", "8/7", "-1/100", "101/100"]);
-    (1_usize..=4, 0_usize..=3).prop_flat_map(move |(k, more)| {
+    let degree = prop_oneof![5 => 1_usize..=3, 1 => Just(4)];
+    (degree, 0_usize..=3).prop_flat_map(move |(k, more)| {
         (prop::collection::vec(gap.clone(), (2 * k).max(k + 1) + more), index.clone()).prop_filter_map(
             "at least one span",
             move |(gaps, index)| {
