@@ -68,6 +68,8 @@ fn knots_that_no_float_can_tell_apart_are_seen() {
     let found = discrepancy(&basis(1, "0 1 1.0000000000000000001 2", "inf"));
     assert_eq!(found.max_absolute.error, integer(1));
     assert_eq!(found.max_absolute.side, Side::Left);
+    // G_0 falls to 0 there, exactly. In units of the last place of 0, its error would be 2^1074.
+    assert!(found.max_ulp.error < rational(1 << 60, 1));
 }
 
 /// Beyond the range of f64 a value has no error, and is counted.

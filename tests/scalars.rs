@@ -152,9 +152,9 @@ proptest! {
     }
 
     #[test]
-    fn the_unit_in_the_last_place_is_the_gap_above(low in positive_float(), eighths in 0_i64..8) {
+    fn the_unit_in_the_last_place_is_the_gap_above(low in positive_float(), sevenths in 0_i64..7) {
         let (Some(a), Some(b)) = (exact_value(low), exact_value(low.next_up())) else { return Ok(()) };
-        prop_assert_eq!(ulp(&(&a + (&b - &a) * rational(eighths, 8))), &b - &a);
+        prop_assert_eq!(ulp(&(&a + (&b - &a) * rational(sevenths, 7))), &b - &a);
     }
 
     /// Within half a unit of the last digit that is shown.
