@@ -22,7 +22,7 @@
 //!
 //! // So are derivatives, from either side: G_1² has a corner at the simple knot 1.
 //! let slope = |side| basis.jets(&integer(1), side, 1)[1].derivatives()[1].clone();
-//! assert_eq!([slope(Side::Left), slope(Side::Right)], [rational(-14, 9), rational(-4, 9)]);
+//! assert_eq!([slope(Side::Left), slope(Side::Right)], [rational(-10, 9), rational(-7, 9)]);
 //!
 //! // Each function is known on each span as a whole: here the five add up to 1 for every x.
 //! for span in Pieces::of(&basis).spans() {
@@ -68,8 +68,8 @@
 //!
 //! The recursion is written once, for any [`Ring`](scalar::Ring) of scalars, and `f64` is among them: floor 5 asks
 //! what a program in floating point would get. But what leads to a verdict asks for an
-//! [`ExactField`](scalar::ExactField), which `f64` is not, so no mistake in this crate or in yours can make a
-//! proof out of rounded numbers. The compiler refuses
+//! [`ExactField`](scalar::ExactField), which `f64` is not: no verdict can be computed with rounded numbers, not
+//! even by mistake. The compiler refuses
 //!
 //! ```compile_fail,E0277
 //! fn decide<S: knotproof::scalar::ExactField>(_: S) {}

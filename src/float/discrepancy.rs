@@ -65,7 +65,7 @@ pub struct Discrepancy {
 /// use knotproof::scalar::{decimal, integer};
 /// use knotproof::spline::{Basis, Index, KnotVector};
 ///
-/// // Thirds are not floats, but here is nothing to divide by: on powers of 2, degree 0 makes no error.
+/// // In degree 0 nothing is computed, and nothing rounds.
 /// let knots = KnotVector::new([0, 1, 2].map(integer).to_vec())?;
 /// let constant = discrepancy(&Basis::new(knots.clone(), 0, Index::infinity())?);
 /// assert_eq!(decimal(&constant.max_absolute.error, 3), "0");
