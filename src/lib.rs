@@ -98,13 +98,7 @@
 
 pub mod analysis;
 pub mod claims;
+pub mod cli;
 pub mod float;
 pub mod scalar;
 pub mod spline;
-pub mod cli {
-    //! x
-    /// x
-    pub fn main() -> std::process::ExitCode {
-        std::process::ExitCode::SUCCESS
-    }
-}

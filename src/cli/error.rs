@@ -1,0 +1,181 @@
+//! What can be wrong with a request: one message for each.
+
+use std::io;
+use std::path::PathBuf;
+
+use thiserror::Error;
+
+use crate::scalar::NumberError;
+use crate::spline::{BasisError, CurveError, KnotError};
+
+use super::exit::Exit;
+use super::place::Place;
+
+/// Why a request was not carried out.
+#[derive(Debug, Error)]
+pub enum CliError {
+    /// An entry of a list is not a number.
+    #[error("{place}: {error}")]
+    Number {
+        /// Where it stands.
+        place: Place,
+        /// What is wrong with it.
+        error: NumberError,
+    },
+    /// The numbers are no knot vector.
+    #[error("{place}: {error}")]
+    Knots {
+        /// Where they stand.
+        place: Place,
+        /// What is wrong with them.
+        error: Box<KnotError>,
+    },
+    /// Too few knots for the degree.
+    #[error("{place}: {error}")]
+    Basis {
+        /// What to change: the degree or the knots.
+        place: Place,
+        /// How many are needed.
+        error: BasisError,
+    },
+    /// The points are no control polygon for the basis.
+    #[error("{place}: {error}")]
+    Curve {
+        /// Where they stand.
+        place: Place,
+        /// What is wrong with them.
+        error: CurveError,
+    },
+    /// A list of indices in an instance file is empty.
+    #[error("{place}: the list is empty; leave the field out, or name an index")]
+    NoIndices {
+        /// Where it stands.
+        place: Place,
+    },
+    /// Parentheses around points that do not match.
+    #[error(
+        "--points, position {position}: expected `(…)` and found `{found}`; write (0,2),(3/2,5) or 0,2 3/2,5"
+    )]
+    Parentheses {
+        /// The point, from 0.
+        position: usize,
+        /// The text from there on.
+        found: String,
+    },
+    /// `--points` looks like JSON and is not a list of lists of numbers.
+    #[error("--points: {0}; write [[\"0\",\"2\"],[\"3/2\",\"5\"]]")]
+    PointsJson(serde_json::Error),
+    /// Something that is needed was not given.
+    #[error("{argument} is missing: {purpose}; or name an example with --instance")]
+    Missing {
+        /// The option.
+        argument: &'static str,
+        /// What to give with it.
+        purpose: &'static str,
+    },
+    /// `--instance` is neither a name nor a file.
+    #[error(
+        "--instance: `{name}` is no instance of the paper ({names}) and no file; \
+         `knotproof schema` describes instance files",
+        names = names.join(", ")
+    )]
+    UnknownInstance {
+        /// What was given.
+        name: String,
+        /// The names that the paper's instances have.
+        names: Vec<&'static str>,
+    },
+    /// An instance file that cannot be read.
+    #[error("--instance: cannot read {}: {error}", path.display())]
+    Unreadable {
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        error: io::Error,
+    },
+    /// An instance file that is too large to be one.
+    #[error("--instance: {} is longer than {limit} bytes, which no instance file needs", path.display())]
+    TooLong {
+        /// The file.
+        path: PathBuf,
+        /// The most that is read.
+        limit: u64,
+    },
+    /// An instance file that is not what the schema says.
+    #[error("--instance: {}: {error}", path.display())]
+    Malformed {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong, with line and column.
+        error: serde_json::Error,
+    },
+    /// An instance of several degrees, and none of them chosen.
+    #[error("{argument}: the paper shows {name} for the degrees {list}: choose one with --degree", list = list(degrees))]
+    Degree {
+        /// The option to blame: `--degree`, or `--instance` if no degree was given.
+        argument: &'static str,
+        /// The name of the instance.
+        name: &'static str,
+        /// Its degrees.
+        degrees: Vec<usize>,
+    },
+    /// Several indices where one is wanted.
+    #[error("--alpha: one index is wanted, and here are {}: choose one with --alpha", list(indices))]
+    SeveralIndices {
+        /// The indices.
+        indices: Vec<String>,
+    },
+    /// No basis function has this index.
+    #[error("--index: there is no function {index}: the basis has the functions 0 to {n}")]
+    Function {
+        /// What was given.
+        index: usize,
+        /// n.
+        n: usize,
+    },
+    /// More derivatives than the program is willing to compute.
+    #[error("--derivatives: {order} is too many: at most {limit}")]
+    Derivatives {
+        /// What was given.
+        order: usize,
+        /// The most that is allowed.
+        limit: usize,
+    },
+    /// A result could not be written.
+    #[error("cannot write the result: {0}")]
+    Output(#[from] io::Error),
+}
+
+fn list(items: &[impl ToString]) -> String {
+    items.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")
+}
+
+impl CliError {
+    /// The option that has to change.
+    #[must_use]
+    pub fn argument(&self) -> Option<&str> {
+        match self {
+            Self::Number { place, .. }
+            | Self::Knots { place, .. }
+            | Self::Basis { place, .. }
+            | Self::Curve { place, .. }
+            | Self::NoIndices { place } => Some(place.argument()),
+            Self::Missing { argument, .. } | Self::Degree { argument, .. } => Some(argument),
+            Self::Parentheses { .. } | Self::PointsJson(_) => Some("--points"),
+            Self::UnknownInstance { .. }
+            | Self::Unreadable { .. }
+            | Self::TooLong { .. }
+            | Self::Malformed { .. } => Some("--instance"),
+            Self::SeveralIndices { .. } => Some("--alpha"),
+            Self::Function { .. } => Some("--index"),
+            Self::Derivatives { .. } => Some("--derivatives"),
+            Self::Output(_) => None,
+        }
+    }
+
+    /// The exit code: the request is to blame, unless the result could not be written.
+    #[must_use]
+    pub fn exit(&self) -> Exit {
+        if matches!(self, Self::Output(_)) { Exit::Internal } else { Exit::Usage }
+    }
+}

@@ -1,0 +1,134 @@
+//! What `eval` prints for people.
+
+use std::fmt;
+
+use anstyle::Style;
+use comfy_table::presets::NOTHING;
+use comfy_table::{Cell, CellAlignment, Table};
+
+use super::super::decimal::approximate;
+use super::super::exact::Exact;
+use super::{Evaluation, Level, OneSide};
+
+const HEADING: Style = Style::new().bold();
+
+impl fmt::Display for Evaluation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(label) = &self.label {
+            writeln!(f, "Instance {label}")?;
+        }
+        writeln!(f, "Knots {}, degree {}, α = {}", point(&self.knots), self.degree, self.alpha)?;
+        writeln!(f, "x = {}, {}", self.x, self.limit())?;
+        if let Some(note) = self.note() {
+            writeln!(f, "Note: {note}")?;
+        }
+        heading(f, "Values")?;
+        writeln!(f, "{}", self.table(&self.values, "G_i(x)").trim_fmt())?;
+        for (order, values) in (1..).zip(&self.derivatives) {
+            heading(f, &format!("Derivative {order}"))?;
+            writeln!(f, "{}", self.table(values, &derivative("G_i", order)).trim_fmt())?;
+        }
+        let Some(curve) = &self.curve else { return Ok(()) };
+        heading(f, "Curve")?;
+        writeln!(f, "{}", self.curve_table(curve).trim_fmt())?;
+        heading(f, "De Boor's points d_i^r")?;
+        match &self.de_boor {
+            Some(levels) => writeln!(f, "{}", triangle(levels).trim_fmt()),
+            None => writeln!(f, "None: the algorithm needs an x in [t_k, t_(n+1)] (T4.1)."),
+        }
+    }
+}
+
+impl Evaluation {
+    fn limit(&self) -> &'static str {
+        match self.side {
+            OneSide::Left => "limits from the left",
+            OneSide::Right => "values (limits from the right)",
+        }
+    }
+
+    /// What is special about x.
+    fn note(&self) -> Option<String> {
+        let (first, last) = (self.knots.first()?, self.knots.last()?);
+        let x = &self.x.0;
+        if *x < first.0 || *x > last.0 {
+            Some(format!("x lies outside of [t_0, t_m] = [{first}, {last}], where every function is 0."))
+        } else if *x == first.0 && matches!(self.side, OneSide::Left) {
+            Some(format!("x is t_0 = {first}, and left of it every function is 0."))
+        } else if *x == last.0 {
+            Some(format!("x is t_m = {last}, where all limits are taken from the left (D3.3)."))
+        } else {
+            None
+        }
+    }
+
+    /// One row a function: i, the support, the exact value and an approximation.
+    fn table(&self, values: &[Exact], heading: &str) -> Table {
+        let mut table = plain(["i", "support", heading, "≈"].map(str::to_owned).to_vec());
+        for (i, value) in (self.index.unwrap_or(0)..).zip(values) {
+            let support = format!("[{}, {}]", self.knots[i], self.knots[i + self.degree + 1]);
+            table.add_row([i.to_string(), support, value.to_string(), approximate(&value.0)]);
+        }
+        right_aligned(&mut table, 0);
+        table
+    }
+
+    /// One row for the point, one for each derivative.
+    fn curve_table(&self, curve: &[Exact]) -> Table {
+        let mut table = plain(["", "exact", "≈"].map(str::to_owned).to_vec());
+        for (order, coordinates) in
+            std::iter::once(curve).chain(self.curve_derivatives.iter().map(Vec::as_slice)).enumerate()
+        {
+            let name = if order == 0 { "G(x)".to_owned() } else { derivative("G", order) };
+            let decimals = coordinates.iter().map(|c| approximate(&c.0)).collect();
+            table.add_row([name, point(coordinates), tuple(decimals)]);
+        }
+        table
+    }
+}
+
+fn heading(f: &mut fmt::Formatter<'_>, text: &str) -> fmt::Result {
+    writeln!(f, "\n{HEADING}{text}{HEADING:#}")
+}
+
+fn derivative(function: &str, order: usize) -> String {
+    match order {
+        1..=3 => format!("{function}{}(x)", "′".repeat(order)),
+        _ => format!("{function}^({order})(x)"),
+    }
+}
+
+/// De Boor's triangle: one row for each i, one column for each level r.
+fn triangle(levels: &[Level]) -> Table {
+    let names = levels.iter().map(|level| format!("r = {}", level.level));
+    let mut table = plain(std::iter::once("i".to_owned()).chain(names).collect());
+    let first = levels.first().map_or(0, |level| level.first);
+    let count = levels.first().map_or(0, |level| level.points.len());
+    for i in first..first + count {
+        let points = levels.iter().map_while(|level| level.points.get(i.checked_sub(level.first)?));
+        table.add_row(std::iter::once(i.to_string()).chain(points.map(|at| point(at))));
+    }
+    right_aligned(&mut table, 0);
+    table
+}
+
+/// A table without lines: columns that line up, and nothing else.
+fn plain(header: Vec<String>) -> Table {
+    let mut table = Table::new();
+    table.load_style(NOTHING).set_header(header.into_iter().map(Cell::new));
+    table
+}
+
+fn right_aligned(table: &mut Table, column: usize) {
+    if let Some(column) = table.column_mut(column) {
+        column.set_cell_alignment(CellAlignment::Right);
+    }
+}
+
+fn point(coordinates: &[Exact]) -> String {
+    tuple(coordinates.iter().map(ToString::to_string).collect())
+}
+
+fn tuple(parts: Vec<String>) -> String {
+    format!("({})", parts.join(", "))
+}

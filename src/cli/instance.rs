@@ -1,0 +1,257 @@
+//! The arguments that say what a command works on: a paper instance, a file, or degree, knots and index.
+
+use std::ffi::OsString;
+use std::path::Path;
+
+use num_rational::BigRational;
+use thiserror::Error;
+
+use crate::claims::{Instance, instances, instances_named};
+use crate::spline::{Basis, Curve, CurveError, Index, KnotError, KnotVector, Point};
+
+use super::error::CliError;
+use super::exact::Exact;
+use super::file::InstanceFile;
+use super::lists::{numbers, points};
+use super::place::Place;
+
+/// What a command works on. Options override what an instance brings along.
+#[derive(Debug, clap::Args)]
+pub(super) struct InstanceArgs {
+    /// An instance of the paper (U0 to U13, C5, C6a, C6b, C7a to C7c, S1 to S7), or a JSON file as in
+    /// `knotproof schema`.
+    #[arg(long, value_name = "NAME|FILE")]
+    instance: Option<OsString>,
+    /// The degree k; chooses among the degrees of an instance that has several.
+    #[arg(long, value_name = "K", value_parser = whole_number, allow_hyphen_values = true)]
+    degree: Option<usize>,
+    /// The knots t_0 ≤ … ≤ t_m, separated by commas or spaces: "0 0 0 1/2 1 1 1".
+    #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
+    knots: Option<String>,
+    /// The index α: less than 0, greater than 1, or inf. Replaces the indices of an instance; may be repeated
+    /// where several make sense.
+    #[arg(long, value_name = "A", allow_hyphen_values = true)]
+    alpha: Vec<Index>,
+    /// The control points of a curve: "0,2 3/2,5 5/2,4", "(0,2),(3/2,5)", "0 2; 3/2 5" or JSON. With commas only,
+    /// or none, points of one coordinate: "0 1 4".
+    #[arg(long, value_name = "POINTS", allow_hyphen_values = true)]
+    points: Option<String>,
+}
+
+/// The argument that picks one basis function.
+#[derive(Debug, clap::Args)]
+pub(super) struct FunctionArgs {
+    /// Only the basis function G_I, I from 0 to n.
+    #[arg(long, value_name = "I", value_parser = whole_number, allow_hyphen_values = true)]
+    index: Option<usize>,
+}
+
+/// What a command works on, checked: one case for each index, at least one.
+#[derive(Debug)]
+pub(super) struct Subject {
+    /// The name of the paper's instance, or the file.
+    pub(super) label: Option<String>,
+    /// The same degree, knots and points with each index.
+    pub(super) cases: Vec<Case>,
+}
+
+/// A basis, and the curve if there are control points.
+#[derive(Debug)]
+pub(super) struct Case {
+    /// The basis.
+    pub(super) basis: Basis,
+    /// The curve on it.
+    pub(super) curve: Option<Curve>,
+}
+
+/// What an instance brings along, and where each part stands.
+#[derive(Debug, Default)]
+struct Given {
+    label: Option<String>,
+    degree: Option<usize>,
+    knots: Option<(KnotVector, Place)>,
+    indices: Vec<Index>,
+    points: Option<(Vec<Point>, Place)>,
+}
+
+impl InstanceArgs {
+    /// Reads the instance, lets the options override it, and checks that all of it fits together.
+    ///
+    /// # Errors
+    /// [`CliError`], for the first thing that is wrong.
+    pub(super) fn resolve(&self) -> Result<Subject, CliError> {
+        let given = match &self.instance {
+            Some(name) => self.named(name)?,
+            None => Given::default(),
+        };
+        let knots = match &self.knots {
+            Some(text) => {
+                let place = Place::option("--knots");
+                Some((knot_vector(numbers(text, &place)?, &place)?, place))
+            }
+            None => given.knots,
+        };
+        let points = match &self.points {
+            Some(text) => Some((points(text)?, Place::option("--points"))),
+            None => given.points,
+        };
+        let missing = |argument, purpose| CliError::Missing { argument, purpose };
+        let degree = self.degree.or(given.degree);
+        let degree = degree.ok_or_else(|| missing("--degree", "give the degree, such as --degree 2"))?;
+        let (knots, place) =
+            knots.ok_or_else(|| missing("--knots", "give the knots, such as --knots \"0 0 0 1 2 2 2\""))?;
+        let indices = if self.alpha.is_empty() { given.indices } else { self.alpha.clone() };
+        if indices.is_empty() {
+            return Err(missing("--alpha", "give the index, such as --alpha -1 or --alpha inf"));
+        }
+        // The degree is to blame if it is all that the user chose.
+        let place =
+            if self.degree.is_some() && self.knots.is_none() { Place::option("--degree") } else { place };
+        let case = |index| {
+            let basis = Basis::new(knots.clone(), degree, index)
+                .map_err(|error| CliError::Basis { place: place.clone(), error })?;
+            let curve = points.as_ref().map(|(points, place)| curve(&basis, points, place)).transpose()?;
+            Ok(Case { basis, curve })
+        };
+        let cases = indices.into_iter().map(case).collect::<Result<_, CliError>>()?;
+        Ok(Subject { label: given.label, cases })
+    }
+
+    /// A paper instance if the name is known, a file otherwise.
+    fn named(&self, name: &OsString) -> Result<Given, CliError> {
+        let known = name.to_str().map(instances_named).unwrap_or_default();
+        if known.is_empty() { from_file(Path::new(name)) } else { self.choose(known) }
+    }
+
+    /// The instance of the name that has the degree asked for.
+    fn choose(&self, mut known: Vec<Instance>) -> Result<Given, CliError> {
+        let position = match self.degree {
+            // With one degree only, another one overrides it: a choice is wanted where there are several.
+            _ if known.len() == 1 => Some(0),
+            Some(degree) => known.iter().position(|instance| instance.degree == degree),
+            None => None,
+        };
+        let Some(position) = position else {
+            let argument = if self.degree.is_some() { "--degree" } else { "--instance" };
+            let degrees = known.iter().map(|instance| instance.degree).collect();
+            return Err(CliError::Degree { argument, name: known[0].name, degrees });
+        };
+        let chosen = known.swap_remove(position);
+        Ok(Given {
+            label: Some(format!("{} ({})", chosen.name, chosen.figure)),
+            degree: Some(chosen.degree),
+            knots: Some((chosen.knots, Place::paper(chosen.name, "knots"))),
+            indices: chosen.indices,
+            points: chosen.points.map(|points| (points, Place::paper(chosen.name, "points"))),
+        })
+    }
+}
+
+impl FunctionArgs {
+    /// The function asked for, if any.
+    ///
+    /// # Errors
+    /// [`CliError::Function`] if the basis has no such function.
+    pub(super) fn chosen(&self, basis: &Basis) -> Result<Option<usize>, CliError> {
+        match self.index {
+            Some(index) if index > basis.n() => Err(CliError::Function { index, n: basis.n() }),
+            index => Ok(index),
+        }
+    }
+}
+
+impl Subject {
+    /// The case of the one index there is.
+    ///
+    /// # Errors
+    /// [`CliError::SeveralIndices`] if there are several.
+    pub(super) fn only_case(mut self) -> Result<Case, CliError> {
+        match (self.cases.pop(), self.cases.is_empty()) {
+            (Some(case), true) => Ok(case),
+            (last, _) => {
+                let cases = self.cases.iter().chain(&last);
+                Err(CliError::SeveralIndices {
+                    indices: cases.map(|case| case.basis.index().to_string()).collect(),
+                })
+            }
+        }
+    }
+}
+
+fn from_file(path: &Path) -> Result<Given, CliError> {
+    let file = InstanceFile::read(path).map_err(|error| match error {
+        CliError::Unreadable { path, error } if error.kind() == std::io::ErrorKind::NotFound => {
+            unknown(&path)
+        }
+        error => error,
+    })?;
+    let exact = |numbers: Vec<Exact>| numbers.into_iter().map(|Exact(number)| number).collect::<Vec<_>>();
+    let place = Place::field(path, "knots");
+    let knots = knot_vector(exact(file.knots), &place)?;
+    let indices = match file.alpha {
+        Some(indices) if indices.0.is_empty() => {
+            return Err(CliError::NoIndices { place: Place::field(path, "alpha") });
+        }
+        Some(indices) => indices.0,
+        None => Vec::new(),
+    };
+    let points = file.points.map(|points| points.into_iter().map(exact).collect());
+    Ok(Given {
+        label: Some(path.display().to_string()),
+        degree: Some(file.degree),
+        knots: Some((knots, place)),
+        indices,
+        points: points.map(|points| (points, Place::field(path, "points"))),
+    })
+}
+
+/// The paper's names, once each.
+fn unknown(path: &Path) -> CliError {
+    let mut names: Vec<_> = instances().iter().map(|instance| instance.name).collect();
+    names.dedup();
+    CliError::UnknownInstance { name: path.display().to_string(), names }
+}
+
+fn knot_vector(knots: Vec<BigRational>, place: &Place) -> Result<KnotVector, CliError> {
+    KnotVector::new(knots).map_err(|error| {
+        let place = match &error {
+            KnotError::Decreasing { position, .. } => place.clone().at(*position),
+            _ => place.clone(),
+        };
+        CliError::Knots { place, error: Box::new(error) }
+    })
+}
+
+fn curve(basis: &Basis, points: &[Point], place: &Place) -> Result<Curve, CliError> {
+    Curve::new(basis.clone(), points.to_vec()).map_err(|error| {
+        let place = match &error {
+            CurveError::Dimension { position, .. } | CurveError::Mixed { position, .. } => {
+                place.clone().at(*position)
+            }
+            CurveError::Count { .. } => place.clone(),
+        };
+        CliError::Curve { place, error }
+    })
+}
+
+/// Why a text is no whole number.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub(super) enum WholeNumberError {
+    /// Not a string of digits.
+    #[error("write a whole number from 0 up, such as 2")]
+    Malformed,
+    /// More than the machine counts to.
+    #[error("the number is too large")]
+    TooLarge,
+}
+
+/// Reads a whole number ≥ 0.
+///
+/// # Errors
+/// [`WholeNumberError`].
+pub(super) fn whole_number(text: &str) -> Result<usize, WholeNumberError> {
+    if text.is_empty() || !text.bytes().all(|byte| byte.is_ascii_digit()) {
+        return Err(WholeNumberError::Malformed);
+    }
+    text.parse().map_err(|_| WholeNumberError::TooLarge)
+}

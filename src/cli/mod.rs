@@ -1,0 +1,119 @@
+//! Floor 6: the program. Arguments, results on standard output, everything else on standard error, exit codes.
+//!
+//! One file a command, each with its `Args` and a `run` that returns an [`Exit`]; a result is written by the
+//! [`Output`], as text or as JSON. What is wrong with a request is a [`CliError`]: one message, exit code 2,
+//! and nothing on standard output.
+
+mod decimal;
+mod error;
+mod eval;
+mod exact;
+mod exit;
+mod file;
+mod instance;
+mod lists;
+mod output;
+mod place;
+mod schema;
+mod usage;
+
+use std::ffi::OsString;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+pub use error::CliError;
+pub use exit::Exit;
+pub use output::{Format, Output};
+pub use place::Place;
+
+/// Judges claims about rational B-splines in exact arithmetic.
+#[derive(Debug, Parser)]
+#[command(name = "knotproof", version, after_help = EXAMPLE)]
+struct Program {
+    #[command(subcommand)]
+    command: Command,
+    /// How results and errors are written.
+    #[arg(long, global = true, value_enum, default_value_t)]
+    format: Format,
+}
+
+const EXAMPLE: &str = "\
+Numbers are exact: 3, -1/2, 0.4 (that is 2/5), 1e-3, 0x1.8p-3; an index can be inf.
+Exit codes: 0 everything asked holds, 1 something is refuted, 2 bad usage or input, 3 undecided, 4 internal error.
+
+Example:
+  knotproof eval --instance U4 --alpha -1 --x 1/2";
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Eval(eval::Args),
+    Schema(schema::Args),
+}
+
+impl Command {
+    fn run(&self, output: &Output) -> Result<Exit, CliError> {
+        match self {
+            Self::Eval(args) => eval::run(args, output),
+            Self::Schema(args) => schema::run(args, output),
+        }
+    }
+}
+
+/// The program: reads the arguments of the process, and returns its exit code.
+#[must_use]
+pub fn main() -> ExitCode {
+    let arguments: Vec<OsString> = std::env::args_os().collect();
+    // Whether JSON was asked for has to be known before the arguments are understood: their errors are JSON too.
+    let errors = Output::new(usage::asked_format(&arguments));
+    std::panic::set_hook(Box::new(move |panic| errors.internal_error(panic)));
+    guarded(|| run(arguments, errors)).into()
+}
+
+/// A panic is a bug of this program and no verdict: it gets an exit code of its own. The panic hook has
+/// written the message by then.
+fn guarded(run: impl FnOnce() -> Exit) -> Exit {
+    catch_unwind(AssertUnwindSafe(run)).unwrap_or(Exit::Internal)
+}
+
+fn run(arguments: Vec<OsString>, errors: Output) -> Exit {
+    let program = match Program::try_parse_from(arguments) {
+        Ok(program) => program,
+        Err(error) => return usage::answer(&error, errors),
+    };
+    let output = Output::new(program.format);
+    match program.command.run(&output) {
+        Ok(exit) => exit,
+        Err(error) => {
+            output.error(&error.to_string(), error.argument());
+            error.exit()
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    use super::*;
+
+    #[test]
+    fn the_arguments_are_consistent() {
+        Program::command().debug_assert();
+    }
+
+    #[test]
+    fn every_command_shows_an_example() {
+        for command in Program::command().get_subcommands() {
+            let help = command.get_after_help().map(ToString::to_string).unwrap_or_default();
+            assert!(help.contains(&format!("knotproof {}", command.get_name())), "{}", command.get_name());
+        }
+    }
+
+    #[test]
+    fn a_panic_becomes_exit_code_4() {
+        assert_eq!(guarded(|| panic!("a bug, on purpose")), Exit::Internal);
+        assert_eq!(guarded(|| Exit::Refuted), Exit::Refuted);
+    }
+}

@@ -1,0 +1,112 @@
+//! Results to standard output, errors to standard error, as text or as JSON.
+
+use std::fmt;
+use std::io::{self, Write};
+use std::panic::PanicHookInfo;
+
+use anstyle::{AnsiColor, Style};
+use clap::ValueEnum;
+use serde::Serialize;
+
+use super::error::CliError;
+
+/// How results and errors are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub enum Format {
+    /// For people.
+    #[default]
+    Text,
+    /// For scripts: one object, with a `schema` field; numbers as strings in lowest terms.
+    Json,
+}
+
+/// Where a command writes to.
+///
+/// Colour is taken out where the stream is no terminal and where `NO_COLOR` asks for it. A reader that closes
+/// the pipe has seen enough: that is no error.
+#[derive(Debug, Clone, Copy)]
+pub struct Output {
+    format: Format,
+}
+
+/// An error under `--format json`.
+#[derive(Serialize)]
+struct ErrorReport<'a> {
+    schema: &'static str,
+    error: ErrorBody<'a>,
+}
+
+#[derive(Serialize)]
+struct ErrorBody<'a> {
+    message: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    argument: Option<&'a str>,
+}
+
+impl Output {
+    /// Output in the given format.
+    #[must_use]
+    pub fn new(format: Format) -> Self {
+        Self { format }
+    }
+
+    /// The format asked for.
+    #[must_use]
+    pub fn format(&self) -> Format {
+        self.format
+    }
+
+    /// Writes a result: by its `Display` as text, by its `Serialize` as JSON.
+    ///
+    /// # Errors
+    /// [`CliError::Output`] if standard output takes no more, for any reason but a closed pipe.
+    pub fn result<T: fmt::Display + Serialize>(&self, result: &T) -> Result<(), CliError> {
+        match self.format {
+            Format::Text => write(&result.to_string()),
+            Format::Json => self.json(result),
+        }
+    }
+
+    /// Writes a result that is JSON in either format.
+    ///
+    /// # Errors
+    /// [`CliError::Output`] if standard output takes no more, for any reason but a closed pipe.
+    pub fn json<T: Serialize>(&self, result: &T) -> Result<(), CliError> {
+        write(&serde_json::to_string_pretty(result).map_err(io::Error::from)?)
+    }
+
+    /// Writes one error message to standard error.
+    pub fn error(&self, message: &str, argument: Option<&str>) {
+        let text = match self.format {
+            Format::Text => {
+                let red = Style::new().bold().fg_color(Some(AnsiColor::Red.into()));
+                format!("{red}error:{red:#} {message}")
+            }
+            Format::Json => {
+                let error = ErrorBody { message, argument };
+                let report = ErrorReport { schema: "knotproof.error/1", error };
+                // Strings always serialise; if not, the bare message is better than none.
+                serde_json::to_string(&report).unwrap_or_else(|_| message.to_owned())
+            }
+        };
+        // Nobody is left to be told that standard error is closed.
+        let _ = writeln!(anstream::stderr(), "{text}");
+    }
+
+    /// Writes what a panic says, on one line. Takes the place of the panic hook.
+    pub(super) fn internal_error(&self, panic: &PanicHookInfo<'_>) {
+        let what = panic.payload_as_str().unwrap_or("no message").replace('\n', " ");
+        let place = panic.location().map(|at| format!(" at {}:{}", at.file(), at.line())).unwrap_or_default();
+        let message = format!("internal error{place}: {what}; please report this bug with the command line");
+        self.error(&message, None);
+    }
+}
+
+fn write(text: &str) -> Result<(), CliError> {
+    let mut stdout = anstream::stdout().lock();
+    let written = writeln!(stdout, "{}", text.trim_end()).and_then(|()| stdout.flush());
+    match written {
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+        other => Ok(other?),
+    }
+}
