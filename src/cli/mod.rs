@@ -48,7 +48,7 @@ Example:
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    Eval(eval::Args),
+    Eval(Box<eval::Args>),
     Schema(schema::Args),
 }
 

@@ -95,7 +95,10 @@ impl Output {
 
     /// Writes what a panic says, on one line. Takes the place of the panic hook.
     pub(super) fn internal_error(&self, panic: &PanicHookInfo<'_>) {
-        let what = panic.payload_as_str().unwrap_or("no message").replace('\n', " ");
+        let payload = panic.payload();
+        let text = payload.downcast_ref::<&str>().copied();
+        let what = text.or_else(|| payload.downcast_ref::<String>().map(String::as_str));
+        let what = what.unwrap_or("no message").replace('\n', " ");
         let place = panic.location().map(|at| format!(" at {}:{}", at.file(), at.line())).unwrap_or_default();
         let message = format!("internal error{place}: {what}; please report this bug with the command line");
         self.error(&message, None);

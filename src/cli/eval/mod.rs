@@ -29,7 +29,7 @@ pub(super) struct Args {
     /// The side from which limits are taken; at t_m it is the left one in any case.
     #[arg(long, value_enum, default_value_t)]
     side: OneSide,
-    /// The highest derivative.
+    /// The highest derivative, at most 100.
     #[arg(long, value_name = "D", value_parser = whole_number, allow_hyphen_values = true, default_value = "0")]
     derivatives: usize,
 }
@@ -38,9 +38,9 @@ const EXAMPLE: &str = r#"Examples:
   knotproof eval --instance U4 --alpha -1 --x 1 --side left --derivatives 2
   knotproof eval --degree 2 --knots "0 0 0 1 2 2 2" --alpha 5 --x 1/2 --points "0,0 1,2 2,2 3,0""#;
 
-/// The highest derivative that is computed: exact derivatives grow by some digits with each order, and beyond
-/// this one a request is rather a mistake.
-const DERIVATIVES_LIMIT: usize = 1000;
+/// The highest derivative that is computed. The numbers grow with the order, and the time with more than its
+/// cube: this one takes a second or two in degree 2.
+const DERIVATIVES_LIMIT: usize = 100;
 
 #[derive(Debug, Clone, Copy, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "lowercase")]
