@@ -55,19 +55,13 @@ pub(super) fn local_support(full_ends_too: bool) -> impl Fn(&BasisCase, &mut Led
             for pieces in case.pieces().spans() {
                 let (start, end) = case.knots().ends(pieces.span);
                 let beyond = end <= low || start >= high;
-                if beyond && !ledger.equal(&definition_piece(case, pieces, i), &case.pieces().zero()) {
+                if beyond && !ledger.equal(&case.definition_piece(pieces, i), &case.pieces().zero()) {
                     return Err(Stop::Fault(format!("{} lives outside of its support", name(case.k(), i))));
                 }
             }
         }
         Ok(())
     }
-}
-
-/// G_i^k on a span by the definition, over the variable u.
-pub(super) fn definition_piece(case: &BasisCase, pieces: &SpanPieces, i: usize) -> Piece {
-    let table = crate::spline::by_definition(case.basis(), pieces.span, &pieces.x);
-    table.last().map_or_else(|| pieces.x.zero(), |top| top[i].clone())
 }
 
 /// The spans inside the support of G_i^k.
@@ -113,8 +107,8 @@ fn partition_of_unity(only_base: bool, total: BigRational) -> impl Fn(&BasisCase
             // Only G_{j−k}, …, G_j live on the span, so both sums are the same one; the definition of all
             // n + 1 functions confirms it.
             let local = pieces.functions.values().iter().fold(case.pieces().zero(), |sum, g| sum.plus(g));
-            let table = crate::spline::by_definition(case.basis(), pieces.span, &pieces.x);
-            let all = table.last().into_iter().flatten().fold(case.pieces().zero(), |sum, g| sum.plus(g));
+            let defined = (0..=case.n()).map(|i| case.definition_piece(pieces, i));
+            let all = defined.fold(case.pieces().zero(), |sum, g| sum.plus(&g));
             let wanted = crate::analysis::constant(total.clone());
             if !(ledger.equal(&all, &wanted) && ledger.equal(&local, &wanted)) {
                 return Err(case.locate(pieces.span, |x| {
@@ -238,7 +232,7 @@ fn at_last_knot(k: usize, n: usize, r: usize) -> Vec<EndEquality> {
 fn piecewise_rational(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
     for pieces in case.pieces().spans() {
         for (i, g) in pieces.functions.iter() {
-            if !ledger.equal(g, &definition_piece(case, pieces, i)) {
+            if !ledger.equal(g, &case.definition_piece(pieces, i)) {
                 return Err(Stop::Fault(format!("two pieces of {} differ", name(case.k(), i))));
             }
             regular(case, pieces, i, g, ledger)?;

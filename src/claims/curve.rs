@@ -5,7 +5,7 @@ use crate::analysis::Piece;
 use crate::scalar::{BigRational, Ring, integer};
 use crate::spline::{Index, PointWeights, Side, Weights, de_boor};
 
-use super::basis::{definition_piece, interpolation, name, symmetry};
+use super::basis::{interpolation, name, symmetry};
 use super::case::BasisCase;
 use super::hypothesis::Hypothesis::{DegreeAtLeast, FirstSpan, LastSpan, Open, Symmetric};
 use super::regularity::{at_first, at_last, end_derivatives};
@@ -34,7 +34,7 @@ fn local_control(at_end: bool) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement 
             for pieces in case.pieces().spans() {
                 let (start, end) = knots.ends(pieces.span);
                 let beyond = end <= low || start >= high;
-                if beyond && !ledger.equal(&definition_piece(case, pieces, j), &case.pieces().zero()) {
+                if beyond && !ledger.equal(&case.definition_piece(pieces, j), &case.pieces().zero()) {
                     return Err(Stop::Fault(format!("{} lives outside of its support", name(case.k(), j))));
                 }
             }
@@ -52,7 +52,7 @@ fn local_sum(lag: usize) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
                 continue;
             }
             for i in (0..=case.n()).filter(|i| !(j - case.k() + lag..=j).contains(i)) {
-                if !ledger.equal(&definition_piece(case, pieces, i), &case.pieces().zero()) {
+                if !ledger.equal(&case.definition_piece(pieces, i), &case.pieces().zero()) {
                     return Err(case.locate(pieces.span, |x| {
                         let value = case.values(x, Side::Right)[i].clone();
                         (!value.is_zero()).then(|| {

@@ -4,7 +4,7 @@ use crate::analysis::{Enclosure, Piece, Pieces, is_combination};
 use crate::scalar::{BigRational, Ring, rational};
 use crate::spline::{Index, Side};
 
-use super::basis::{definition_piece, name, regular, support_spans, symmetry};
+use super::basis::{name, regular, support_spans, symmetry};
 use super::case::BasisCase;
 use super::illustrations::{
     Illustration, case_of, each, every_basis, illustrated, largest, named, of_degree, refuted, together,
@@ -96,7 +96,7 @@ fn support(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
         let (low, high) = case.basis().support(i);
         for pieces in case.pieces().spans() {
             let (start, end) = case.knots().ends(pieces.span);
-            let (inside, g) = (low <= start && end <= high, definition_piece(case, pieces, i));
+            let (inside, g) = (low <= start && end <= high, case.definition_piece(pieces, i));
             let as_claimed =
                 if inside { ledger.positive(&g) } else { ledger.equal(&g, &case.pieces().zero()) };
             if !as_claimed {

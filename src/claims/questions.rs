@@ -48,7 +48,7 @@ fn tangent_continuity(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
 /// y = 0 then meets the curve with ordinates c_i more often than its polygon.
 fn variation(case: &BasisCase, _: &mut Ledger) -> Judgement {
     /// Beyond that many control points the 2^(n+1) sign vectors are too many.
-    const MOST: usize = 8;
+    const MOST: usize = 5;
     let count = case.n() + 1;
     let undecided = || Err(Stop::Undecided("only control ordinates ±1 on small knot vectors were tried".into()));
     if count > MOST {
@@ -82,6 +82,15 @@ fn sign_changes(pieces: &Pieces, c: &[BigRational]) -> usize {
 
 /// Minors of order 2 and 3 of (G_i(x_j)) at the knots and at the thirds of the spans.
 fn total_positivity(case: &BasisCase, _: &mut Ledger) -> Judgement {
+    /// Beyond that many functions the minors are too many.
+    const MOST: usize = 4;
+    let undecided = || {
+        let limit = "only minors of order 2 and 3 at the knots and the thirds of spans were tried";
+        Err(Stop::Undecided(limit.into()))
+    };
+    if case.n() + 1 > MOST {
+        return undecided();
+    }
     let mut places: Vec<BigRational> = Vec::new();
     for pieces in case.pieces().spans() {
         let (start, end) = case.knots().ends(pieces.span);
@@ -104,7 +113,7 @@ fn total_positivity(case: &BasisCase, _: &mut Ledger) -> Judgement {
             }
         }
     }
-    Err(Stop::Undecided("only minors of order 2 and 3 at the knots and the thirds of spans were tried".into()))
+    undecided()
 }
 
 /// The subsets of 0..n of the given size, as rising lists.

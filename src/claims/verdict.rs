@@ -122,8 +122,9 @@ impl Ledger {
         &self.remarks
     }
 
+    /// Counts the decision; one that fails ends the case, and its count with it.
     fn enter(&mut self, holds: bool) -> bool {
-        self.facts += usize::from(holds);
+        self.facts += 1;
         holds
     }
 

@@ -110,6 +110,17 @@ impl<S: ExactField> RationalFunction<S> {
     }
 }
 
+/// p / divisor, for a monic divisor of p: so quotients of monic polynomials stay monic.
+fn quotient<S: ExactField>(p: &Polynomial<S>, divisor: &Polynomial<S>) -> Polynomial<S> {
+    if divisor.degree() == 0 {
+        return p.clone();
+    }
+    match p.divide(divisor) {
+        Some((quotient, _)) => quotient,
+        None => unreachable!("a monic polynomial is not 0"),
+    }
+}
+
 impl<S: ExactField> Ring for RationalFunction<S> {
     fn zero(&self) -> Self {
         Self::from_polynomial(self.numerator.zero())
@@ -117,18 +128,27 @@ impl<S: ExactField> Ring for RationalFunction<S> {
     fn one(&self) -> Self {
         Self::from_polynomial(self.numerator.one())
     }
+    /// With g = gcd(Q₁, Q₂) only g can still cancel against the numerator (Henrici 1956; Knuth, TAOCP 2, 4.5.1).
     fn plus(&self, rhs: &Self) -> Self {
-        if self.denominator == rhs.denominator {
-            return self.rebuilt(&self.numerator.plus(&rhs.numerator), &self.denominator);
+        let common = self.denominator.gcd(&rhs.denominator);
+        let (own, other) = (quotient(&self.denominator, &common), quotient(&rhs.denominator, &common));
+        let numerator = self.numerator.times(&other).plus(&rhs.numerator.times(&own));
+        let cancelled = numerator.gcd(&common);
+        Self {
+            numerator: quotient(&numerator, &cancelled),
+            denominator: own.times(&other).times(&quotient(&common, &cancelled)),
         }
-        let numerator = self.numerator.times(&rhs.denominator).plus(&rhs.numerator.times(&self.denominator));
-        self.rebuilt(&numerator, &self.denominator.times(&rhs.denominator))
     }
     fn minus(&self, rhs: &Self) -> Self {
         self.plus(&rhs.negate())
     }
+    /// Numerators cancel only against the denominator of the other factor.
     fn times(&self, rhs: &Self) -> Self {
-        self.rebuilt(&self.numerator.times(&rhs.numerator), &self.denominator.times(&rhs.denominator))
+        let (left, right) = (self.numerator.gcd(&rhs.denominator), rhs.numerator.gcd(&self.denominator));
+        Self {
+            numerator: quotient(&self.numerator, &left).times(&quotient(&rhs.numerator, &right)),
+            denominator: quotient(&self.denominator, &right).times(&quotient(&rhs.denominator, &left)),
+        }
     }
     fn negate(&self) -> Self {
         Self { numerator: self.numerator.negate(), denominator: self.denominator.clone() }
