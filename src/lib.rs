@@ -61,7 +61,7 @@
 //! 2. [`spline`]: indices, knots, the recursion, curves. It reads like sections 2 to 4 of the paper.
 //! 3. [`analysis`]: whole pieces, and decisions about every x.
 //! 4. [`claims`]: the paper's statements and their verdicts; `search` and `certificate` stand on this floor too.
-//! 5. [`float`]: how far `f64` is from the exact values; `report`, what the reader gets to see.
+//! 5. [`float`]: how far `f64` is from the exact values; [`report`]: what the reader gets to see.
 //! 6. [`cli`]: the program `knotproof`.
 //!
 //! # Floats cannot prove
@@ -100,5 +100,6 @@ pub mod analysis;
 pub mod claims;
 pub mod cli;
 pub mod float;
+pub mod report;
 pub mod scalar;
 pub mod spline;

@@ -146,7 +146,9 @@ pub fn common_numerators<S: ExactField>(functions: &[RationalFunction<S>]) -> Ve
 /// numerators over one denominator for each span. A linear relation between functions is one between rows.
 ///
 /// Every span must list the same functions in the same order.
-pub fn coefficient_rows<S: ExactField>(spans: impl IntoIterator<Item = Vec<RationalFunction<S>>>) -> Vec<Vec<S>> {
+pub fn coefficient_rows<S: ExactField>(
+    spans: impl IntoIterator<Item = Vec<RationalFunction<S>>>,
+) -> Vec<Vec<S>> {
     let mut rows: Vec<Vec<S>> = Vec::new();
     for functions in spans {
         let numerators = common_numerators(&functions);
@@ -161,7 +163,10 @@ pub fn coefficient_rows<S: ExactField>(spans: impl IntoIterator<Item = Vec<Ratio
 }
 
 /// Is the target a linear combination of the functions? All of them are pieces on one span.
-pub fn is_combination<S: ExactField>(functions: &[RationalFunction<S>], target: &RationalFunction<S>) -> bool {
+pub fn is_combination<S: ExactField>(
+    functions: &[RationalFunction<S>],
+    target: &RationalFunction<S>,
+) -> bool {
     let mut rows = coefficient_rows([[functions, std::slice::from_ref(target)].concat()]);
     rows.pop().is_some_and(|target| in_span(&rows, &target).is_some())
 }

@@ -22,7 +22,10 @@ pub fn positive_coordinate(knots: &KnotVector, span: Span) -> Piece {
 #[must_use]
 pub fn coordinate_between(a: &BigRational, b: &BigRational) -> Piece {
     let one = a.one();
-    match RationalFunction::new(&Polynomial::new(a.clone(), [b.clone()]), &Polynomial::new(one.clone(), [one])) {
+    match RationalFunction::new(
+        &Polynomial::new(a.clone(), [b.clone()]),
+        &Polynomial::new(one.clone(), [one]),
+    ) {
         Some(x) => x,
         None => unreachable!("1 + u is not 0"),
     }

@@ -6,8 +6,7 @@ use crate::spline::{KnotVector, Side, Span};
 
 use super::case::{BasisCase, definition_values};
 use super::hypothesis::Hypothesis::{
-    DegreeAtLeast, FirstSpan, InteriorMultiplicityAtMostDegree, LastSpan, Open,
-    Symmetric,
+    DegreeAtLeast, FirstSpan, InteriorMultiplicityAtMostDegree, LastSpan, Open, Symmetric,
 };
 use super::registry::{Claim, Form};
 use super::statement::Statement;
@@ -127,7 +126,10 @@ fn partition_of_unity(only_base: bool, total: BigRational) -> impl Fn(&BasisCase
 
 /// ^αG_i(t_0 + t_m − x) = ^{1−α}G_{partner(n, i)}(x): between the knots as functions, and at the knots; the
 /// claim's partner is n − i. `at_jumps`: also at knots inside (t_0, t_m) of multiplicity > k.
-pub(super) fn symmetry(at_jumps: bool, partner: fn(usize, usize) -> usize) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
+pub(super) fn symmetry(
+    at_jumps: bool,
+    partner: fn(usize, usize) -> usize,
+) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
     move |case, ledger| {
         let (knots, n) = (case.knots(), case.n());
         let conjugate = case.conjugate_basis();
@@ -242,7 +244,13 @@ fn piecewise_rational(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
 }
 
 /// No pole on the closed span: the denominator is positive between the knots, and the limits at them finite.
-pub(super) fn regular(case: &BasisCase, pieces: &SpanPieces, i: usize, g: &Piece, ledger: &mut Ledger) -> Judgement {
+pub(super) fn regular(
+    case: &BasisCase,
+    pieces: &SpanPieces,
+    i: usize,
+    g: &Piece,
+    ledger: &mut Ledger,
+) -> Judgement {
     let denominator = Piece::from_polynomial(g.denominator().clone());
     let finite_ends = g.evaluate(&integer(0)).is_some() && g.at_infinity().is_some();
     if finite_ends && ledger.positive(&denominator) {
@@ -270,7 +278,9 @@ fn continuity(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
 }
 
 /// P3.1.3: at t_0 exactly G_0 is 1, at t_m from the left exactly G_n; all others are 0.
-pub(super) fn interpolation(one_at: fn(n: usize) -> (usize, usize)) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
+pub(super) fn interpolation(
+    one_at: fn(n: usize) -> (usize, usize),
+) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
     move |case, ledger| {
         let (first, last) = one_at(case.n());
         let ends = [(case.knots().first(), Side::Right, first), (case.knots().last(), Side::Left, last)];

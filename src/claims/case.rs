@@ -202,6 +202,14 @@ pub struct WeightCase {
     origin: Origin,
 }
 
+impl WeightCase {
+    /// An interval of the user's.
+    #[must_use]
+    pub fn new(a: BigRational, b: BigRational, index: Index) -> Self {
+        Self { a, b, index, origin: Origin::User }
+    }
+}
+
 impl Case for WeightCase {
     type Hypothesis = WeightHypothesis;
     fn origin(&self) -> Origin {
@@ -312,8 +320,10 @@ fn small_bases() -> Vec<Basis> {
 /// to 3 with the indices shown there.
 fn weight_cases() -> Vec<WeightCase> {
     let small = [(0, 1), (0, 0), (1, 0), (0, 2), (1, 2), (-1, 1), (1, 3)];
-    let shown: [(i64, i64, &[&str]); 2] =
-        [(0, 1, &["-1/3", "-1", "-4", "inf", "4/3", "2", "5"]), (1, 3, &["-1/3", "-1", "-4", "inf", "4/3", "2", "5"])];
+    let shown: [(i64, i64, &[&str]); 2] = [
+        (0, 1, &["-1/3", "-1", "-4", "inf", "4/3", "2", "5"]),
+        (1, 3, &["-1/3", "-1", "-4", "inf", "4/3", "2", "5"]),
+    ];
     let mut cases = Vec::new();
     let number = |n: i64| BigRational::from_integer(n.into());
     for (a, b) in small {

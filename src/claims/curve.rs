@@ -8,8 +8,8 @@ use crate::spline::{Index, PointWeights, Side, Weights, de_boor};
 use super::basis::{interpolation, name, symmetry};
 use super::case::BasisCase;
 use super::hypothesis::Hypothesis::{DegreeAtLeast, FirstSpan, LastSpan, Open, Symmetric};
-use super::regularity::{at_first, at_last, end_derivatives};
 use super::registry::{Claim, Form};
+use super::regularity::{at_first, at_last, end_derivatives};
 use super::statement::Statement;
 use super::verdict::{Judgement, Ledger, Stop};
 
@@ -26,7 +26,8 @@ fn local_control(at_end: bool) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement 
                 let value = case.values(x, Side::Right)[j].clone();
                 if !ledger.equal(&value, &integer(0)) {
                     let at = [("j", j.to_string()), ("x", x.to_string())];
-                    let claimed = format!("d_{j} does not act on the curve at {x}, outside of [{low}, {high})");
+                    let claimed =
+                        format!("d_{j} does not act on the curve at {x}, outside of [{low}, {high})");
                     let found = format!("d_{j} is multiplied by {}({x}) = {value} there", name(case.k(), j));
                     return Err(case.refuted(at, claimed, found));
                 }
@@ -127,7 +128,9 @@ impl Weights for Mapped<'_> {
 
 /// On every span k ≤ j ≤ n, for every r: Σ_i d_i^r G_i^{k−r} = Σ_i d_i G_i^k, with the unit vectors as control
 /// points, so for all control points at once. For r = k this is d_j^k.
-fn de_boor_algorithm(map: fn((Piece, Piece)) -> (Piece, Piece)) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
+fn de_boor_algorithm(
+    map: fn((Piece, Piece)) -> (Piece, Piece),
+) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
     move |case, ledger| {
         let k = case.k();
         for pieces in case.pieces().spans() {
@@ -153,7 +156,8 @@ fn de_boor_algorithm(map: fn((Piece, Piece)) -> (Piece, Piece)) -> impl Fn(&Basi
                         let at = [("j", j.to_string()), ("r", r.to_string()), ("x", x.to_string())];
                         let at_middle = |f: &Piece| f.evaluate(&integer(1)).unwrap_or_else(|| integer(0));
                         let i = j - k + c;
-                        let claimed = format!("the factor of d_{i} is {}({x}) = {}", name(k, i), at_middle(&wanted));
+                        let claimed =
+                            format!("the factor of d_{i} is {}({x}) = {}", name(k, i), at_middle(&wanted));
                         return Err(case.refuted(at, claimed, format!("it is {}", at_middle(&factor))));
                     }
                 }
@@ -179,15 +183,19 @@ pub(super) fn shifts_weight(case: &BasisCase, reversed: bool, ledger: &mut Ledge
         let living = pieces.functions.values().len();
         for (i, g) in pieces.functions.iter().take(living.saturating_sub(1)) {
             difference = difference.plus(g).minus(&classical.function(i));
-            let oriented =
-                if ratio_below_one != reversed { difference.clone() } else { difference.negate() };
+            let oriented = if ratio_below_one != reversed { difference.clone() } else { difference.negate() };
             if !oriented.is_zero() && !ledger.positive(&oriented) {
                 let (start, end) = case.knots().ends(pieces.span);
                 let x = (start + end) / integer(2);
                 let at = [("j", i.to_string()), ("x", x.to_string())];
                 let found = difference.evaluate(&integer(1)).unwrap_or_else(|| integer(0));
-                let claimed = "α < 0 moves weight to control points of lower index, α > 1 to higher ones".into();
-                return Err(case.refuted(at, claimed, format!("G_0 + … + G_{i} differs by {found} from α = ∞")));
+                let claimed =
+                    "α < 0 moves weight to control points of lower index, α > 1 to higher ones".into();
+                return Err(case.refuted(
+                    at,
+                    claimed,
+                    format!("G_0 + … + G_{i} differs by {found} from α = ∞"),
+                ));
             }
         }
     }
@@ -339,6 +347,9 @@ mod tests {
         assert!(refuted(convex_hull, []), "convex hull where U is not open");
         let swapped = de_boor_algorithm(|(w, complement)| (complement, w));
         assert!(refuted(swapped, [Open]), "w and 1 − w exchanged in de Boor's algorithm");
-        assert!(refuted(|case, ledger| shifts_weight(case, true, ledger), [Open, Hypothesis::FiniteIndex]), "shift");
+        assert!(
+            refuted(|case, ledger| shifts_weight(case, true, ledger), [Open, Hypothesis::FiniteIndex]),
+            "shift"
+        );
     }
 }

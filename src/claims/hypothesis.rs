@@ -63,7 +63,9 @@ impl std::fmt::Display for Hypothesis {
             Self::Bernstein => f.write_str("U is open without interior knots"),
             Self::SimpleKnots => f.write_str("every knot is simple"),
             Self::InteriorMultiplicityAtMostDegree => f.write_str("interior knots have multiplicity ≤ k"),
-            Self::InnerMultiplicityAtMostDegree => f.write_str("no knot inside (t_0, t_m) has multiplicity > k"),
+            Self::InnerMultiplicityAtMostDegree => {
+                f.write_str("no knot inside (t_0, t_m) has multiplicity > k")
+            }
             Self::FirstSpan => f.write_str("t_k < t_{k+1}"),
             Self::LastSpan => f.write_str("t_n < t_{n+1}"),
         }

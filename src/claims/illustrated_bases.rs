@@ -54,7 +54,8 @@ fn influence(differ: bool) -> impl Fn(&Illustration, &mut Ledger) -> Judgement {
             for (c, first) in cases.iter().enumerate() {
                 for second in &cases[c + 1..] {
                     for i in 0..=first.n() {
-                        same_or_not(first, second, i, differ, ledger).map_err(|stop| named(instance, stop))?;
+                        same_or_not(first, second, i, differ, ledger)
+                            .map_err(|stop| named(instance, stop))?;
                     }
                 }
             }
@@ -63,7 +64,13 @@ fn influence(differ: bool) -> impl Fn(&Illustration, &mut Ledger) -> Judgement {
     }
 }
 
-fn same_or_not(first: &BasisCase, second: &BasisCase, i: usize, differ: bool, ledger: &mut Ledger) -> Judgement {
+fn same_or_not(
+    first: &BasisCase,
+    second: &BasisCase,
+    i: usize,
+    differ: bool,
+    ledger: &mut Ledger,
+) -> Judgement {
     let mut spans = first.pieces().spans().iter().zip(second.pieces().spans());
     let g = name(first.k(), i);
     let other = second.basis().index();
@@ -164,9 +171,10 @@ fn jumps(of: fn(&Instance) -> &'static [usize]) -> impl Fn(&Illustration, &mut L
                     }
                 }
                 for i in 0..=case.n() {
-                    let jump = case.knots().inner_stop_knots().find(|(x, _)| {
-                        case.values(x, Side::Left)[i] != case.values(x, Side::Right)[i]
-                    });
+                    let jump = case
+                        .knots()
+                        .inner_stop_knots()
+                        .find(|(x, _)| case.values(x, Side::Left)[i] != case.values(x, Side::Right)[i]);
                     let claimed = of(instance).contains(&i);
                     if !ledger.count(usize::from(jump.is_some()), usize::from(claimed)) {
                         let at = [("α", index.to_string()), ("i", i.to_string())];
@@ -232,7 +240,8 @@ fn strictly_larger(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
         is_combination(&monomials, g)
     };
     let count = |pieces: &Pieces| {
-        let all = pieces.spans().iter().flat_map(|span| span.functions.values().iter().map(move |g| (span, g)));
+        let all =
+            pieces.spans().iter().flat_map(|span| span.functions.values().iter().map(move |g| (span, g)));
         all.fold((0, 0), |(of, all), (span, g)| (of + usize::from(polynomial(span, g)), all + 1))
     };
     let (polynomials, all) = count(case.pieces());

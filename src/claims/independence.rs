@@ -45,9 +45,13 @@ fn bernstein_recurrence(shift: usize) -> impl Fn(&BasisCase, &mut Ledger) -> Jud
         let lower = KnotVector::bernstein(k - 1, a, b)
             .ok()
             .and_then(|knots| Basis::new(knots, k - 1, case.basis().index().clone()).ok());
-        let Some(lower) = lower else { return Err(Stop::Fault("no Bernstein basis of degree k − 1".into())) };
+        let Some(lower) = lower else {
+            return Err(Stop::Fault("no Bernstein basis of degree k − 1".into()));
+        };
         let (pieces, lower) = (case.pieces(), Pieces::of(&lower));
-        let (Some(span), Some(lower)) = (pieces.spans().first(), lower.spans().first()) else { return Ok(()) };
+        let (Some(span), Some(lower)) = (pieces.spans().first(), lower.spans().first()) else {
+            return Ok(());
+        };
         let (w, complement) = weight(&span.x.embed(case.basis().index().ratio()), &span.x, a, b);
         for i in 0..=k {
             let previous = i.checked_sub(shift).map_or_else(|| pieces.zero(), |i| lower.function(i));
@@ -70,14 +74,17 @@ fn bernstein_recurrence(shift: usize) -> impl Fn(&BasisCase, &mut Ledger) -> Jud
 }
 
 /// B_i^k = coefficient(k, i) w^i (1 − w)^{k−i}.
-fn closed_form(coefficient: fn(usize, usize) -> BigRational) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
+fn closed_form(
+    coefficient: fn(usize, usize) -> BigRational,
+) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
     move |case, ledger| {
         let (a, b, k) = (case.knots().first(), case.knots().last(), case.k());
         let Some(span) = case.pieces().spans().first() else { return Ok(()) };
         let (w, complement) = weight(&span.x.embed(case.basis().index().ratio()), &span.x, a, b);
         for i in 0..=k {
             let factor = coefficient(k, i) / binomial(k, i);
-            let claimed = bernstein(k, i, (&w, &complement)).times(&crate::analysis::constant(factor.clone()));
+            let claimed =
+                bernstein(k, i, (&w, &complement)).times(&crate::analysis::constant(factor.clone()));
             if !ledger.equal(&span.function(i), &claimed) {
                 return Err(case.locate(span.span, |x| {
                     let value = case.values(x, Side::Right)[i].clone();

@@ -19,15 +19,22 @@ pub(super) enum Reading {
 }
 
 /// The conjecture for one function; `wanted` local maxima in the strong reading, 1 in the claim.
-fn one_maximum(case: &BasisCase, i: usize, reading: Reading, wanted: usize, ledger: &mut Ledger) -> Judgement {
+fn one_maximum(
+    case: &BasisCase,
+    i: usize,
+    reading: Reading,
+    wanted: usize,
+    ledger: &mut Ledger,
+) -> Judgement {
     let shape = Shape::of(case.basis(), case.pieces(), i);
     let g = name(case.k(), i);
     let at = [("i", i.to_string())];
     let places = || {
         let maxima: Vec<_> = shape.local_maxima().map(|maximum| place(&maximum.place)).collect();
-        let jumps = shape.jumps().iter().map(|jump| {
-            format!("at {} it jumps from the limit {} to {}", jump.at, jump.left, jump.right)
-        });
+        let jumps = shape
+            .jumps()
+            .iter()
+            .map(|jump| format!("at {} it jumps from the limit {} to {}", jump.at, jump.left, jump.right));
         let mut found = vec![match maxima.as_slice() {
             [] => format!("{g} has no local maximum"),
             [one] => format!("its only local maximum is at {one}"),

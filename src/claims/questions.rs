@@ -9,9 +9,7 @@ use crate::spline::{Basis, Side};
 
 use super::basis::name;
 use super::case::BasisCase;
-use super::hypothesis::Hypothesis::{
-    DegreeAtLeast, FiniteIndex, InnerMultiplicityAtMostDegree,
-};
+use super::hypothesis::Hypothesis::{DegreeAtLeast, FiniteIndex, InnerMultiplicityAtMostDegree};
 use super::registry::{Claim, Form};
 use super::statement::Statement;
 use super::verdict::{Judgement, Ledger, Stop};
@@ -28,7 +26,8 @@ fn tangent_continuity(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
         let Some(p) = left.iter().position(|slope| !slope.is_zero()) else { continue };
         for q in 0..left.len() {
             if !ledger.equal(&(&left[p] * &right[q]), &(&left[q] * &right[p])) {
-                let at = [("x", x.to_string()), ("d", format!("0 but for d_{p} = (1, 0) and d_{q} = (0, 1)"))];
+                let at =
+                    [("x", x.to_string()), ("d", format!("0 but for d_{p} = (1, 0) and d_{q} = (0, 1)"))];
                 let found = format!(
                     "the one-sided derivatives there are ({}, {}) and ({}, {})",
                     left[p], left[q], right[p], right[q]
@@ -38,7 +37,11 @@ fn tangent_continuity(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
         }
         if !ledger.less(&integer(0), &(&left[p] * &right[p])) {
             let at = [("x", x.to_string())];
-            return Err(case.refuted(at, "the tangent does not turn back".into(), format!("it does, for d_{p}")));
+            return Err(case.refuted(
+                at,
+                "the tangent does not turn back".into(),
+                format!("it does, for d_{p}"),
+            ));
         }
     }
     Ok(())
@@ -50,12 +53,15 @@ fn variation(case: &BasisCase, _: &mut Ledger) -> Judgement {
     /// Beyond that many control points the 2^(n+1) sign vectors are too many.
     const MOST: usize = 5;
     let count = case.n() + 1;
-    let undecided = || Err(Stop::Undecided("only control ordinates ±1 on small knot vectors were tried".into()));
+    let undecided =
+        || Err(Stop::Undecided("only control ordinates ±1 on small knot vectors were tried".into()));
     if count > MOST {
         return undecided();
     }
     for signs in 1..1_usize << (count - 1) {
-        let c: Vec<_> = (0..count).map(|i| BigRational::from_integer(if signs >> i & 1 == 1 { -1 } else { 1 }.into())).collect();
+        let c: Vec<_> = (0..count)
+            .map(|i| BigRational::from_integer(if signs >> i & 1 == 1 { -1 } else { 1 }.into()))
+            .collect();
         let polygon = c.windows(2).filter(|pair| pair[0] != pair[1]).count();
         let curve = sign_changes(case.pieces(), &c);
         if curve > polygon {
@@ -101,7 +107,9 @@ fn total_positivity(case: &BasisCase, _: &mut Ledger) -> Judgement {
     for order in 2..=3 {
         for x in subsets(places.len(), order) {
             for i in subsets(case.n() + 1, order) {
-                let minor = determinant(&x.iter().map(|&x| i.iter().map(|&i| rows[x][i].clone()).collect()).collect::<Vec<_>>());
+                let minor = determinant(
+                    &x.iter().map(|&x| i.iter().map(|&i| rows[x][i].clone()).collect()).collect::<Vec<_>>(),
+                );
                 if minor < integer(0) {
                     let list = |places: Vec<String>| format!("({})", places.join(", "));
                     let at = [
@@ -189,14 +197,17 @@ fn fine_and_coarse(fine: &SpanPieces, n: usize, case: &BasisCase) -> Vec<Piece> 
     let start = fine.x.evaluate(&integer(0));
     let coarse = start.and_then(|start| case.knots().span_at(&start, Side::Right));
     let coarse = coarse.map(|span| case.basis().active(span, &fine.x));
-    let of_case = |i| coarse.as_ref().and_then(|active| active.get(i)).cloned().unwrap_or_else(|| fine.x.zero());
+    let of_case =
+        |i| coarse.as_ref().and_then(|active| active.get(i)).cloned().unwrap_or_else(|| fine.x.zero());
     (0..=n).map(|i| fine.function(i)).chain((0..=case.n()).map(of_case)).collect()
 }
 
 /// On every span the derivative of every function is a combination of the functions of degree k − 1 on the same
 /// knots.
 fn derivative_in_class(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
-    let Ok(lower) = Basis::new(case.knots().clone(), case.k() - 1, case.basis().index().clone()) else { return Ok(()) };
+    let Ok(lower) = Basis::new(case.knots().clone(), case.k() - 1, case.basis().index().clone()) else {
+        return Ok(());
+    };
     let lower = Pieces::of(&lower);
     for (pieces, lower) in case.pieces().spans().iter().zip(lower.spans()) {
         for (i, g) in pieces.functions.iter() {
@@ -204,7 +215,11 @@ fn derivative_in_class(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
             if !ledger.count(usize::from(is_combination(lower.functions.values(), &slope)), 1) {
                 let (start, end) = case.knots().ends(pieces.span);
                 let at = [("i", i.to_string()), ("span", format!("[{start}, {end})"))];
-                let claimed = format!("D{} is a combination of the functions of degree {}", name(case.k(), i), case.k() - 1);
+                let claimed = format!(
+                    "D{} is a combination of the functions of degree {}",
+                    name(case.k(), i),
+                    case.k() - 1
+                );
                 return Err(case.refuted(at, claimed, "it is none".into()));
             }
         }

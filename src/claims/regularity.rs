@@ -6,9 +6,7 @@ use crate::spline::{Side, weight};
 
 use super::basis::{name, regular};
 use super::case::BasisCase;
-use super::hypothesis::Hypothesis::{
-    DegreeAtLeast, FiniteIndex, FirstSpan, LastSpan, Open, SimpleKnots,
-};
+use super::hypothesis::Hypothesis::{DegreeAtLeast, FiniteIndex, FirstSpan, LastSpan, Open, SimpleKnots};
 use super::registry::{Claim, Form};
 use super::statement::Statement;
 use super::verdict::{Judgement, Ledger, Stop};
@@ -72,7 +70,9 @@ fn end_relations(
         for r in 0..case.k() {
             for Relation { left, right } in relations(case.k(), case.n(), r) {
                 let found = slopes.of(left);
-                let terms = right.iter().map(|&(sign, slope)| slopes.of(slope) * BigRational::from_integer(sign.into()));
+                let terms = right
+                    .iter()
+                    .map(|&(sign, slope)| slopes.of(slope) * BigRational::from_integer(sign.into()));
                 let claimed: BigRational = terms.sum();
                 if !ledger.equal(&found, &claimed) {
                     let sides: Vec<_> = right
@@ -98,7 +98,9 @@ fn at_first_knot(k: usize, n: usize, r: usize) -> Vec<Relation> {
         Relation { left: Function(d, r), right: vec![(1, Function(e, r + 1)), (-1, Weight(d, r + 1))] },
         Relation { left: Function(d, r + 1), right: vec![(1, Function(e, r + 2)), (1, Weight(d, r + 1))] },
     ];
-    relations.extend((2..=n).map(|i| Relation { left: Function(d, r + i), right: vec![(1, Function(e, r + i + 1))] }));
+    relations.extend(
+        (2..=n).map(|i| Relation { left: Function(d, r + i), right: vec![(1, Function(e, r + i + 1))] }),
+    );
     relations
 }
 
@@ -131,7 +133,9 @@ pub(super) fn end_derivatives(
         for i in 0..=n {
             let claimed = match &formula {
                 _ if i != nearest && i != next => integer(0),
-                Some(formula) if !only_zeros && i == next => formula * BigRational::from_integer(direction(side).into()),
+                Some(formula) if !only_zeros && i == next => {
+                    formula * BigRational::from_integer(direction(side).into())
+                }
                 Some(formula) if !only_zeros => -formula * BigRational::from_integer(direction(side).into()),
                 _ => continue,
             };
@@ -191,7 +195,11 @@ fn one_sided_differentiable(at_jumps: bool) -> impl Fn(&BasisCase, &mut Ledger) 
                     let found = format!(
                         "{g} → {left} from the left and {g}({x}) = {value}: the difference quotients diverge"
                     );
-                    return Err(case.refuted(at, format!("{g} is differentiable from the left at {x}"), found));
+                    return Err(case.refuted(
+                        at,
+                        format!("{g} is differentiable from the left at {x}"),
+                        found,
+                    ));
                 }
             }
         }
@@ -217,13 +225,18 @@ fn not_continuously_differentiable(case: &BasisCase, ledger: &mut Ledger) -> Jud
 }
 
 /// The jumps of the derivatives of order 0..=order at x, as functions of the slope ratio r.
-fn jumps_in_ratio(case: &BasisCase, x: &BigRational, order: usize) -> Option<Vec<Vec<RationalFunction<BigRational>>>> {
+fn jumps_in_ratio(
+    case: &BasisCase,
+    x: &BigRational,
+    order: usize,
+) -> Option<Vec<Vec<RationalFunction<BigRational>>>> {
     let knots = case.knots();
     let ratio = Piece::variable(&integer(1));
     let jets = |side| {
         let span = knots.span_at(x, side)?;
         let point = Jet::variable(ratio.embed(x), order);
-        let weights = crate::spline::PointWeights::new(knots, Jet::constant(ratio.clone(), order), point.clone());
+        let weights =
+            crate::spline::PointWeights::new(knots, Jet::constant(ratio.clone(), order), point.clone());
         let active = crate::spline::triangle(&weights, span, case.k(), knots.m());
         let of = |i: usize| active.get(i).cloned().unwrap_or_else(|| point.zero());
         Some((0..=case.n()).map(of).collect::<Vec<_>>())
@@ -256,9 +269,10 @@ fn regularity_lost(full_multiplicity: bool) -> impl Fn(&BasisCase, &mut Ledger) 
                 }
             }
             let ratio = case.basis().index().ratio();
-            let lost = jumps.iter().flatten().any(|jump| {
-                jump.evaluate(ratio).is_some_and(|jump| ledger.differ(&jump, &integer(0)))
-            });
+            let lost = jumps
+                .iter()
+                .flatten()
+                .any(|jump| jump.evaluate(ratio).is_some_and(|jump| ledger.differ(&jump, &integer(0))));
             if !lost {
                 let at = [("x", x.to_string()), ("p", p.to_string())];
                 let claimed = format!("some derivative of order ≤ k − p = {order} jumps at {x}");
@@ -289,8 +303,11 @@ fn approximation(factor: fn(k: usize) -> usize) -> impl Fn(&BasisCase, &mut Ledg
                 let width = high - low;
                 if !(ledger.less(&width, &reach) || ledger.equal(&width, &reach)) {
                     let at = [("i", i.to_string()), ("x", low.to_string())];
-                    let claimed = format!("the error is at most ω(f; {reach}), with ξ_{i} anywhere in [{low}, {high}]");
-                    let found = format!("x → {high} and ξ_{i} = {low} are {width} apart: f may change more than that");
+                    let claimed =
+                        format!("the error is at most ω(f; {reach}), with ξ_{i} anywhere in [{low}, {high}]");
+                    let found = format!(
+                        "x → {high} and ξ_{i} = {low} are {width} apart: f may change more than that"
+                    );
                     return Err(case.refuted(at, claimed, found));
                 }
             }
@@ -446,9 +463,37 @@ mod tests {
         let wrong: fn(&_, &_, &_) -> _ = |k, r, h| (k + integer(1)) * r / h;
         assert!(refuted(end_derivatives(Side::Right, false, wrong), ends), "k + 1 for k in T3.11.3a");
         assert!(refuted(end_derivatives(Side::Left, false, at_first), ends), "r for 1/r in T3.11.3b");
-        assert!(refuted(end_relations(Side::Right, |k, n, r| at_first_knot(k, n, r).split_off(1).into_iter().map(|mut relation| { relation.right[0].0 = -1; relation }).collect()), ends), "a sign in L3.8");
-        assert!(refuted(end_relations(Side::Left, |k, n, r| at_last_knot(k, n, r).into_iter().map(|mut relation| { relation.right[1].0 *= -1; relation }).collect()), ends), "a sign in L3.9");
-        assert!(refuted(not_continuously_differentiable, [DegreeAtLeast(2), SimpleKnots]), "Rem3.1 with α = ∞");
+        assert!(
+            refuted(
+                end_relations(Side::Right, |k, n, r| at_first_knot(k, n, r)
+                    .split_off(1)
+                    .into_iter()
+                    .map(|mut relation| {
+                        relation.right[0].0 = -1;
+                        relation
+                    })
+                    .collect()),
+                ends
+            ),
+            "a sign in L3.8"
+        );
+        assert!(
+            refuted(
+                end_relations(Side::Left, |k, n, r| at_last_knot(k, n, r)
+                    .into_iter()
+                    .map(|mut relation| {
+                        relation.right[1].0 *= -1;
+                        relation
+                    })
+                    .collect()),
+                ends
+            ),
+            "a sign in L3.9"
+        );
+        assert!(
+            refuted(not_continuously_differentiable, [DegreeAtLeast(2), SimpleKnots]),
+            "Rem3.1 with α = ∞"
+        );
         assert!(refuted(approximation(|k| k), [Open]), "ω(f; k·h)");
         assert!(refuted(one_sided_differentiable(true), []), "differentiable at jumps");
         assert!(refuted(regularity_lost(false), []), "regularity lost for α = ∞ too");

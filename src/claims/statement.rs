@@ -85,7 +85,10 @@ pub fn judge<C: Case>(statement: &Statement<C>, cases: &[C]) -> Result<Verdict, 
 ///
 /// # Errors
 /// [`Fault`], if two computations disagree.
-pub fn judge_by_degree<C: Case>(statement: &Statement<C>, cases: &[C]) -> Result<Vec<(usize, Verdict)>, Fault> {
+pub fn judge_by_degree<C: Case>(
+    statement: &Statement<C>,
+    cases: &[C],
+) -> Result<Vec<(usize, Verdict)>, Fault> {
     let outcomes = cases.par_iter().map(|case| statement.decide(case)).collect::<Vec<_>>();
     let degrees: BTreeSet<_> = cases.iter().filter_map(Case::degree).collect();
     let of_degree = |degree: usize| {

@@ -82,7 +82,12 @@ impl Identity<'_> {
                 let mut at = extra.to_vec();
                 at.push(("x", x.to_string()));
                 let claimed = format!("{} = {}", self.left.0, self.right.0);
-                return Err(refuted(case, &at, claimed, format!("the left side is {left} and the right side {right}")));
+                return Err(refuted(
+                    case,
+                    &at,
+                    claimed,
+                    format!("the left side is {left} and the right side {right}"),
+                ));
             }
         }
         match &self.inside {
@@ -119,12 +124,7 @@ fn refuted(case: &WeightCase, at: &[(&str, String)], claimed: String, found: Str
     Stop::Refuted(Box::new(Witness { given, claimed, found, reproduce: None }))
 }
 
-fn expect(
-    holds: bool,
-    case: &WeightCase,
-    claimed: &str,
-    found: impl FnOnce() -> String,
-) -> Judgement {
+fn expect(holds: bool, case: &WeightCase, claimed: &str, found: impl FnOnce() -> String) -> Judgement {
     if holds { Ok(()) } else { Err(refuted(case, &[], claimed.to_owned(), found())) }
 }
 
@@ -153,7 +153,9 @@ fn climbs(case: &WeightCase, ledger: &mut Ledger) -> Judgement {
         [("a", f.evaluate(&integer(0)), integer(0)), ("b", f.at_infinity(), integer(1))]
     {
         let reached = value.as_ref().is_some_and(|value| ledger.equal(value, &wanted));
-        expect(reached, case, &format!("f(x) → {wanted} for x → {end}"), || format!("the limit is {value:?}"))?;
+        expect(reached, case, &format!("f(x) → {wanted} for x → {end}"), || {
+            format!("the limit is {value:?}")
+        })?;
     }
     Ok(())
 }
@@ -278,8 +280,7 @@ fn decreasing_map(everywhere: bool) -> impl Fn(&WeightCase, &mut Ledger) -> Judg
 /// C2.4 on all of [a, b], or only where a + b − t2 < x < a + b − t1.
 fn mirrored_interval(everywhere: bool) -> impl Fn(&WeightCase, &mut Ledger) -> Judgement {
     move |case, ledger| {
-        let places: Vec<_> =
-            (0..=4).map(|i| &case.a + (&case.b - &case.a) * rational(i, 4)).collect();
+        let places: Vec<_> = (0..=4).map(|i| &case.a + (&case.b - &case.a) * rational(i, 4)).collect();
         let mirror = |x: &BigRational| &case.a + &case.b - x;
         for (i, t1) in places.iter().enumerate() {
             for t2 in &places[i + 1..] {
@@ -297,7 +298,11 @@ fn mirrored_interval(everywhere: bool) -> impl Fn(&WeightCase, &mut Ledger) -> J
                         integer(1) - phi(&conjugate, x, &low, &high)
                     }),
                     inside: Some((left, right)),
-                    points: if everywhere { points.into_iter().filter(in_range).collect() } else { Vec::new() },
+                    points: if everywhere {
+                        points.into_iter().filter(in_range).collect()
+                    } else {
+                        Vec::new()
+                    },
                 }
                 .judge(case, &[("t1", t1.to_string()), ("t2", t2.to_string())], ledger)?;
             }
@@ -313,15 +318,19 @@ fn curvature(convex: fn(&Index) -> bool) -> impl Fn(&WeightCase, &mut Ledger) ->
         let second = derivative(&f, &x).and_then(|slope| derivative(&slope, &x));
         let (convex, word) = if convex(&case.index) { (true, "convex") } else { (false, "concave") };
         let oriented = second.map(|second| if convex { second } else { second.negate() });
-        expect(oriented.is_some_and(|f| ledger.positive(&f)), case, &format!("φ_α is {word} on (a, b)"), || {
-            "its second derivative has the other sign".into()
-        })
+        expect(
+            oriented.is_some_and(|f| ledger.positive(&f)),
+            case,
+            &format!("φ_α is {word} on (a, b)"),
+            || "its second derivative has the other sign".into(),
+        )
     }
 }
 
 /// The claims about the weight.
 pub(super) fn claims() -> Vec<Claim> {
-    let statement = |text, conclusion: fn(&WeightCase, &mut Ledger) -> Judgement| Statement::new(text, conclusion);
+    let statement =
+        |text, conclusion: fn(&WeightCase, &mut Ledger) -> Judgement| Statement::new(text, conclusion);
     vec![
         Claim::new(
             "phi.range",
@@ -455,7 +464,9 @@ mod tests {
     use crate::claims::statement::judge;
     use crate::claims::verdict::Verdict;
 
-    fn verdict(conclusion: impl Fn(&WeightCase, &mut Ledger) -> Judgement + Send + Sync + 'static) -> Verdict {
+    fn verdict(
+        conclusion: impl Fn(&WeightCase, &mut Ledger) -> Judgement + Send + Sync + 'static,
+    ) -> Verdict {
         let statement = Statement::new("", conclusion).given([Proper, FiniteIndex]);
         judge(&statement, &Cases::all().weights).unwrap()
     }

@@ -5,6 +5,8 @@ use std::path::PathBuf;
 
 use thiserror::Error;
 
+use crate::claims::Fault;
+use crate::report::{BaselineError, END, START};
 use crate::scalar::NumberError;
 use crate::spline::{BasisError, CurveError, KnotError};
 
@@ -141,6 +143,52 @@ pub enum CliError {
         /// The most that is allowed.
         limit: usize,
     },
+    /// No claim has this identifier.
+    #[error("{argument}: there is no claim `{name}`; did you mean {near}?", near = list(near))]
+    UnknownClaim {
+        /// The option.
+        argument: &'static str,
+        /// What was given.
+        name: String,
+        /// The identifiers that come closest, or all.
+        near: Vec<String>,
+    },
+    /// The claim is about examples that the paper shows, not about any instance.
+    #[error(
+        "--property: {claim} is about examples of the paper, not about instances in general; \
+         judge it with `knotproof report --claim {claim}`"
+    )]
+    NotGeneral {
+        /// The claim.
+        claim: String,
+    },
+    /// A file or folder that cannot be read or written.
+    #[error("{argument}: {}: {error}", path.display())]
+    File {
+        /// The option.
+        argument: &'static str,
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        error: io::Error,
+    },
+    /// A file that holds no verdicts.
+    #[error("--baseline: {}: {error}", path.display())]
+    Baseline {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong, with line and column.
+        error: BaselineError,
+    },
+    /// The verdicts that the program was built with are damaged.
+    #[error("the recorded verdicts are damaged: {0}")]
+    Recorded(BaselineError),
+    /// README.md has no place for the table of verdicts.
+    #[error("--record: README.md has no lines `{START}` and `{END}` to put the table between")]
+    NoTable,
+    /// This program has a bug.
+    #[error(transparent)]
+    Fault(#[from] Fault),
     /// A result could not be written.
     #[error("cannot write the result: {0}")]
     Output(#[from] io::Error),
@@ -169,13 +217,30 @@ impl CliError {
             Self::SeveralIndices { .. } => Some("--alpha"),
             Self::Function { .. } => Some("--index"),
             Self::Derivatives { .. } => Some("--derivatives"),
-            Self::Output(_) => None,
+            Self::UnknownClaim { argument, .. } | Self::File { argument, .. } => Some(argument),
+            Self::NotGeneral { .. } => Some("--property"),
+            Self::Baseline { .. } => Some("--baseline"),
+            Self::NoTable => Some("--record"),
+            Self::Recorded(_) | Self::Fault(_) | Self::Output(_) => None,
         }
     }
 
-    /// The exit code: the request is to blame, unless the result could not be written.
+    /// The claim that is not there, with those that begin like it.
+    pub(super) fn unknown_claim(argument: &'static str, name: &str, ids: &[&str]) -> Self {
+        let like = |length: usize| -> Vec<String> {
+            let start: String = name.chars().take(length).collect();
+            ids.iter().filter(|id| id.starts_with(&start)).map(ToString::to_string).collect()
+        };
+        let near = (0..=name.chars().count()).rev().map(like).find(|near| !near.is_empty());
+        Self::UnknownClaim { argument, name: name.to_owned(), near: near.unwrap_or_default() }
+    }
+
+    /// The exit code: the request is to blame, unless the program or its surroundings fail.
     #[must_use]
     pub fn exit(&self) -> Exit {
-        if matches!(self, Self::Output(_)) { Exit::Internal } else { Exit::Usage }
+        match self {
+            Self::Output(_) | Self::Fault(_) | Self::Recorded(_) => Exit::Internal,
+            _ => Exit::Usage,
+        }
     }
 }

@@ -4,7 +4,7 @@
 //! [`Output`], as text or as JSON. What is wrong with a request is a [`CliError`]: one message, exit code 2,
 //! and nothing on standard output.
 
-mod decimal;
+mod check;
 mod error;
 mod eval;
 mod exact;
@@ -14,8 +14,12 @@ mod instance;
 mod lists;
 mod output;
 mod place;
+mod progress;
+mod report;
 mod schema;
+mod table;
 mod usage;
+mod verdict;
 
 use std::ffi::OsString;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -49,6 +53,8 @@ Example:
 #[derive(Debug, Subcommand)]
 enum Command {
     Eval(Box<eval::Args>),
+    Check(Box<check::Args>),
+    Report(report::Args),
     Schema(schema::Args),
 }
 
@@ -56,6 +62,8 @@ impl Command {
     fn run(&self, output: &Output) -> Result<Exit, CliError> {
         match self {
             Self::Eval(args) => eval::run(args, output),
+            Self::Check(args) => check::run(args, output),
+            Self::Report(args) => report::run(args, output),
             Self::Schema(args) => schema::run(args, output),
         }
     }

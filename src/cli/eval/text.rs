@@ -3,14 +3,17 @@
 use std::fmt;
 
 use anstyle::Style;
-use comfy_table::presets::NOTHING;
-use comfy_table::{Cell, CellAlignment, Table};
+use comfy_table::Table;
 
-use super::super::decimal::approximate;
+use crate::scalar::decimal;
+
 use super::super::exact::Exact;
+use super::super::table::{plain, right_aligned};
 use super::{Evaluation, Level, OneSide};
 
 const HEADING: Style = Style::new().bold();
+/// Significant digits of an approximation.
+const DIGITS: usize = 10;
 
 impl fmt::Display for Evaluation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -67,7 +70,7 @@ impl Evaluation {
         let mut table = plain(["i", "support", heading, "≈"].map(str::to_owned).to_vec());
         for (i, value) in (self.index.unwrap_or(0)..).zip(values) {
             let support = format!("[{}, {}]", self.knots[i], self.knots[i + self.degree + 1]);
-            table.add_row([i.to_string(), support, value.to_string(), approximate(&value.0)]);
+            table.add_row([i.to_string(), support, value.to_string(), decimal(&value.0, DIGITS)]);
         }
         right_aligned(&mut table, 0);
         table
@@ -80,7 +83,7 @@ impl Evaluation {
             std::iter::once(curve).chain(self.curve_derivatives.iter().map(Vec::as_slice)).enumerate()
         {
             let name = if order == 0 { "G(x)".to_owned() } else { derivative("G", order) };
-            let decimals = coordinates.iter().map(|c| approximate(&c.0)).collect();
+            let decimals = coordinates.iter().map(|c| decimal(&c.0, DIGITS)).collect();
             table.add_row([name, point(coordinates), tuple(decimals)]);
         }
         table
@@ -113,18 +116,6 @@ fn triangle(levels: &[Level]) -> Table {
 }
 
 /// A table without lines: columns that line up, and nothing else.
-fn plain(header: Vec<String>) -> Table {
-    let mut table = Table::new();
-    table.load_style(NOTHING).set_header(header.into_iter().map(Cell::new));
-    table
-}
-
-fn right_aligned(table: &mut Table, column: usize) {
-    if let Some(column) = table.column_mut(column) {
-        column.set_cell_alignment(CellAlignment::Right);
-    }
-}
-
 fn point(coordinates: &[Exact]) -> String {
     tuple(coordinates.iter().map(ToString::to_string).collect())
 }

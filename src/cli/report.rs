@@ -1,0 +1,171 @@
+//! The command `report`: every claim of the paper, judged and compared with the recorded verdicts.
+
+use std::fmt;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use serde::Serialize;
+
+use crate::claims::claims;
+use crate::report::{Baseline, Difference, Report, markdown, with_verdict_table};
+
+use super::error::CliError;
+use super::exit::Exit;
+use super::output::Output;
+use super::progress::Progress;
+use super::table::plain;
+use super::verdict::{Tally, styled};
+
+/// Judges every claim of the paper on its own instances and on small cases; the main job.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLE)]
+pub(super) struct Args {
+    /// Writes report.json and report.md into this folder, which is made if it is not there.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Compares with the verdicts in this file, instead of those recorded with the program.
+    #[arg(long, value_name = "FILE")]
+    baseline: Option<PathBuf>,
+    /// Judges only this claim; may be repeated.
+    #[arg(long, value_name = "CLAIM")]
+    claim: Vec<String>,
+    /// Accepts the verdicts: rewrites proofs/verdicts.json and the table in README.md below the current folder.
+    #[arg(long, conflicts_with_all = ["claim", "baseline"])]
+    record: bool,
+}
+
+const EXAMPLE: &str = "\
+Examples:
+  knotproof report --out report
+  knotproof report --claim T3.5.3 --claim P3.2 --format json
+Exit code 0: every verdict is as recorded, refuted claims included. Exit code 1: one differs.";
+
+/// The result: its fields are the JSON.
+#[derive(Debug, Serialize)]
+struct Outcome {
+    #[serde(flatten)]
+    report: Report,
+    /// The verdicts that are not as recorded.
+    differences: Vec<Difference>,
+    #[serde(skip)]
+    written: Vec<PathBuf>,
+}
+
+/// Judges, writes the files, compares and prints.
+pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
+    let mut chosen = claims();
+    let ids: Vec<_> = chosen.iter().map(|claim| claim.id).collect();
+    if let Some(name) = args.claim.iter().find(|name| !ids.contains(&name.as_str())) {
+        return Err(CliError::unknown_claim("--claim", name, &ids));
+    }
+    let partial = !args.claim.is_empty();
+    chosen.retain(|claim| !partial || args.claim.iter().any(|name| name == claim.id));
+    // Whatever can be wrong with the files is found out before the work begins.
+    let baseline = match &args.baseline {
+        Some(path) => read_baseline(path)?,
+        None => Baseline::recorded().map_err(CliError::Recorded)?,
+    };
+    if let Some(folder) = &args.out {
+        fs::create_dir_all(folder).map_err(|error| unwritable("--out", folder, error))?;
+    }
+
+    let progress = Progress::new(chosen.len() + 1);
+    let report = Report::of(&chosen, |name| progress.step(name))?;
+    drop(progress);
+
+    let found = Baseline::of(&report.claims);
+    let mut written = Vec::new();
+    if args.record {
+        record(&found, &mut written)?;
+    }
+    let differences = if args.record { Vec::new() } else { baseline.differences(&found, partial) };
+    let mut outcome = Outcome { report, differences, written };
+    if let Some(folder) = &args.out {
+        let json = serde_json::to_string_pretty(&outcome).map_err(std::io::Error::from)?;
+        for (name, text) in [("report.json", json + "\n"), ("report.md", markdown(&outcome.report))] {
+            write_file("--out", &folder.join(name), &text, &mut outcome.written)?;
+        }
+    }
+    output.result(&outcome)?;
+    Ok(if outcome.differences.is_empty() { Exit::Holds } else { Exit::Refuted })
+}
+
+fn read_baseline(path: &Path) -> Result<Baseline, CliError> {
+    let text = fs::read_to_string(path).map_err(|error| CliError::File {
+        argument: "--baseline",
+        path: path.to_owned(),
+        error,
+    })?;
+    Baseline::parse(&text).map_err(|error| CliError::Baseline { path: path.to_owned(), error })
+}
+
+/// Rewrites the recorded verdicts, and the table made from them.
+fn record(found: &Baseline, written: &mut Vec<PathBuf>) -> Result<(), CliError> {
+    let (verdicts, readme) = (Path::new("proofs/verdicts.json"), Path::new("README.md"));
+    let old = fs::read_to_string(readme).map_err(|error| unwritable("--record", readme, error))?;
+    let new = with_verdict_table(&old, found).ok_or(CliError::NoTable)?;
+    let json = serde_json::to_string_pretty(found).map_err(std::io::Error::from)?;
+    write_file("--record", verdicts, &(json + "\n"), written)?;
+    write_file("--record", readme, &new, written)
+}
+
+fn write_file(
+    argument: &'static str,
+    path: &Path,
+    text: &str,
+    written: &mut Vec<PathBuf>,
+) -> Result<(), CliError> {
+    fs::write(path, text).map_err(|error| unwritable(argument, path, error))?;
+    written.push(path.to_owned());
+    Ok(())
+}
+
+fn unwritable(argument: &'static str, path: &Path, error: std::io::Error) -> CliError {
+    CliError::File { argument, path: path.to_owned(), error }
+}
+
+/// The table of verdicts, and what is not as recorded.
+impl fmt::Display for Outcome {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut table = plain(["claim", "where", "as printed", "as amended"].map(str::to_owned).to_vec());
+        for record in &self.report.claims {
+            let amended = record.amended.as_ref().map(|stated| styled(&stated.finding)).unwrap_or_default();
+            table.add_row([
+                record.id.clone(),
+                record.locator.clone(),
+                styled(&record.as_printed.finding),
+                amended,
+            ]);
+        }
+        writeln!(f, "{table}\n")?;
+        let printed: Tally = self.report.claims.iter().map(|record| &record.as_printed.finding).collect();
+        writeln!(f, "As printed: {printed}.")?;
+        let amended = self.report.claims.iter().filter_map(|record| record.amended.as_ref());
+        let amended: Tally = amended.map(|stated| &stated.finding).collect();
+        writeln!(f, "As amended, where refuted: {amended}.")?;
+        if let Some(worst) = self
+            .report
+            .float
+            .iter()
+            .max_by(|a, b| a.discrepancy.max_ulp.error.cmp(&b.discrepancy.max_ulp.error))
+        {
+            let (at, error) =
+                (&worst.discrepancy.max_ulp, crate::scalar::decimal(&worst.discrepancy.max_ulp.error, 4));
+            writeln!(
+                f,
+                "f64 against exact: at most {error} ULP, on {} with k = {}, α = {}, for G_{} at x = {}.",
+                worst.instance, worst.degree, worst.alpha, at.index, at.x
+            )?;
+        }
+        for path in &self.written {
+            writeln!(f, "Written: {}", path.display())?;
+        }
+        match self.differences.as_slice() {
+            [] => write!(f, "Every verdict is as recorded."),
+            differences => {
+                writeln!(f, "{} verdicts are not as recorded:", differences.len())?;
+                differences.iter().try_for_each(|difference| writeln!(f, "  {difference}"))
+            }
+        }
+    }
+}

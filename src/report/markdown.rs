@@ -1,0 +1,147 @@
+//! The report as Markdown, and the table of verdicts that the README shows.
+
+use std::fmt::Write as _;
+
+use crate::float::Worst;
+use crate::scalar::decimal;
+
+use super::baseline::{Baseline, Entry};
+use super::record::{Finding, Record, Stated};
+use super::{Drift, Report};
+
+/// The table of verdicts: one row a claim.
+fn verdict_table(baseline: &Baseline) -> String {
+    let row = |entry: &Entry| {
+        let amended = entry.amended.as_ref().map(verdict).unwrap_or_default();
+        format!("| `{}` | {} | {} | {amended} |\n", entry.id, entry.locator, verdict(&entry.as_printed))
+    };
+    let rows: String = baseline.claims.iter().map(row).collect();
+    format!("| claim | where | as printed | as amended |\n|---|---|---|---|\n{rows}")
+}
+
+/// The line before the table of verdicts in the README.
+pub const START: &str = "<!-- verdicts: written by `knotproof report --record`, not by hand -->";
+/// The line after it.
+pub const END: &str = "<!-- end of verdicts -->";
+
+/// The text with the table of verdicts between its two marks; `None` if a mark is missing.
+#[must_use]
+pub fn with_verdict_table(text: &str, baseline: &Baseline) -> Option<String> {
+    let (before, rest) = text.split_once(START)?;
+    let (_, after) = rest.split_once(END)?;
+    Some(format!("{before}{START}\n\n{}\n{END}{after}", verdict_table(baseline)))
+}
+
+fn verdict(finding: &Finding) -> String {
+    match &finding.scope {
+        Some(scope) => format!("{} ({scope})", finding.status),
+        None => finding.status.clone(),
+    }
+}
+
+/// Text without a character that Markdown would take for markup.
+fn plain(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for c in text.chars() {
+        if matches!(c, '|' | '_' | '*' | '<' | '>' | '[' | ']' | '`' | '\\' | '^') {
+            escaped.push('\\');
+        }
+        escaped.push(c);
+    }
+    escaped
+}
+
+/// What there is to say about one statement, as the items of a list.
+fn items(stated: &Stated) -> Vec<String> {
+    let finding = &stated.finding;
+    let mut items = Vec::new();
+    if !stated.hypotheses.is_empty() {
+        items.push(format!("assuming: {}", plain(&stated.hypotheses.join("; "))));
+    }
+    if let Some(grounds) = &stated.rests_on {
+        items.push(format!(
+            "decided for every x on {} instances of the paper and {} small cases, by {} exact decisions",
+            grounds.instances, grounds.small_cases, grounds.facts
+        ));
+    }
+    if !finding.degrees.is_empty() {
+        let degrees: Vec<_> = finding.degrees.iter().map(ToString::to_string).collect();
+        items.push(format!("degrees {}", degrees.join(", ")));
+    }
+    items.extend(finding.witness.iter().map(|witness| format!("witness: {}", plain(&witness.to_string()))));
+    let command = finding.witness.as_ref().and_then(|witness| witness.reproduce.as_ref());
+    items.extend(command.map(|command| format!("again: `{command}`")));
+    items.extend(finding.reason.iter().chain(&finding.remarks).map(|text| plain(text)));
+    items.extend(stated.sharpness.map(|sharpness| {
+        format!(
+            "of {} cases that the extra hypotheses exclude, the printed statement fails in {}",
+            sharpness.excluded, sharpness.failing
+        )
+    }));
+    items
+}
+
+fn section(record: &Record) -> String {
+    let mut text = format!("### {} ({})\n\n", record.id, record.locator);
+    let parts =
+        [Some(("As printed", &record.as_printed)), record.amended.as_ref().map(|s| ("As amended", s))];
+    // Writing to a string cannot fail.
+    for (title, stated) in parts.into_iter().flatten() {
+        let _ = writeln!(text, "**{title}: {}.** {}\n", verdict(&stated.finding), plain(&stated.statement));
+        for item in items(stated) {
+            let _ = writeln!(text, "- {item}");
+        }
+        text.push('\n');
+    }
+    for of in &record.by_degree {
+        let witness = of.finding.witness.as_ref().map(|witness| format!("; {}", plain(&witness.to_string())));
+        let _ =
+            writeln!(text, "- degree {}: {}{}", of.degree, verdict(&of.finding), witness.unwrap_or_default());
+    }
+    if !record.by_degree.is_empty() {
+        text.push('\n');
+    }
+    if let Some(note) = &record.note {
+        let _ = writeln!(text, "{}\n", plain(note));
+    }
+    text
+}
+
+fn drift_table(drifts: &[Drift]) -> String {
+    let place = |worst: &Worst| plain(&format!("G_{} at x = {}, {} limit", worst.index, worst.x, worst.side));
+    let row = |drift: &Drift| {
+        let (absolute, ulp) = (&drift.discrepancy.max_absolute, &drift.discrepancy.max_ulp);
+        format!(
+            "| {} | {} | {} | {} | {} | {} | {} |\n",
+            drift.instance,
+            drift.degree,
+            drift.alpha,
+            decimal(&absolute.error, 4),
+            place(absolute),
+            decimal(&ulp.error, 4),
+            place(ulp),
+        )
+    };
+    let rows: String = drifts.iter().map(row).collect();
+    format!(
+        "| instance | k | α | largest absolute error | where | largest error in ULP | where |\n|---|---|---|---|---|---|---|\n{rows}"
+    )
+}
+
+/// The whole report.
+#[must_use]
+pub fn markdown(report: &Report) -> String {
+    let sections: String = report.claims.iter().map(section).collect();
+    let table = verdict_table(&Baseline::of(&report.claims));
+    let drifts = drift_table(&report.float);
+    format!(
+        "# Report on the paper's claims\n\n{SCOPES}\n\n## Verdicts\n\n{table}\n## Claim by claim\n\n{sections}## f64 against exact\n\n{FLOATS}\n\n{drifts}"
+    )
+}
+
+const SCOPES: &str = "Every verdict comes out of a computation in exact arithmetic. *proved (instance)* means: \
+decided for every x, on the instances of the paper and the small cases that are counted with each claim. \
+*refuted* comes with the smallest counterexample found, exact and small enough to be checked by hand.";
+
+const FLOATS: &str = "The same triangle run in `f64`, with knots, slope ratio and x rounded to nearest, against \
+the exact values at the exact x. Nothing here enters a verdict.";

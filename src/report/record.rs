@@ -1,0 +1,161 @@
+//! What is reported of a claim: the data of `report.json`.
+
+use serde::{Deserialize, Serialize};
+
+use crate::claims::{Claim, Form, Judged, Sharpness, Verdict, Witness};
+
+/// One status with all that belongs to it.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Finding {
+    /// `proved`, `refuted`, `undecided`, `not-formal` or `not-applicable`.
+    pub status: String,
+    /// How far a proof reaches.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub scope: Option<String>,
+    /// The degrees in which it was decided.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub degrees: Vec<usize>,
+    /// The exact counterexample of a refutation.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub witness: Option<Witness>,
+    /// The limit that was hit, or why nothing is said.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub reason: Option<String>,
+    /// Figures that were computed on the way.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub remarks: Vec<String>,
+}
+
+/// On how much a proof rests. Kept apart from the finding: it may grow without the verdict changing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Grounds {
+    /// Instances of the paper (each U, k and α counts).
+    pub instances: usize,
+    /// Small cases of the engine's own.
+    pub small_cases: usize,
+    /// Exact decisions, each about every x.
+    pub facts: usize,
+}
+
+/// A statement with what was found about it.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Stated {
+    /// The statement in words and formulas.
+    pub statement: String,
+    /// Its hypotheses, as far as the engine knows them one by one.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub hypotheses: Vec<String>,
+    /// The verdict.
+    #[serde(flatten)]
+    pub finding: Finding,
+    /// On how much a proof rests.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub rests_on: Option<Grounds>,
+    /// Among the cases that an amended statement excludes, in how many the printed one fails.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub sharpness: Option<Sharpness>,
+}
+
+/// The verdict on a question for one degree.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct DegreeFinding {
+    /// k.
+    pub degree: usize,
+    /// The verdict.
+    #[serde(flatten)]
+    pub finding: Finding,
+}
+
+/// All that is reported of a claim.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Record {
+    /// The identifier, such as `T3.5.2`.
+    pub id: String,
+    /// Where the paper makes the claim.
+    pub locator: String,
+    /// The statement as printed.
+    pub statement: String,
+    /// The verdict as printed.
+    pub as_printed: Stated,
+    /// The amended statement with its verdict, where the printed one is refuted.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub amended: Option<Stated>,
+    /// For the questions `X.…`: degree by degree.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub by_degree: Vec<DegreeFinding>,
+    /// How words were made into mathematics.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub note: Option<String>,
+}
+
+impl From<&Verdict> for Finding {
+    fn from(verdict: &Verdict) -> Self {
+        let mut finding = Self {
+            status: verdict.status().to_owned(),
+            scope: verdict.scope().map(|scope| scope.name().to_owned()),
+            degrees: Vec::new(),
+            witness: None,
+            reason: None,
+            remarks: Vec::new(),
+        };
+        match verdict {
+            Verdict::Proved { reach, .. } => {
+                finding.degrees.clone_from(&reach.degrees);
+                finding.remarks.clone_from(&reach.remarks);
+            }
+            Verdict::Refuted(witness) => finding.witness = Some((**witness).clone()),
+            Verdict::Undecided(reason) | Verdict::NotFormal(reason) | Verdict::NotApplicable(reason) => {
+                finding.reason = Some(reason.clone());
+            }
+        }
+        finding
+    }
+}
+
+impl Stated {
+    /// A statement and the verdict on it.
+    #[must_use]
+    pub fn new(form: &Form, verdict: &Verdict) -> Self {
+        let rests_on = match verdict {
+            Verdict::Proved { reach, .. } => Some(Grounds {
+                instances: reach.instances,
+                small_cases: reach.small_cases,
+                facts: reach.facts,
+            }),
+            _ => None,
+        };
+        Self {
+            statement: form.text().to_owned(),
+            hypotheses: form.hypotheses(),
+            finding: verdict.into(),
+            rests_on,
+            sharpness: None,
+        }
+    }
+}
+
+impl Record {
+    /// The record of a claim that was judged.
+    #[must_use]
+    pub fn new(claim: &Claim, judged: &Judged) -> Self {
+        let amended = claim.amended.as_ref().zip(judged.amended.as_ref()).map(|(form, verdict)| {
+            let mut stated = Stated::new(form, verdict);
+            stated.sharpness = judged.sharpness;
+            stated
+        });
+        // A degree in which there is nothing to judge is left out.
+        let said =
+            judged.by_degree.iter().filter(|(_, verdict)| !matches!(verdict, Verdict::NotApplicable(_)));
+        Self {
+            id: claim.id.to_owned(),
+            locator: claim.locator.to_owned(),
+            statement: claim.printed.text().to_owned(),
+            as_printed: Stated::new(&claim.printed, &judged.printed),
+            amended,
+            by_degree: said
+                .map(|(degree, verdict)| DegreeFinding { degree: *degree, finding: verdict.into() })
+                .collect(),
+            note: claim.note.map(str::to_owned),
+        }
+    }
+}
