@@ -135,6 +135,15 @@ impl Decision {
     pub fn holds(&self) -> bool {
         *self == Self::Holds
     }
+
+    /// A rational u where it fails, if it fails at one.
+    #[must_use]
+    pub fn failure(self) -> Option<BigRational> {
+        match self {
+            Self::Fails(PositivePoint::Rational(u)) => Some(u),
+            Self::Fails(PositivePoint::Root(_)) | Self::Holds => None,
+        }
+    }
 }
 
 /// f(u) > 0 for all u in (0, ∞)? A pole counts as a failure.

@@ -1,6 +1,6 @@
 //! Section 3, first half: support, positivity, partition of unity, symmetry, values at the ends, continuity.
 
-use crate::analysis::{Piece, SpanPieces};
+use crate::analysis::{Piece, SpanPieces, always_positive};
 use crate::scalar::{BigRational, Ring, integer};
 use crate::spline::{KnotVector, Side, Span};
 
@@ -27,26 +27,26 @@ fn outside(case: &BasisCase, i: usize) -> Vec<BigRational> {
     places
 }
 
-/// Is x an end of the support at which G_i^k need not vanish: t_i if t_i = t_{i+k}, and t_m if t_{i+1} = t_m
-/// (the value there is the limit from the left)?
+/// Is x an end of the support at which G_i^k is 1: t_i if t_i = t_{i+k} < t_{i+k+1}, and t_m if
+/// t_i < t_{i+1} = t_m (the value there is the limit from the left)?
 fn full_end(case: &BasisCase, i: usize, x: &BigRational) -> bool {
     let (knots, k) = (case.knots(), case.k());
-    (x == knots.t(i) && x == knots.t(i + k)) || (x == knots.last() && x == knots.t(i + 1))
+    let (low, high) = case.basis().support(i);
+    low < high
+        && ((x == low && x == knots.t(i + k)) || (x == high && x == knots.last() && x == knots.t(i + 1)))
 }
 
-/// G_i^k = 0 at every x outside of (t_i, t_{i+k+1}); `full_ends_too`: also at ends of multiplicity k + 1.
-pub(super) fn local_support(full_ends_too: bool) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
+/// G_i^k = 0 at every x outside of (t_i, t_{i+k+1}); with `exceptions`, except at the full ends, where it is 1.
+pub(super) fn local_support(exceptions: bool) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
     move |case, ledger| {
         for i in 0..=case.n() {
             for x in outside(case, i) {
-                if !full_ends_too && full_end(case, i, &x) {
-                    continue;
-                }
+                let wanted = integer(usize::from(exceptions && full_end(case, i, &x)));
                 let value = case.values(&x, Side::Right)[i].clone();
-                if !ledger.equal(&value, &integer(0)) {
+                if !ledger.equal(&value, &wanted) {
                     let g = format!("{}({x})", name(case.k(), i));
                     let at = [("i", i.to_string()), ("x", x.to_string())];
-                    return Err(case.refuted(at, format!("{g} = 0"), format!("{g} = {value}")));
+                    return Err(case.refuted(at, format!("{g} = {wanted}"), format!("{g} = {value}")));
                 }
             }
             // Between the knots, for every x: the definition over the variable u.
@@ -80,7 +80,7 @@ pub(super) fn positivity(threshold: BigRational) -> impl Fn(&BasisCase, &mut Led
                 let at_start = g.evaluate(&integer(0)).unwrap_or_else(|| integer(0));
                 let start_holds = start == low || ledger.less(&integer(0), &at_start);
                 if !(start_holds && ledger.positive(&g)) {
-                    return Err(case.locate(pieces.span, |x| {
+                    return Err(case.locate_at(pieces.span, always_positive(&g).failure(), |x| {
                         let value = case.values(x, Side::Right)[i].clone();
                         let g = format!("{}({x})", name(case.k(), i));
                         (x != low && value <= threshold).then(|| {
@@ -95,26 +95,30 @@ pub(super) fn positivity(threshold: BigRational) -> impl Fn(&BasisCase, &mut Led
     }
 }
 
-/// Σ_{i=0}^n G_i^k = Σ_{i=j−k}^j G_i^k = total on every span j, or only for k ≤ j ≤ n.
+/// Σ_{i=0}^n G_i^k = Σ_{i=j−k}^j G_i^k = total on every span j; with `only_base`, exactly on those with k ≤ j ≤ n.
 fn partition_of_unity(only_base: bool, total: BigRational) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
     move |case, ledger| {
+        let wanted = crate::analysis::constant(total.clone());
         for pieces in case.pieces().spans() {
             let j = pieces.span.index();
-            if only_base && !(case.k()..=case.n()).contains(&j) {
-                continue;
-            }
             // Only G_{j−k}, …, G_j live on the span, so both sums are the same one; the definition of all
             // n + 1 functions confirms it.
             let local = pieces.functions.values().iter().fold(case.pieces().zero(), |sum, g| sum.plus(g));
             let defined = (0..=case.n()).map(|i| case.definition_piece(pieces, i));
             let all = defined.fold(case.pieces().zero(), |sum, g| sum.plus(&g));
-            let wanted = crate::analysis::constant(total.clone());
-            if !(ledger.equal(&all, &wanted) && ledger.equal(&local, &wanted)) {
+            let should_equal = !only_base || (case.k()..=case.n()).contains(&j);
+            let as_claimed = if should_equal {
+                ledger.equal(&all, &wanted) && ledger.equal(&local, &wanted)
+            } else {
+                ledger.differ(&all, &wanted)
+            };
+            if !as_claimed {
                 return Err(case.locate(pieces.span, |x| {
                     let sum: BigRational = case.values(x, Side::Right).iter().sum();
-                    (sum != total).then(|| {
+                    ((sum == total) != should_equal).then(|| {
                         let at = [("j", j.to_string()), ("x", x.to_string())];
-                        let claimed = format!("Σ G_i^{}({x}) = {total}", case.k());
+                        let relation = if should_equal { "=" } else { "≠" };
+                        let claimed = format!("Σ G_i^{}({x}) {relation} {total}", case.k());
                         case.witness(at, claimed, format!("the sum is {sum}"))
                     })
                 }));
@@ -125,7 +129,8 @@ fn partition_of_unity(only_base: bool, total: BigRational) -> impl Fn(&BasisCase
 }
 
 /// ^αG_i(t_0 + t_m − x) = ^{1−α}G_{partner(n, i)}(x): between the knots as functions, and at the knots; the
-/// claim's partner is n − i. `at_jumps`: also at knots inside (t_0, t_m) of multiplicity > k.
+/// claim's partner is n − i. Without `at_jumps`: except at the knots inside (t_0, t_m) of multiplicity > k, where it
+/// fails for some i.
 pub(super) fn symmetry(
     at_jumps: bool,
     partner: fn(usize, usize) -> usize,
@@ -146,7 +151,15 @@ pub(super) fn symmetry(
         for (x, p) in knots.stop_knots() {
             let inner = x != knots.first() && x != knots.last();
             if !at_jumps && inner && p > case.k() {
-                continue;
+                let fails = (0..=n).any(|i| {
+                    let (left, right) = values_at(x, i);
+                    ledger.differ(&left, &right)
+                });
+                if fails {
+                    continue;
+                }
+                let claimed = format!("symmetry fails at {x} for some i");
+                return Err(case.refuted([("x", x.to_string())], claimed, "it holds for all".into()));
             }
             for i in 0..=n {
                 let (left, right) = values_at(x, i);
@@ -306,12 +319,12 @@ pub(super) fn claims() -> Vec<Claim> {
             "Theorem 3.5 (1)",
             Form::Basis(Statement::new(
                 "Local support: G_i^k(x) = 0 for every x not in the open interval (t_i, t_{i+k+1}).",
-                local_support(true),
+                local_support(false),
             )),
         )
         .amended(Form::Basis(Statement::new(
-            "G_i^k(x) = 0 for every x not in (t_i, t_{i+k+1}), except at x = t_i if t_i = t_{i+k}, and at x = t_m if t_{i+1} = t_m.",
-            local_support(false),
+            "G_i^k(x) = 0 for every x not in (t_i, t_{i+k+1}), with two exceptions, where it is 1: x = t_i if t_i = t_{i+k} < t_{i+k+1}, and x = t_m if t_i < t_{i+1} = t_m.",
+            local_support(true),
         )))
         .note("The exceptions are the ends of multiplicity k + 1, where the function is 1."),
         Claim::new(
@@ -331,7 +344,7 @@ pub(super) fn claims() -> Vec<Claim> {
             )),
         )
         .amended(Form::Basis(Statement::new(
-            "The same for every j with k ≤ j ≤ n, that is for x in [t_k, t_{n+1}).",
+            "For t_j < t_{j+1}: Σ_{i=0}^n G_i^k = 1 on [t_j, t_{j+1}) if and only if k ≤ j ≤ n, that is on [t_k, t_{n+1}); and there it is Σ_{i=j−k}^j G_i^k.",
             partition_of_unity(true, integer(1)),
         )))
         .note("On any other span a function that does not exist (i < 0 or i > n) would be positive, so the sum is less than 1 there."),
@@ -348,7 +361,7 @@ pub(super) fn claims() -> Vec<Claim> {
         )
         .amended(Form::Basis(
             Statement::new(
-                "The same for every x in [t_0, t_m] that is not a knot inside (t_0, t_m) of multiplicity greater than k.",
+                "The same for every x in [t_0, t_m] that is not a knot inside (t_0, t_m) of multiplicity greater than k; at every such knot it fails for some i.",
                 symmetry(false, |n, i| n - i),
             )
             .given([Symmetric]),
@@ -449,6 +462,9 @@ mod tests {
             equalities
         };
         assert!(refuted(end_values(Side::Left, shifted), [Open]), "L3.7 with a shifted index");
-        assert!(refuted(local_support(true), [InnerMultiplicityAtMostDegree]), "support without exceptions");
+        assert!(
+            refuted(local_support(false), [Hypothesis::InnerMultiplicityAtMostDegree]),
+            "support without exceptions"
+        );
     }
 }

@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-use crate::analysis::{Piece, Pieces, SpanPieces};
+use crate::analysis::{Piece, Pieces, SpanPieces, coordinate_between};
 use crate::scalar::{BigRational, Jet, integer, rationals_between};
 use crate::spline::{Basis, Index, KnotVector, Side, Span, by_definition};
 
@@ -164,14 +164,25 @@ impl BasisCase {
         Stop::Refuted(Box::new(self.witness(at, claimed, found)))
     }
 
-    /// Turns "false somewhere on this span", as the pieces say, into a witness at one point, which `test`
-    /// computes by the definition: first at the knot t_j, then at simple numbers between t_j and t_{j+1}.
+    /// Turns "false on all of this span but for single points", as the pieces say, into a witness at one point,
+    /// which `test` computes by the definition: first at the knot t_j, then at simple numbers between the knots.
     pub(super) fn locate(&self, span: Span, test: impl Fn(&BigRational) -> Option<Witness>) -> Stop {
+        self.locate_at(span, None, test)
+    }
+
+    /// The same for what is false on a part of the span only, of which one point u is known.
+    pub(super) fn locate_at(
+        &self,
+        span: Span,
+        known: Option<BigRational>,
+        test: impl Fn(&BigRational) -> Option<Witness>,
+    ) -> Stop {
         /// A rational function has few zeros: more places than that are never needed.
-        const PLACES: usize = 1000;
+        const PLACES: usize = 100;
         let (start, end) = self.knots().ends(span);
-        let places = std::iter::once(start.clone()).chain(rationals_between(start, end));
-        match places.take(PLACES).find_map(|x| test(&x)) {
+        let simple = std::iter::once(start.clone()).chain(rationals_between(start, end)).take(PLACES);
+        let known = known.and_then(|u| coordinate_between(start, end).evaluate(&u));
+        match simple.chain(known).find_map(|x| test(&x)) {
             Some(witness) => Stop::Refuted(Box::new(witness)),
             None => Stop::Fault(format!(
                 "the pieces on [{start}, {end}) of k = {}, U = {}, α = {} fail a claim that holds at {PLACES} points",

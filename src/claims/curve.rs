@@ -1,7 +1,7 @@
 //! Section 4: curves. A claim about every control polygon is one about the functions that multiply the points,
 //! so each is judged for all polygons at once.
 
-use crate::analysis::Piece;
+use crate::analysis::{Piece, always_positive};
 use crate::scalar::{BigRational, Ring, integer};
 use crate::spline::{Index, PointWeights, Side, Weights, de_boor};
 
@@ -13,16 +13,16 @@ use super::regularity::{at_first, at_last, end_derivatives};
 use super::statement::Statement;
 use super::verdict::{Judgement, Ledger, Stop};
 
-/// G_j = 0 for x in [t_0, t_m] outside of [t_j, t_{j+k+1}); `at_end`: also at x = t_m.
+/// G_j = 0 for x in [t_0, t_m] outside of [t_j, t_{j+k+1}); without `at_end`: for x < t_m, and at t_m some G_j with
+/// t_{j+k+1} = t_m is not 0.
 fn local_control(at_end: bool) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
     move |case, ledger| {
         let knots = case.knots();
         for j in 0..=case.n() {
             let (low, high) = case.basis().support(j);
-            for (x, _) in knots.stop_knots() {
-                if (low <= x && x < high) || (!at_end && x == knots.last()) {
-                    continue;
-                }
+            let outside = |x: &BigRational| x < low || high <= x;
+            let places = knots.stop_knots().map(|(x, _)| x).filter(|x| outside(x));
+            for x in places.filter(|x| at_end || *x != knots.last() || high != knots.last()) {
                 let value = case.values(x, Side::Right)[j].clone();
                 if !ledger.equal(&value, &integer(0)) {
                     let at = [("j", j.to_string()), ("x", x.to_string())];
@@ -39,6 +39,11 @@ fn local_control(at_end: bool) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement 
                     return Err(Stop::Fault(format!("{} lives outside of its support", name(case.k(), j))));
                 }
             }
+        }
+        let mut at_last = case.values(knots.last(), Side::Left).into_iter();
+        if !at_end && !at_last.any(|value| ledger.differ(&value, &integer(0))) {
+            let claimed = "some control point acts at t_m".into();
+            return Err(case.refuted([("x", knots.last().to_string())], claimed, "none does".into()));
         }
         Ok(())
     }
@@ -96,7 +101,7 @@ pub(super) fn convex_hull(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
         for (i, g) in pieces.functions.iter() {
             // Positive between the knots; at the knots the one-sided limits are then ≥ 0.
             if !ledger.positive(g) {
-                return Err(case.locate(pieces.span, |x| {
+                return Err(case.locate_at(pieces.span, always_positive(g).failure(), |x| {
                     let value = case.values(x, Side::Right)[i].clone();
                     (value < integer(0)).then(|| {
                         let at = [("i", i.to_string()), ("x", x.to_string())];
@@ -218,7 +223,7 @@ pub(super) fn claims() -> Vec<Claim> {
         )
         .amended(Form::Basis(
             Statement::new(
-                "The same for x in [t_0, t_m); at t_m the last control points act.",
+                "The same for x in [t_0, t_m). At t_m only control points with t_{j+k+1} = t_m act, and one of them does.",
                 local_control(false),
             )
             .given([Open]),

@@ -345,7 +345,7 @@ mod tests {
 
     #[test]
     fn determinants_and_subsets() {
-        let matrix = [[1, 2, 3], [0, 1, 4], [5, 6, 0]].map(|row| row.map(|x| integer(x)).to_vec());
+        let matrix = [[1, 2, 3], [0, 1, 4], [5, 6, 0]].map(|row| row.map(integer).to_vec());
         assert_eq!(determinant(&matrix), integer(1));
         assert_eq!(subsets(4, 2).len(), 6);
         assert_eq!(subsets(3, 3), [[0, 1, 2]]);

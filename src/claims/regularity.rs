@@ -79,8 +79,10 @@ fn end_relations(
                         .iter()
                         .map(|(sign, slope)| format!("{} {slope}", if *sign > 0 { '+' } else { '−' }))
                         .collect();
+                    let right = sides.join(" ");
+                    let right = right.strip_prefix("+ ").unwrap_or(&right);
                     let at = [("r", r.to_string()), ("x", slopes.x.to_string())];
-                    let text = format!("{left} = {} at {} ({side} limit)", sides.join(" "), slopes.x);
+                    let text = format!("{left} = {right} at {} ({side} limit)", slopes.x);
                     let found = format!("the left side is {found} and the right side {claimed}");
                     return Err(case.refuted(at, text, found));
                 }
@@ -179,15 +181,20 @@ fn smooth_on_spans(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
 }
 
 /// At every t_j: the difference quotients from the right converge (the value is the limit from the right, and
-/// the piece there has a derivative), and those from the left do if and only if the function does not jump.
+/// the piece there has a derivative), and those from the left do if and only if the function does not jump. Without
+/// `at_jumps`: except at the knots inside (t_0, t_m) of multiplicity > k, where some function jumps.
 fn one_sided_differentiable(at_jumps: bool) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
     move |case, ledger| {
         smooth_on_spans(case, ledger)?;
         for (x, p) in case.knots().inner_stop_knots() {
+            let (left, value) = (case.values(x, Side::Left), case.values(x, Side::Right));
             if !at_jumps && p > case.k() {
+                if !left.iter().zip(&value).any(|(left, value)| ledger.differ(left, value)) {
+                    let claimed = format!("some function jumps at {x}");
+                    return Err(case.refuted([("x", x.to_string())], claimed, "none does".into()));
+                }
                 continue;
             }
-            let (left, value) = (case.values(x, Side::Left), case.values(x, Side::Right));
             for (i, (left, value)) in left.iter().zip(&value).enumerate() {
                 if !ledger.equal(left, value) {
                     let at = [("i", i.to_string()), ("x", x.to_string())];
@@ -245,18 +252,16 @@ fn jumps_in_ratio(
     Some(left.iter().zip(&right).map(|(l, r)| r.minus(l).derivatives()).collect())
 }
 
-/// At an interior knot of multiplicity p ≤ k (or p < k): some derivative of order ≤ k − p jumps for this α, and
-/// all their jumps vanish for r → 1.
+/// At an interior knot of multiplicity p ≤ k some derivative of order ≤ k − p jumps for this α (without
+/// `full_multiplicity`: if and only if p < k), and all their jumps vanish for r → 1.
 fn regularity_lost(full_multiplicity: bool) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
     move |case, ledger| {
         let mut interior = case.knots().interior(case.k()).to_vec();
         interior.dedup();
         for x in &interior {
             let p = case.knots().multiplicity(x);
-            if p > case.k() || (p == case.k() && !full_multiplicity) {
-                continue;
-            }
-            let order = case.k() - p;
+            let Some(order) = case.k().checked_sub(p) else { continue };
+            let should_jump = order > 0 || full_multiplicity;
             let Some(jumps) = jumps_in_ratio(case, x, order) else { continue };
             for (i, jump) in jumps.iter().enumerate() {
                 for (d, jump) in jump.iter().enumerate() {
@@ -269,14 +274,15 @@ fn regularity_lost(full_multiplicity: bool) -> impl Fn(&BasisCase, &mut Ledger) 
                 }
             }
             let ratio = case.basis().index().ratio();
-            let lost = jumps
+            let some_jump = jumps
                 .iter()
                 .flatten()
                 .any(|jump| jump.evaluate(ratio).is_some_and(|jump| ledger.differ(&jump, &integer(0))));
-            if !lost {
+            if !ledger.count(usize::from(some_jump), usize::from(should_jump)) {
                 let at = [("x", x.to_string()), ("p", p.to_string())];
-                let claimed = format!("some derivative of order ≤ k − p = {order} jumps at {x}");
-                return Err(case.refuted(at, claimed, "none does, for any i".into()));
+                let words = |jumps: bool| if jumps { "some derivative" } else { "no derivative" };
+                let claimed = format!("{} of order ≤ k − p = {order} jumps at {x}", words(should_jump));
+                return Err(case.refuted(at, claimed, format!("{} does, for any i", words(some_jump))));
             }
         }
         Ok(())
@@ -338,7 +344,7 @@ pub(super) fn claims() -> Vec<Claim> {
         )
         .amended(Form::Basis(
             Statement::new(
-                "The same at every interior knot of multiplicity p ≤ k−1.",
+                "The same at every interior knot of multiplicity p ≤ k−1; at p = k nothing jumps.",
                 regularity_lost(false),
             )
             .given([FiniteIndex]),
@@ -404,7 +410,7 @@ pub(super) fn claims() -> Vec<Claim> {
             )),
         )
         .amended(Form::Basis(Statement::new(
-            "The same at every t_j that is not a knot inside (t_0, t_m) of multiplicity greater than k. (At such a knot the derivative still has limits from both sides.)",
+            "The same at every t_j that is not a knot inside (t_0, t_m) of multiplicity greater than k. (At such a knot some function jumps; its derivative still has limits from both sides.)",
             one_sided_differentiable(false),
         )))
         .note("Differentiable from the left at x: the difference quotients with the value at x converge. At t_0 only the right side is meant, at t_m only the left one."),

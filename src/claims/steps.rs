@@ -37,9 +37,9 @@ fn cover(all_i: bool) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
 }
 
 /// G_j^k(x) ≠ 0 ⇔ x in (t_j, t_{j+k+1}): positivity and local support together.
-fn support_exactly(full_ends_too: bool) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
+fn support_exactly(exceptions: bool) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
     move |case, ledger| {
-        local_support(full_ends_too)(case, ledger)?;
+        local_support(exceptions)(case, ledger)?;
         positivity(integer(0))(case, ledger)
     }
 }
@@ -93,11 +93,11 @@ pub(super) fn claims() -> Vec<Claim> {
         Claim::new(
             "proof.P4.1.1.iff",
             "Proof of Proposition 4.1 (1)",
-            Form::Basis(Statement::new("G_j^k(x) ≠ 0 ⇔ x in (t_j, t_{j+k+1}).", support_exactly(true))),
+            Form::Basis(Statement::new("G_j^k(x) ≠ 0 ⇔ x in (t_j, t_{j+k+1}).", support_exactly(false))),
         )
         .amended(Form::Basis(Statement::new(
-            "The same for every x except x = t_j if t_j = t_{j+k}, and x = t_m if t_{j+1} = t_m: there G_j^k may be 1.",
-            support_exactly(false),
+            "The same for every x, with two exceptions, where G_j^k is 1: x = t_j if t_j = t_{j+k} < t_{j+k+1}, and x = t_m if t_j < t_{j+1} = t_m.",
+            support_exactly(true),
         ))),
         Claim::new(
             "proof.P3.2.induction",
@@ -132,7 +132,8 @@ mod tests {
             let knots = KnotVector::new(knots.iter().copied().map(integer).collect()).unwrap();
             BasisCase::new(Basis::new(knots, degree, Index::infinity()).unwrap(), Origin::User)
         };
-        let statement = Statement::new("", functions_as_coefficients).given([DegreeAtMost(1)]);
+        let statement =
+            Statement::new("", functions_as_coefficients).given([crate::claims::Hypothesis::DegreeAtMost(1)]);
         let holds = judge(&statement, &[case(0, &[0, 1, 2])]).unwrap();
         assert!(matches!(holds, Verdict::Proved { .. }), "{holds:?}");
         let fails = judge(&statement, &[case(1, &[0, 0, 1, 1])]).unwrap();
