@@ -309,7 +309,7 @@ pub(super) fn claims() -> Vec<Claim> {
         )
         .amended(Form::Basis(
             Statement::new(
-                "The same for every x in [t_0, t_m] that is not a knot inside (t_0, t_m) of multiplicity greater than k.",
+                "The same for every x in [t_0, t_m] that is not a knot inside (t_0, t_m) of multiplicity greater than k; at every such knot it fails for some polygon.",
                 symmetry(false, |n, i| n - i),
             )
             .given([Open, Symmetric]),

@@ -100,14 +100,14 @@ impl Claim {
     /// # Errors
     /// [`Fault`], if two computations disagree.
     pub fn judge(&self, cases: &Cases) -> Result<Judged, Fault> {
-        let printed = self.printed.judge(cases)?;
-        let mut judged = Judged { printed, amended: None, sharpness: None, by_degree: Vec::new() };
+        let (printed, by_degree) = match &self.printed {
+            Form::Basis(statement) if self.is_question() => judge_by_degree(statement, &cases.bases)?,
+            form => (form.judge(cases)?, Vec::new()),
+        };
+        let mut judged = Judged { printed, amended: None, sharpness: None, by_degree };
         if let (Verdict::Refuted(_), Some(amended)) = (&judged.printed, &self.amended) {
             judged.amended = Some(amended.judge(cases)?);
             judged.sharpness = self.printed.sharpness(amended, cases)?;
-        }
-        if let (true, Form::Basis(statement)) = (self.is_question(), &self.printed) {
-            judged.by_degree = judge_by_degree(statement, &cases.bases)?;
         }
         Ok(judged)
     }

@@ -1,6 +1,6 @@
 //! Statements as data, and the one engine that judges them.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
@@ -78,31 +78,36 @@ pub struct Fault(pub String);
 /// # Errors
 /// [`Fault`], if two computations disagree.
 pub fn judge<C: Case>(statement: &Statement<C>, cases: &[C]) -> Result<Verdict, Fault> {
-    summarise(&outcomes(statement, cases), cases)
+    let cases: Vec<_> = cases.iter().collect();
+    summarise(&outcomes(statement, &cases).into_iter().zip(cases).collect::<Vec<_>>())
 }
 
-/// The same for the cases of each degree by themselves, by rising degree.
+/// The same, and also for the cases of each degree by themselves, by rising degree.
 ///
 /// # Errors
 /// [`Fault`], if two computations disagree.
 pub fn judge_by_degree<C: Case>(
     statement: &Statement<C>,
     cases: &[C],
-) -> Result<Vec<(usize, Verdict)>, Fault> {
-    let outcomes = cases.par_iter().map(|case| statement.decide(case)).collect::<Vec<_>>();
-    let degrees: BTreeSet<_> = cases.iter().filter_map(Case::degree).collect();
-    let of_degree = |degree: usize| {
-        let (outcomes, cases): (Vec<_>, Vec<_>) =
-            outcomes.iter().zip(cases).filter(|(_, case)| case.degree() == Some(degree)).unzip();
-        Ok((degree, summarise(outcomes, cases)?))
-    };
-    degrees.into_iter().map(of_degree).collect()
+) -> Result<(Verdict, Vec<(usize, Verdict)>), Fault> {
+    let mut by_degree: BTreeMap<usize, Vec<&C>> = BTreeMap::new();
+    for case in cases {
+        by_degree.entry(case.degree().unwrap_or(0)).or_default().push(case);
+    }
+    let mut decided = Vec::new();
+    let mut verdicts = Vec::new();
+    for (degree, cases) in by_degree {
+        let outcomes: Vec<_> = outcomes(statement, &cases).into_iter().zip(cases).collect();
+        verdicts.push((degree, summarise(&outcomes)?));
+        decided.extend(outcomes);
+    }
+    Ok((summarise(&decided)?, verdicts))
 }
 
 /// Decides the cases in parallel; once a refutation is found, larger cases are passed over.
-fn outcomes<C: Case>(statement: &Statement<C>, cases: &[C]) -> Vec<Outcome> {
+fn outcomes<C: Case>(statement: &Statement<C>, cases: &[&C]) -> Vec<Outcome> {
     let first = AtomicUsize::new(usize::MAX);
-    let decide = |(place, case): (usize, &C)| {
+    let decide = |(place, case): (usize, &&C)| {
         if place > first.load(Ordering::Relaxed) {
             return Outcome::Nothing("a smaller case refutes the statement".into());
         }
@@ -116,13 +121,10 @@ fn outcomes<C: Case>(statement: &Statement<C>, cases: &[C]) -> Vec<Outcome> {
 }
 
 /// From the outcomes, in the order of the cases, to a verdict.
-fn summarise<'a, C: Case + 'a>(
-    outcomes: impl IntoIterator<Item = &'a Outcome>,
-    cases: impl IntoIterator<Item = &'a C>,
-) -> Result<Verdict, Fault> {
+fn summarise<C: Case>(decided: &[(Outcome, &C)]) -> Result<Verdict, Fault> {
     let (mut reach, mut degrees) = (Reach::default(), BTreeSet::new());
     let (mut undecided, mut nothing) = (None, None);
-    for (outcome, case) in outcomes.into_iter().zip(cases) {
+    for (outcome, case) in decided {
         match outcome {
             Outcome::Holds(ledger) => {
                 reach.facts += ledger.facts();

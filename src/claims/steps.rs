@@ -24,7 +24,8 @@ fn cover(all_i: bool) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
             if missed && !all_i {
                 continue;
             }
-            let covered = !inside || ledger.less(x, knots.t(i + k));
+            let at_end = ledger.equal(x, low) || ledger.equal(x, high);
+            let covered = at_end || ledger.less(x, knots.t(i + k));
             if !covered {
                 let at = [("i", i.to_string()), ("x", x.to_string())];
                 let claimed = format!("{x}, a point of ({low}, {high}), lies in one of the two intervals");

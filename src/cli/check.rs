@@ -189,7 +189,11 @@ impl fmt::Display for Check {
                 writeln!(f, "\nα = {}, for every x:", property.alpha)?;
                 alpha = Some(&property.alpha);
             }
-            writeln!(f, "  {:24} {}", property.id, styled(&property.finding))?;
+            write!(f, "  {:26} {}", property.id, styled(&property.finding))?;
+            match &property.finding.reason {
+                Some(reason) => writeln!(f, ": {reason}")?,
+                None => writeln!(f)?,
+            }
             if let Some(witness) = &property.finding.witness {
                 writeln!(f, "      {}", property.statement)?;
                 let at = witness.given.iter().filter(|(name, _)| !["k", "U", "α"].contains(&name.as_str()));

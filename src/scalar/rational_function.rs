@@ -130,6 +130,12 @@ impl<S: ExactField> Ring for RationalFunction<S> {
     }
     /// With g = gcd(Q₁, Q₂) only g can still cancel against the numerator (Henrici 1956; Knuth, TAOCP 2, 4.5.1).
     fn plus(&self, rhs: &Self) -> Self {
+        if self.is_zero() {
+            return rhs.clone();
+        }
+        if rhs.is_zero() {
+            return self.clone();
+        }
         let common = self.denominator.gcd(&rhs.denominator);
         let (own, other) = (quotient(&self.denominator, &common), quotient(&rhs.denominator, &common));
         let numerator = self.numerator.times(&other).plus(&rhs.numerator.times(&own));
@@ -144,6 +150,9 @@ impl<S: ExactField> Ring for RationalFunction<S> {
     }
     /// Numerators cancel only against the denominator of the other factor.
     fn times(&self, rhs: &Self) -> Self {
+        if self.is_zero() || rhs.is_zero() {
+            return self.zero();
+        }
         let (left, right) = (self.numerator.gcd(&rhs.denominator), rhs.numerator.gcd(&self.denominator));
         Self {
             numerator: quotient(&self.numerator, &left).times(&quotient(&rhs.numerator, &right)),
