@@ -6,7 +6,7 @@ use crate::spline::{KnotVector, Side, Span};
 
 use super::case::{BasisCase, definition_values};
 use super::hypothesis::Hypothesis::{
-    DegreeAtLeast, FirstSpan, InteriorMultiplicityAtMostDegree, LastSpan, Open, Symmetric,
+    BaseInterval, FirstSpan, InteriorMultiplicityAtMostDegree, LastSpan, Open, Symmetric,
 };
 use super::registry::{Claim, Form};
 use super::statement::Statement;
@@ -146,7 +146,7 @@ pub(super) fn symmetry(
             let at = [("i", i.to_string()), ("x", x.to_string())];
             let (k, mirrored, other) = (case.k(), knots.mirror(x), partner(n, i));
             let claimed = format!("^αG_{i}^{k}({mirrored}) = ^(1−α)G_{other}^{k}({x})");
-            case.witness(at, claimed, format!("the left side is {left} and the right side {right}"))
+            case.bare_witness(at, claimed, format!("the left side is {left} and the right side {right}"))
         };
         for (x, p) in knots.stop_knots() {
             let inner = x != knots.first() && x != knots.last();
@@ -218,7 +218,7 @@ fn end_values(
                     let at = [("r", r.to_string()), ("x", x.to_string())];
                     let claimed = format!("{} = {} at {x} ({side} limit)", name(d, i), name(e, j));
                     let found = format!("the left side is {left} and the right side {right}");
-                    return Err(case.refuted(at, claimed, found));
+                    return Err(case.refuted_at_large(at, claimed, found));
                 }
             }
         }
@@ -280,10 +280,9 @@ fn continuity(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
         let (left, right) = (case.values(x, Side::Left), case.values(x, Side::Right));
         for (i, (left, right)) in left.iter().zip(&right).enumerate() {
             if !ledger.equal(left, right) {
-                let at = [("i", i.to_string()), ("x", x.to_string())];
                 let g = name(case.k(), i);
                 let found = format!("{g} → {left} from the left and {g}({x}) = {right}");
-                return Err(case.refuted(at, format!("{g} is continuous at {x}"), found));
+                return Err(case.refuted_on_the_left(i, x, format!("{g} is continuous at {x}"), found));
             }
         }
     }
@@ -326,7 +325,7 @@ pub(super) fn claims() -> Vec<Claim> {
             "G_i^k(x) = 0 for every x not in (t_i, t_{i+k+1}), with two exceptions, where it is 1: x = t_i if t_i = t_{i+k} < t_{i+k+1}, and x = t_m if t_i < t_{i+1} = t_m.",
             local_support(true),
         )))
-        .note("The exceptions are the ends of multiplicity k + 1, where the function is 1."),
+        .note("At the exceptions k + 1 knots of the function coincide, and it begins or ends with a jump."),
         Claim::new(
             "T3.5.2",
             "Theorem 3.5 (2)",
@@ -402,7 +401,7 @@ pub(super) fn claims() -> Vec<Claim> {
                     "Every G_i^k is C⁰ on [t_0, t_m) if no interior knot has multiplicity greater than k.",
                     continuity,
                 )
-                .given([InteriorMultiplicityAtMostDegree]),
+                .given([BaseInterval, InteriorMultiplicityAtMostDegree]),
             ),
         ),
         Claim::new(
@@ -413,7 +412,7 @@ pub(super) fn claims() -> Vec<Claim> {
                     "Open U: G_0^k(t_0) = 1 and G_i^k(t_0) = 0 for 0 < i ≤ n; at t_m from the left G_n^k → 1 and G_i^k → 0 for i < n.",
                     interpolation(|n| (0, n)),
                 )
-                .given([Open, DegreeAtLeast(1)]),
+                .given([Open]),
             ),
         )
         .amended(Form::Basis(
@@ -421,7 +420,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 "The same if t_k < t_{k+1} and t_n < t_{n+1}: the end knots have multiplicity k + 1 and no more.",
                 interpolation(|n| (0, n)),
             )
-            .given([Open, DegreeAtLeast(1), FirstSpan, LastSpan]),
+            .given([Open, FirstSpan, LastSpan]),
         ))
         .note("An open vector by D3.2 may repeat its end knots more often than k + 1 times; G_0^k is then 0."),
     ]
@@ -430,8 +429,8 @@ pub(super) fn claims() -> Vec<Claim> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::claims::case::Cases;
     use crate::claims::hypothesis::Hypothesis;
+    use crate::claims::small_cases::Cases;
     use crate::claims::statement::judge;
     use crate::claims::verdict::Verdict;
 

@@ -7,7 +7,6 @@ use crate::scalar::{BigRational, Jet, integer, rationals_between};
 use crate::spline::{Basis, Index, KnotVector, Side, Span, by_definition};
 
 use super::hypothesis::{Hypothesis, WeightHypothesis};
-use super::instances::instances;
 use super::verdict::{Stop, Witness, show};
 
 /// Where a case comes from.
@@ -133,25 +132,41 @@ impl BasisCase {
         Some(by_definition(&self.basis, span, &Jet::variable(x.clone(), order)))
     }
 
-    /// A witness in this case; `at` names the place in it.
+    /// A witness in this case; `at` names the place in it. An `x` among the places makes it one about values
+    /// there, which a command can show.
     pub(super) fn witness<const N: usize>(
         &self,
         at: [(&str, String); N],
         claimed: String,
         found: String,
     ) -> Witness {
+        let x = at.iter().find(|(name, _)| *name == "x").map(|(_, x)| x.clone());
+        Witness { reproduce: x.map(|x| self.command(&x, "")), ..self.bare_witness(at, claimed, found) }
+    }
+
+    /// The command that shows values and derivatives at x.
+    fn command(&self, x: &str, options: &str) -> String {
         let knots: Vec<_> = self.knots().knots().iter().map(show).collect();
+        let (degree, knots, alpha) = (self.k(), knots.join(","), self.basis.index());
+        format!(
+            "knotproof eval --degree {degree} --knots {knots} --alpha {alpha} --x {x} --derivatives 1{options}"
+        )
+    }
+
+    /// A witness about more than the values of this basis at one place: no single command shows it.
+    pub(super) fn bare_witness<const N: usize>(
+        &self,
+        at: [(&str, String); N],
+        claimed: String,
+        found: String,
+    ) -> Witness {
         let mut given = vec![
             ("k".to_owned(), self.k().to_string()),
             ("U".to_owned(), self.knots().to_string()),
             ("α".to_owned(), self.basis.index().to_string()),
         ];
         given.extend(at.iter().map(|(name, value)| ((*name).to_owned(), value.clone())));
-        let x = at.iter().find(|(name, _)| *name == "x").map(|(_, x)| {
-            let (degree, list, alpha) = (self.k(), knots.join(","), self.basis.index());
-            format!("knotproof eval --degree {degree} --knots {list} --alpha {alpha} --x {x} --derivatives 1")
-        });
-        Witness { given, claimed, found, reproduce: x }
+        Witness { given, claimed, found, reproduce: None }
     }
 
     /// The claim is false in this case, at the given place.
@@ -162,6 +177,29 @@ impl BasisCase {
         found: String,
     ) -> Stop {
         Stop::Refuted(Box::new(self.witness(at, claimed, found)))
+    }
+
+    /// The same, with the command that shows the limits from the left at x.
+    pub(super) fn refuted_on_the_left(
+        &self,
+        i: usize,
+        x: &BigRational,
+        claimed: String,
+        found: String,
+    ) -> Stop {
+        let at = [("i", i.to_string()), ("x", x.to_string())];
+        let reproduce = Some(self.command(&x.to_string(), " --side left"));
+        Stop::Refuted(Box::new(Witness { reproduce, ..self.bare_witness(at, claimed, found) }))
+    }
+
+    /// The claim is false in this case, by more than the values at one place.
+    pub(super) fn refuted_at_large<const N: usize>(
+        &self,
+        at: [(&str, String); N],
+        claimed: String,
+        found: String,
+    ) -> Stop {
+        Stop::Refuted(Box::new(self.bare_witness(at, claimed, found)))
     }
 
     /// Turns "false on all of this span but for single points", as the pieces say, into a witness at one point,
@@ -214,10 +252,10 @@ pub struct WeightCase {
 }
 
 impl WeightCase {
-    /// An interval of the user's.
+    /// A case of the given origin.
     #[must_use]
-    pub fn new(a: BigRational, b: BigRational, index: Index) -> Self {
-        Self { a, b, index, origin: Origin::User }
+    pub fn new(a: BigRational, b: BigRational, index: Index, origin: Origin) -> Self {
+        Self { a, b, index, origin }
     }
 }
 
@@ -235,117 +273,4 @@ impl Case for WeightCase {
     fn degree(&self) -> Option<usize> {
         None
     }
-}
-
-/// All cases of a run.
-#[derive(Debug)]
-pub struct Cases {
-    /// Bases by size: small ones, then the paper's.
-    pub bases: Vec<BasisCase>,
-    /// Intervals for the weight: small ones, then the paper's.
-    pub weights: Vec<WeightCase>,
-}
-
-impl Cases {
-    /// The cases on which a report rests: [`small_bases`], and every basis of the paper's instances once.
-    #[must_use]
-    pub fn all() -> Self {
-        let mut bases: Vec<_> =
-            small_bases().into_iter().map(|basis| BasisCase::new(basis, Origin::Small)).collect();
-        let mut seen = std::collections::HashSet::new();
-        for instance in instances() {
-            for index in &instance.indices {
-                let basis = Basis::new(instance.knots.clone(), instance.degree, index.clone());
-                let Ok(basis) = basis else { unreachable!("a test builds every instance") };
-                if seen.insert(basis.clone()) {
-                    bases.push(BasisCase::new(basis, Origin::Paper));
-                }
-            }
-        }
-        Self { bases, weights: weight_cases() }
-    }
-}
-
-/// Indices of small height: conjugate pairs on both sides, then the classical one.
-fn small_indices() -> Vec<Index> {
-    let Ok(indices) = ["-1", "2", "-2", "3", "inf"].into_iter().map(str::parse).collect() else {
-        unreachable!("none of these lies in [0, 1]")
-    };
-    indices
-}
-
-/// Bases in order of size: by degree, by the number of knots, by length, by gaps; then by index.
-///
-/// Knots are integers from 0 with gaps 0, 1 or 2 (only 0 or 1 in the larger sets), all multiplicities, open and
-/// not, with n ≥ k and t_k < t_{m−k} as the paper's statements ask (D3.2, D3.3). Beyond the first sets only
-/// one conjugate pair of indices and ∞ is taken.
-fn small_bases() -> Vec<Basis> {
-    /// Degree, least and greatest m, greatest gap, number of indices from the front, ∞ counted apart.
-    const SETS: [(usize, std::ops::RangeInclusive<usize>, usize, usize); 6] = [
-        (1, 3..=4, 2, 4),
-        (1, 5..=5, 2, 2),
-        (2, 5..=5, 2, 4),
-        (2, 6..=7, 1, 2),
-        (3, 7..=7, 1, 2),
-        (3, 8..=8, 1, 1),
-    ];
-    let indices = small_indices();
-    let mut bases = Vec::new();
-    for (k, sizes, greatest_gap, count) in SETS {
-        for m in sizes {
-            let mut vectors: Vec<Vec<usize>> = Vec::new();
-            for code in 0..(greatest_gap + 1).pow(u32::try_from(m).unwrap_or(u32::MAX)) {
-                let digits = (0..m).scan(code, |rest, _| {
-                    let digit = *rest % (greatest_gap + 1);
-                    *rest /= greatest_gap + 1;
-                    Some(digit)
-                });
-                let mut knots = vec![0];
-                knots.extend(digits.scan(0, |t, gap| {
-                    *t += gap;
-                    Some(*t)
-                }));
-                if knots[k] < knots[m - k] {
-                    vectors.push(knots);
-                }
-            }
-            vectors.sort_by_key(|knots| (knots[m], knots.clone()));
-            for knots in vectors {
-                let Ok(knots) = KnotVector::new(knots.into_iter().map(integer).collect()) else {
-                    unreachable!("the knots rise")
-                };
-                let (finite, infinite) = indices.split_at(indices.len() - 1);
-                for index in finite.iter().take(count).chain(infinite) {
-                    let Ok(basis) = Basis::new(knots.clone(), k, index.clone()) else {
-                        unreachable!("m ≥ 2k + 1")
-                    };
-                    bases.push(basis);
-                }
-            }
-        }
-    }
-    bases
-}
-
-/// Intervals of small integers, empty and reversed ones included, with small indices; then those of Fig. 1
-/// to 3 with the indices shown there.
-fn weight_cases() -> Vec<WeightCase> {
-    let small = [(0, 1), (0, 0), (1, 0), (0, 2), (1, 2), (-1, 1), (1, 3)];
-    let shown: [(i64, i64, &[&str]); 2] = [
-        (0, 1, &["-1/3", "-1", "-4", "inf", "4/3", "2", "5"]),
-        (1, 3, &["-1/3", "-1", "-4", "inf", "4/3", "2", "5"]),
-    ];
-    let mut cases = Vec::new();
-    let number = |n: i64| BigRational::from_integer(n.into());
-    for (a, b) in small {
-        for index in small_indices() {
-            cases.push(WeightCase { a: number(a), b: number(b), index, origin: Origin::Small });
-        }
-    }
-    for (a, b, indices) in shown {
-        for index in indices.iter().filter_map(|text| text.parse().ok()) {
-            cases.push(WeightCase { a: number(a), b: number(b), index, origin: Origin::Paper });
-        }
-    }
-    cases
 }

@@ -27,6 +27,10 @@ pub enum Hypothesis {
     FirstSpan,
     /// t_n < t_{n+1}: the last knot of an open vector occurs only k + 1 times.
     LastSpan,
+    /// t_m does not occur exactly k + 2 times.
+    LastMultiplicityNotDegreePlusTwo,
+    /// t_k < t_{m−k}: the paper's a < b (D3.2).
+    BaseInterval,
 }
 
 impl Hypothesis {
@@ -48,6 +52,8 @@ impl Hypothesis {
             Self::InnerMultiplicityAtMostDegree => knots.inner_stop_knots().all(|(_, p)| p <= k),
             Self::FirstSpan => knots.t(k) < knots.t(k + 1),
             Self::LastSpan => knots.t(n) < knots.t(n + 1),
+            Self::LastMultiplicityNotDegreePlusTwo => knots.multiplicity(knots.last()) != k + 2,
+            Self::BaseInterval => basis.base_interval().is_some(),
         }
     }
 }
@@ -68,6 +74,8 @@ impl std::fmt::Display for Hypothesis {
             }
             Self::FirstSpan => f.write_str("t_k < t_{k+1}"),
             Self::LastSpan => f.write_str("t_n < t_{n+1}"),
+            Self::LastMultiplicityNotDegreePlusTwo => f.write_str("t_m does not occur exactly k + 2 times"),
+            Self::BaseInterval => f.write_str("t_k < t_{m−k}"),
         }
     }
 }

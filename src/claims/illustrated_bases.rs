@@ -11,7 +11,7 @@ use super::illustrations::{
     with_indices,
 };
 use super::instances::Instance;
-use super::maximum::{Reading, conjecture};
+use super::maximum::{Except, Reading, conjecture};
 use super::registry::Claim;
 use super::verdict::{Judgement, Ledger, Stop};
 
@@ -227,7 +227,10 @@ fn close_to_classical(bound: BigRational) -> impl Fn(&Illustration, &mut Ledger)
         }
         if let Some((enclosure, instance, i)) = worst {
             let Enclosure { lo, hi, .. } = enclosure;
-            ledger.remark(format!("The largest deviation lies in [{lo}, {hi}]: {}, i = {i}.", instance.name));
+            ledger.remark(format!(
+                "The largest deviation lies in [{lo}, {hi}]; {}, i = {i} has it.",
+                instance.name
+            ));
         }
         Ok(())
     }
@@ -309,12 +312,12 @@ pub(super) fn claims() -> Vec<Claim> {
             "Ill5.1.effect",
             "Illustrations 5.1 and 5.2",
             illustrated(
-                "U0 to U3, k ≥ 1: sup |^αG_i^k − ^∞G_i^k| grows as α rises in (−∞,0) and as α falls in (1,∞).",
+                "U0 to U3, k ≥ 1: sup |^αG_i^k − ^∞G_i^k| grows as α rises along −8, −4, −2, −1, −1/2, −1/4, −1/8 and as it falls along 9, 5, 3, 2, 3/2, 5/4, 9/8.",
                 of_degree(each(&PERIODIC), &[1, 2, 3]),
                 effect_grows([RISING, FALLING]),
             ),
         )
-        .note("Judged along the chains α = −8, −4, −2, −1, −1/2, −1/4, −1/8 and α = 9, 5, 3, 2, 3/2, 5/4, 9/8, with certified enclosures of the suprema over all x. Degree 0 does not depend on α."),
+        .note("The paper says it of all α; judged along these chains, by certified enclosures of the suprema over all x. Degree 0 does not depend on α."),
         Claim::new(
             "Ill5.3.symmetry",
             "Illustration 5.3",
@@ -354,17 +357,17 @@ pub(super) fn claims() -> Vec<Claim> {
                 "U0 with k = 1, 2, 3 and U1 to U13 with k = 2, α in {−1, 2, 5, ∞}: Conjecture 3.1 holds, in both readings.",
                 bases(),
                 every_basis(|case, ledger| {
-                    conjecture(Reading::Strong, false, 1)(case, ledger)?;
-                    conjecture(Reading::Weak, false, 1)(case, ledger)
+                    conjecture(Reading::Strong, Except::Nothing, 1)(case, ledger)?;
+                    conjecture(Reading::Weak, Except::Nothing, 1)(case, ledger)
                 }),
             ),
         )
         .amended(illustrated(
-            "The same for the functions that are continuous on (t_0, t_m).",
+            "The same but for G_2² of U11 and of U13, which rises to the triple knot and drops there.",
             bases(),
             every_basis(|case, ledger| {
-                conjecture(Reading::Strong, true, 1)(case, ledger)?;
-                conjecture(Reading::Weak, true, 1)(case, ledger)
+                conjecture(Reading::Strong, Except::Drops, 1)(case, ledger)?;
+                conjecture(Reading::Weak, Except::Drops, 1)(case, ledger)
             }),
         )),
         Claim::new(

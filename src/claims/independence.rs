@@ -113,7 +113,7 @@ pub(super) fn claims() -> Vec<Claim> {
                     "Open U, interior multiplicities ≤ k: the G_i^k are linearly independent on [t_0, t_m].",
                     independence,
                 )
-                .given([Open, DegreeAtLeast(1), InteriorMultiplicityAtMostDegree]),
+                .given([Open, InteriorMultiplicityAtMostDegree]),
             ),
         ),
         Claim::new(
@@ -144,7 +144,7 @@ pub(super) fn claims() -> Vec<Claim> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::claims::case::Cases;
+    use crate::claims::small_cases::Cases;
     use crate::claims::statement::judge;
     use crate::claims::verdict::Verdict;
 

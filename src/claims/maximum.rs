@@ -4,7 +4,7 @@ use crate::analysis::{Place, Shape};
 
 use super::basis::name;
 use super::case::BasisCase;
-use super::hypothesis::Hypothesis::{DegreeAtLeast, InnerMultiplicityAtMostDegree};
+use super::hypothesis::Hypothesis::{DegreeAtLeast, DegreeAtMost};
 use super::registry::{Claim, Form};
 use super::statement::Statement;
 use super::verdict::{Judgement, Ledger, Stop};
@@ -65,22 +65,40 @@ fn place(place: &Place) -> String {
     }
 }
 
-/// The conjecture for every function of the case that is not identically 0. `continuous`: only for those that
-/// do not jump inside (t_0, t_m).
+/// Which functions are left out, besides those that are identically 0.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Except {
+    /// None.
+    Nothing,
+    /// Those that drop at a knot inside (t_0, t_m): t_{i+1} = t_{i+k+1} < t_m.
+    Drops,
+    /// Those that jump, up or down, at a knot inside (t_0, t_m): also t_0 < t_i = t_{i+k}.
+    Jumps,
+}
+
+impl Except {
+    fn leaves_out(self, case: &BasisCase, i: usize) -> bool {
+        let (knots, k) = (case.knots(), case.k());
+        let drops = knots.t(i + 1) == knots.t(i + k + 1) && knots.t(i + 1) < knots.last();
+        let starts = knots.first() < knots.t(i) && knots.t(i) == knots.t(i + k);
+        match self {
+            Self::Nothing => false,
+            Self::Drops => drops,
+            Self::Jumps => drops || starts,
+        }
+    }
+}
+
+/// The conjecture for every function of the case that is not identically 0 and not left out.
 pub(super) fn conjecture(
     reading: Reading,
-    continuous: bool,
+    except: Except,
     wanted: usize,
 ) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
     move |case, ledger| {
-        let knots = case.knots();
         for i in 0..=case.n() {
             let (low, high) = case.basis().support(i);
-            let full = |x, p: usize| x != knots.first() && x != knots.last() && p > case.k();
-            // A function jumps at an end of its support if k + 1 of its knots are there.
-            let own = &knots.knots()[i..=i + case.k() + 1];
-            let jumps = [low, high].iter().any(|end| full(*end, own.iter().filter(|t| t == end).count()));
-            if low < high && !(continuous && jumps) {
+            if low < high && !except.leaves_out(case, i) {
                 one_maximum(case, i, reading, wanted, ledger)?;
             }
         }
@@ -90,13 +108,16 @@ pub(super) fn conjecture(
 
 /// The four readings of the conjecture.
 pub(super) fn claims() -> Vec<Claim> {
-    let statement = |text, reading, continuous| {
-        Form::Basis(Statement::new(text, conjecture(reading, continuous, 1)).given([DegreeAtLeast(1)]))
+    let statement = |text, reading, except| {
+        Form::Basis(Statement::new(text, conjecture(reading, except, 1)).given([DegreeAtLeast(1)]))
     };
-    let under_multiplicity = |text, reading| {
-        let conclusion = conjecture(reading, false, 1);
-        Form::Basis(Statement::new(text, conclusion).given([DegreeAtLeast(1), InnerMultiplicityAtMostDegree]))
+    let low_degree = |text, except| {
+        let conclusion = conjecture(Reading::Strong, except, 1);
+        Form::Basis(Statement::new(text, conclusion).given([DegreeAtLeast(1), DegreeAtMost(2)]))
     };
+    const DROPS: &str = "The same for every i, unless t_{i+1} = t_{i+k+1} < t_m: then G_i^k rises to the limit 1 and drops to 0 there.";
+    const LOW_DROPS: &str = "The same for k = 1 and k = 2 and every i, unless t_{i+1} = t_{i+k+1} < t_m: then G_i^k rises to the limit 1 and drops to 0 there.";
+    const WEAK: &str = "No case is known in which it fails. But where there are two local maxima, moving α makes now the one larger, now the other, and in between they may be equal.";
     const WHERE: &str = "Functions with t_i = t_{i+k+1} are 0 and left out.";
     const CONTINUOUS: &str = "Continuous is meant on (t_0, t_m). On the open support alone every function is continuous, those included that rise to a knot of multiplicity k + 1 and drop there.";
     vec![
@@ -106,10 +127,10 @@ pub(super) fn claims() -> Vec<Claim> {
             statement(
                 "For k ≥ 1 every G_i^k has exactly one local maximum (an interval of constancy counts once).",
                 Reading::Strong,
-                false,
+                Except::Nothing,
             ),
         )
-        .amended(under_multiplicity("The same if no knot inside (t_0, t_m) has multiplicity greater than k.", Reading::Strong))
+        .amended(low_degree(LOW_DROPS, Except::Drops))
         .note(WHERE),
         Claim::new(
             "Conj3.1.weak",
@@ -117,10 +138,10 @@ pub(super) fn claims() -> Vec<Claim> {
             statement(
                 "For k ≥ 1 every G_i^k has a largest value and takes it at exactly one x.",
                 Reading::Weak,
-                false,
+                Except::Nothing,
             ),
         )
-        .amended(under_multiplicity("The same if no knot inside (t_0, t_m) has multiplicity greater than k.", Reading::Weak))
+        .amended(statement(DROPS, Reading::Weak, Except::Drops))
         .note(WHERE),
         Claim::new(
             "Conj3.1.strong.continuous",
@@ -128,9 +149,10 @@ pub(super) fn claims() -> Vec<Claim> {
             statement(
                 "For k ≥ 1 every G_i^k that is continuous on (t_0, t_m) has exactly one local maximum.",
                 Reading::Strong,
-                true,
+                Except::Jumps,
             ),
         )
+        .amended(low_degree("The same for k = 1 and k = 2.", Except::Jumps))
         .note(CONTINUOUS),
         Claim::new(
             "Conj3.1.weak.continuous",
@@ -138,17 +160,17 @@ pub(super) fn claims() -> Vec<Claim> {
             statement(
                 "For k ≥ 1 every G_i^k that is continuous on (t_0, t_m) has a largest value and takes it at exactly one x.",
                 Reading::Weak,
-                true,
+                Except::Jumps,
             ),
         )
-        .note(CONTINUOUS),
+        .note(WEAK),
     ]
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::claims::case::Cases;
+    use crate::claims::small_cases::Cases;
     use crate::claims::statement::judge;
     use crate::claims::verdict::Verdict;
 
@@ -156,9 +178,9 @@ mod tests {
     fn false_variants_are_refuted() {
         let bases = Cases::all().bases;
         for reading in [Reading::Strong, Reading::Weak] {
-            let two_maxima = Statement::new("", conjecture(reading, true, 2));
+            let two_maxima = Statement::new("", conjecture(reading, Except::Jumps, 2));
             assert!(matches!(judge(&two_maxima, &bases).unwrap(), Verdict::Refuted(_)));
-            let jumps_too = Statement::new("", conjecture(reading, false, 1));
+            let jumps_too = Statement::new("", conjecture(reading, Except::Nothing, 1));
             assert!(matches!(judge(&jumps_too, &bases).unwrap(), Verdict::Refuted(_)));
         }
     }

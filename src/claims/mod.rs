@@ -20,15 +20,17 @@ mod maximum;
 mod questions;
 mod registry;
 mod regularity;
+mod small_cases;
 mod statement;
 mod steps;
 mod verdict;
 mod weight;
 
-pub use case::{BasisCase, Case, Cases, Origin, WeightCase};
+pub use case::{BasisCase, Case, Origin, WeightCase};
 pub use hypothesis::{Hypothesis, WeightHypothesis};
 pub use illustrations::Illustration;
 pub use instances::{Instance, instances, instances_named};
 pub use registry::{Claim, Form, Judged, claims};
+pub use small_cases::Cases;
 pub use statement::{Conclusion, Fault, Sharpness, Statement, judge, judge_by_degree, sharpness};
 pub use verdict::{Judgement, Ledger, Reach, Scope, Stop, Verdict, Witness};

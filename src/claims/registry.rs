@@ -1,7 +1,8 @@
 //! The register of claims: what each says, and how it is judged.
 
-use super::case::{BasisCase, Cases, WeightCase};
+use super::case::{BasisCase, WeightCase};
 use super::illustrations::Illustration;
+use super::small_cases::Cases;
 use super::statement::{Fault, Sharpness, Statement, judge, judge_by_degree, sharpness};
 use super::verdict::Verdict;
 

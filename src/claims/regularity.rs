@@ -6,7 +6,9 @@ use crate::spline::{Side, weight};
 
 use super::basis::{name, regular};
 use super::case::BasisCase;
-use super::hypothesis::Hypothesis::{DegreeAtLeast, FiniteIndex, FirstSpan, LastSpan, Open, SimpleKnots};
+use super::hypothesis::Hypothesis::{
+    DegreeAtLeast, FiniteIndex, FirstSpan, LastMultiplicityNotDegreePlusTwo, LastSpan, Open, SimpleKnots,
+};
 use super::registry::{Claim, Form};
 use super::statement::Statement;
 use super::verdict::{Judgement, Ledger, Stop};
@@ -84,7 +86,7 @@ fn end_relations(
                     let at = [("r", r.to_string()), ("x", slopes.x.to_string())];
                     let text = format!("{left} = {right} at {} ({side} limit)", slopes.x);
                     let found = format!("the left side is {found} and the right side {claimed}");
-                    return Err(case.refuted(at, text, found));
+                    return Err(case.refuted_at_large(at, text, found));
                 }
             }
         }
@@ -197,16 +199,12 @@ fn one_sided_differentiable(at_jumps: bool) -> impl Fn(&BasisCase, &mut Ledger) 
             }
             for (i, (left, value)) in left.iter().zip(&value).enumerate() {
                 if !ledger.equal(left, value) {
-                    let at = [("i", i.to_string()), ("x", x.to_string())];
                     let g = name(case.k(), i);
                     let found = format!(
                         "{g} → {left} from the left and {g}({x}) = {value}: the difference quotients diverge"
                     );
-                    return Err(case.refuted(
-                        at,
-                        format!("{g} is differentiable from the left at {x}"),
-                        found,
-                    ));
+                    let claimed = format!("{g} is differentiable from the left at {x}");
+                    return Err(case.refuted_on_the_left(i, x, claimed, found));
                 }
             }
         }
@@ -252,14 +250,11 @@ fn jumps_in_ratio(
     Some(left.iter().zip(&right).map(|(l, r)| r.minus(l).derivatives()).collect())
 }
 
-/// At an interior knot of multiplicity p ≤ k some derivative of order ≤ k − p jumps for this α (without
+/// At a knot inside (t_0, t_m) of multiplicity p ≤ k some derivative of order ≤ k − p jumps for this α (without
 /// `full_multiplicity`: if and only if p < k), and all their jumps vanish for r → 1.
 fn regularity_lost(full_multiplicity: bool) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
     move |case, ledger| {
-        let mut interior = case.knots().interior(case.k()).to_vec();
-        interior.dedup();
-        for x in &interior {
-            let p = case.knots().multiplicity(x);
+        for (x, p) in case.knots().inner_stop_knots() {
             let Some(order) = case.k().checked_sub(p) else { continue };
             let should_jump = order > 0 || full_multiplicity;
             let Some(jumps) = jumps_in_ratio(case, x, order) else { continue };
@@ -329,6 +324,7 @@ pub(super) fn claims() -> Vec<Claim> {
     let last = |text: &'static str| Statement::new(text, end_derivatives(Side::Left, false, at_last));
     let zeros = |text: &'static str| Statement::new(text, end_derivatives(Side::Left, true, at_last));
     const ONLY_FIRST: &str = "The same if t_k < t_{k+1}: the first knot occurs k + 1 times and no more.";
+    const NOT_NEXT: &str = "The same unless the last knot occurs exactly k + 2 times. (If it occurs more often, all terms are 0.)";
     const ONLY_LAST: &str = "The same if t_n < t_{n+1}: the last knot occurs k + 1 times and no more.";
     vec![
         Claim::new(
@@ -336,7 +332,7 @@ pub(super) fn claims() -> Vec<Claim> {
             "Abstract",
             Form::Basis(
                 Statement::new(
-                    "At every interior knot of multiplicity p ≤ k, for finite α, some derivative of order ≤ k−p of some G_i^k jumps; as α → ∞ all these jumps tend to 0.",
+                    "At every knot inside (t_0, t_m) of multiplicity p ≤ k, for finite α, some derivative of order ≤ k−p of some G_i^k jumps; as α → ∞ all these jumps tend to 0.",
                     regularity_lost(true),
                 )
                 .given([FiniteIndex]),
@@ -344,12 +340,12 @@ pub(super) fn claims() -> Vec<Claim> {
         )
         .amended(Form::Basis(
             Statement::new(
-                "The same at every interior knot of multiplicity p ≤ k−1; at p = k nothing jumps.",
+                "The same at every such knot of multiplicity p ≤ k−1; at p = k nothing jumps.",
                 regularity_lost(false),
             )
             .given([FiniteIndex]),
         ))
-        .note("Interior knots are meant as in D3.2. At p = k the classical regularity is C⁰, and that is kept. The limit is taken with r as a variable."),
+        .note("At p = k the classical regularity is C⁰, and that is kept. The limit is taken with r as a variable."),
         Claim::new(
             "abstract.approx",
             "Abstract",
@@ -387,7 +383,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 .given([Open]),
             ),
         )
-        .amended(Form::Basis(relations(ONLY_LAST, Side::Left, at_last_knot).given([Open, LastSpan]))),
+        .amended(Form::Basis(relations(NOT_NEXT, Side::Left, at_last_knot).given([Open, LastMultiplicityNotDegreePlusTwo]))),
         Claim::new(
             "L3.10",
             "Lemma 3.10",
@@ -437,21 +433,21 @@ pub(super) fn claims() -> Vec<Claim> {
             "Remark 3.1",
             Form::Basis(
                 Statement::new(
-                    "For k > 1 and finite α no G_i^k is C¹, even when every knot has multiplicity 1.",
+                    "For k > 1 and finite α, on knots that are all simple, no G_i^k is C¹.",
                     not_continuously_differentiable,
                 )
                 .given([FiniteIndex, DegreeAtLeast(2), SimpleKnots]),
             ),
         )
-        .note("Read in the strong sense, for every i: the derivative jumps at a knot inside the support."),
+        .note("Printed as \"not C¹, even when every knot has multiplicity 1\". Judged in the strong sense, for every i: the derivative jumps at a knot inside the support. Without simple knots it can be false: a Bernstein basis has no knot inside."),
     ]
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::claims::case::Cases;
     use crate::claims::hypothesis::Hypothesis;
+    use crate::claims::small_cases::Cases;
     use crate::claims::statement::judge;
     use crate::claims::verdict::Verdict;
 

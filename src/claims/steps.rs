@@ -8,7 +8,7 @@ use super::hypothesis::Hypothesis::{DegreeAtLeast, InteriorMultiplicityAtMostDeg
 use super::independence::independence;
 use super::registry::{Claim, Form};
 use super::statement::Statement;
-use super::verdict::{Judgement, Ledger};
+use super::verdict::{Judgement, Ledger, Stop};
 
 /// (t_i, t_{i+k}) ∪ (t_{i+1}, t_{i+k+1}) = (t_i, t_{i+k+1}) for every i; `all_i`: also where
 /// t_i < t_{i+1} = t_{i+k} < t_{i+k+1}, and for k = 1 where t_i < t_{i+1} < t_{i+2}.
@@ -22,7 +22,11 @@ fn cover(all_i: bool) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
             let inside = low < x && x < high;
             let missed = inside && knots.t(i + k) <= x;
             if missed && !all_i {
-                continue;
+                // The first interval ends at x, where the second begins: x is missed, and nothing else.
+                if ledger.equal(knots.t(i + k), x) {
+                    continue;
+                }
+                return Err(Stop::Fault("t_{i+1} > t_{i+k}".into()));
             }
             let at_end = ledger.equal(x, low) || ledger.equal(x, high);
             let covered = at_end || ledger.less(x, knots.t(i + k));
@@ -30,7 +34,7 @@ fn cover(all_i: bool) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
                 let at = [("i", i.to_string()), ("x", x.to_string())];
                 let claimed = format!("{x}, a point of ({low}, {high}), lies in one of the two intervals");
                 let found = format!("they are ({low}, {}) and ({x}, {high})", knots.t(i + k));
-                return Err(case.refuted(at, claimed, found));
+                return Err(case.refuted_at_large(at, claimed, found));
             }
         }
         Ok(())
@@ -62,7 +66,7 @@ fn functions_as_coefficients(case: &BasisCase, ledger: &mut Ledger) -> Judgement
                     "c_{i} = {second}, c_{j} = −{first}, all others 0 are continuous and rational on each span, Σ c {} = 0, and c_{i} > 0 on ({start}, {end})",
                     name(case.k(), 0).replace("_0", "")
                 );
-                return Err(case.refuted(at, claimed, found));
+                return Err(case.refuted_at_large(at, claimed, found));
             }
         }
     }

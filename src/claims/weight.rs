@@ -460,7 +460,7 @@ pub(super) fn claims() -> Vec<Claim> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::claims::case::Cases;
+    use crate::claims::small_cases::Cases;
     use crate::claims::statement::judge;
     use crate::claims::verdict::Verdict;
 

@@ -137,7 +137,8 @@ impl UserCases {
         intervals.retain(|(a, b)| a < b);
         intervals.sort();
         intervals.dedup();
-        let weight = |(a, b): (&_, &_)| WeightCase::new(Clone::clone(a), Clone::clone(b), index.clone());
+        let weight =
+            |(a, b): (&_, &_)| WeightCase::new(Clone::clone(a), Clone::clone(b), index.clone(), Origin::User);
         let weights = intervals.into_iter().map(weight).collect();
         Self { bases: [BasisCase::new(basis.clone(), Origin::User)], weights }
     }

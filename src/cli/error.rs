@@ -87,22 +87,6 @@ pub enum CliError {
         /// The names that the paper's instances have.
         names: Vec<&'static str>,
     },
-    /// An instance file that cannot be read.
-    #[error("--instance: cannot read {}: {error}", path.display())]
-    Unreadable {
-        /// The file.
-        path: PathBuf,
-        /// What the system says.
-        error: io::Error,
-    },
-    /// An instance file that is too large to be one.
-    #[error("--instance: {} is longer than {limit} bytes, which no instance file needs", path.display())]
-    TooLong {
-        /// The file.
-        path: PathBuf,
-        /// The most that is read.
-        limit: u64,
-    },
     /// An instance file that is not what the schema says.
     #[error("--instance: {}: {error}", path.display())]
     Malformed {
@@ -144,7 +128,7 @@ pub enum CliError {
         limit: usize,
     },
     /// No claim has this identifier.
-    #[error("{argument}: there is no claim `{name}`; did you mean {near}?", near = list(near))]
+    #[error("{argument}: there is no claim `{name}`; there are {near}", near = list(near))]
     UnknownClaim {
         /// The option.
         argument: &'static str,
@@ -210,10 +194,7 @@ impl CliError {
             | Self::NoIndices { place } => Some(place.argument()),
             Self::Missing { argument, .. } | Self::Degree { argument, .. } => Some(argument),
             Self::Parentheses { .. } | Self::PointsJson(_) => Some("--points"),
-            Self::UnknownInstance { .. }
-            | Self::Unreadable { .. }
-            | Self::TooLong { .. }
-            | Self::Malformed { .. } => Some("--instance"),
+            Self::UnknownInstance { .. } | Self::Malformed { .. } => Some("--instance"),
             Self::SeveralIndices { .. } => Some("--alpha"),
             Self::Function { .. } => Some("--index"),
             Self::Derivatives { .. } => Some("--derivatives"),
@@ -228,8 +209,8 @@ impl CliError {
     /// The claim that is not there, with those that begin like it.
     pub(super) fn unknown_claim(argument: &'static str, name: &str, ids: &[&str]) -> Self {
         let like = |length: usize| -> Vec<String> {
-            let start: String = name.chars().take(length).collect();
-            ids.iter().filter(|id| id.starts_with(&start)).map(ToString::to_string).collect()
+            let start: String = name.chars().take(length).collect::<String>().to_lowercase();
+            ids.iter().filter(|id| id.to_lowercase().starts_with(&start)).map(ToString::to_string).collect()
         };
         let near = (0..=name.chars().count()).rev().map(like).find(|near| !near.is_empty());
         Self::UnknownClaim { argument, name: name.to_owned(), near: near.unwrap_or_default() }

@@ -27,33 +27,41 @@ pub(super) struct InstanceFile {
     pub(super) points: Option<Vec<Vec<Exact>>>,
 }
 
-/// The most that is read of an instance file: so a device or a film given by mistake does no harm.
+/// The most that is read of a file: so a device or a film given by mistake does no harm.
 const LENGTH_LIMIT: u64 = 16 * 1024 * 1024;
 
 impl InstanceFile {
     /// Reads and parses the file.
     ///
     /// # Errors
-    /// [`CliError::Unreadable`], [`CliError::TooLong`] or, with line and column, [`CliError::Malformed`].
+    /// [`CliError::File`] or, with line and column, [`CliError::Malformed`].
     pub(super) fn read(path: &Path) -> Result<Self, CliError> {
-        let text = read(path).map_err(|error| CliError::Unreadable { path: path.to_owned(), error })?;
-        let Some(text) = text else {
-            return Err(CliError::TooLong { path: path.to_owned(), limit: LENGTH_LIMIT });
-        };
-        serde_json::from_str(&text).map_err(|error| CliError::Malformed { path: path.to_owned(), error })
+        let text = read("--instance", path)?;
+        let malformed = |error| CliError::Malformed { path: path.to_owned(), error };
+        if text.trim_start().starts_with('[') {
+            // A list of fields without names would be taken for them, in their order.
+            return Err(malformed(serde::de::Error::custom(
+                "expected an object with named fields, and found a list",
+            )));
+        }
+        serde_json::from_str(&text).map_err(malformed)
     }
 }
 
-/// The text of the file; `None` if it is too long.
-fn read(path: &Path) -> io::Result<Option<String>> {
+/// The text of the file that the option names, without a byte order mark.
+///
+/// # Errors
+/// [`CliError::File`], also if it is too long or no text.
+pub(super) fn read(argument: &'static str, path: &Path) -> Result<String, CliError> {
+    let failed = |error| CliError::File { argument, path: path.to_owned(), error };
     let mut bytes = Vec::new();
-    File::open(path)?.take(LENGTH_LIMIT + 1).read_to_end(&mut bytes)?;
+    let file = File::open(path).map_err(failed)?;
+    file.take(LENGTH_LIMIT + 1).read_to_end(&mut bytes).map_err(failed)?;
+    let invalid = |message: String| failed(io::Error::new(io::ErrorKind::InvalidData, message));
     if bytes.len() as u64 > LENGTH_LIMIT {
-        return Ok(None);
+        return Err(invalid(format!("it is longer than {LENGTH_LIMIT} bytes, which no such file needs")));
     }
-    let text = String::from_utf8(bytes).map_err(|error| {
-        let at = error.utf8_error().valid_up_to();
-        io::Error::new(io::ErrorKind::InvalidData, format!("byte {at} is not UTF-8 text"))
-    })?;
-    Ok(Some(text))
+    let text = String::from_utf8(bytes)
+        .map_err(|error| invalid(format!("byte {} is not UTF-8 text", error.utf8_error().valid_up_to())))?;
+    Ok(text.strip_prefix('\u{feff}').map_or(text.clone(), str::to_owned))
 }

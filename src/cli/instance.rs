@@ -1,5 +1,6 @@
 //! The arguments that say what a command works on: a paper instance, a file, or degree, knots and index.
 
+use std::collections::HashSet;
 use std::ffi::OsString;
 use std::path::Path;
 
@@ -100,7 +101,9 @@ impl InstanceArgs {
         let degree = degree.ok_or_else(|| missing("--degree", "give the degree, such as --degree 2"))?;
         let (knots, place) =
             knots.ok_or_else(|| missing("--knots", "give the knots, such as --knots \"0 0 0 1 2 2 2\""))?;
-        let indices = if self.alpha.is_empty() { given.indices } else { self.alpha.clone() };
+        let mut indices = if self.alpha.is_empty() { given.indices } else { self.alpha.clone() };
+        let mut seen = HashSet::new();
+        indices.retain(|index| seen.insert(index.clone()));
         if indices.is_empty() {
             return Err(missing("--alpha", "give the index, such as --alpha -1 or --alpha inf"));
         }
@@ -180,9 +183,7 @@ impl Subject {
 
 fn from_file(path: &Path) -> Result<Given, CliError> {
     let file = InstanceFile::read(path).map_err(|error| match error {
-        CliError::Unreadable { path, error } if error.kind() == std::io::ErrorKind::NotFound => {
-            unknown(&path)
-        }
+        CliError::File { path, error, .. } if error.kind() == std::io::ErrorKind::NotFound => unknown(&path),
         error => error,
     })?;
     let exact = |numbers: Vec<Exact>| numbers.into_iter().map(|Exact(number)| number).collect::<Vec<_>>();

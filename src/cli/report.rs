@@ -11,6 +11,7 @@ use crate::report::{Baseline, Difference, Report, markdown, with_verdict_table};
 
 use super::error::CliError;
 use super::exit::Exit;
+use super::file::read;
 use super::output::Output;
 use super::progress::Progress;
 use super::table::plain;
@@ -40,6 +41,11 @@ Examples:
   knotproof report --claim T3.5.3 --claim P3.2 --format json
 Exit code 0: every verdict is as recorded, refuted claims included. Exit code 1: one differs.";
 
+const JSON: &str = "report.json";
+const MARKDOWN: &str = "report.md";
+const VERDICTS: &str = "proofs/verdicts.json";
+const README: &str = "README.md";
+
 /// The result: its fields are the JSON.
 #[derive(Debug, Serialize)]
 struct Outcome {
@@ -67,6 +73,14 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     };
     if let Some(folder) = &args.out {
         fs::create_dir_all(folder).map_err(|error| unwritable("--out", folder, error))?;
+        writable("--out", &folder.join(JSON))?;
+        writable("--out", &folder.join(MARKDOWN))?;
+    }
+    if args.record {
+        let readme = read("--record", Path::new(README))?;
+        with_verdict_table(&readme, &baseline).ok_or(CliError::NoTable)?;
+        writable("--record", Path::new(README))?;
+        writable("--record", Path::new(VERDICTS))?;
     }
 
     let progress = Progress::new(chosen.len() + 1);
@@ -82,7 +96,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     let mut outcome = Outcome { report, differences, written };
     if let Some(folder) = &args.out {
         let json = serde_json::to_string_pretty(&outcome).map_err(std::io::Error::from)?;
-        for (name, text) in [("report.json", json + "\n"), ("report.md", markdown(&outcome.report))] {
+        for (name, text) in [(JSON, json + "\n"), (MARKDOWN, markdown(&outcome.report))] {
             write_file("--out", &folder.join(name), &text, &mut outcome.written)?;
         }
     }
@@ -101,12 +115,17 @@ fn read_baseline(path: &Path) -> Result<Baseline, CliError> {
 
 /// Rewrites the recorded verdicts, and the table made from them.
 fn record(found: &Baseline, written: &mut Vec<PathBuf>) -> Result<(), CliError> {
-    let (verdicts, readme) = (Path::new("proofs/verdicts.json"), Path::new("README.md"));
-    let old = fs::read_to_string(readme).map_err(|error| unwritable("--record", readme, error))?;
+    let old = read("--record", Path::new(README))?;
     let new = with_verdict_table(&old, found).ok_or(CliError::NoTable)?;
     let json = serde_json::to_string_pretty(found).map_err(std::io::Error::from)?;
-    write_file("--record", verdicts, &(json + "\n"), written)?;
-    write_file("--record", readme, &new, written)
+    write_file("--record", Path::new(VERDICTS), &(json + "\n"), written)?;
+    write_file("--record", Path::new(README), &new, written)
+}
+
+/// Can the file be written? Makes it if it is not there, and changes nothing in it.
+fn writable(argument: &'static str, path: &Path) -> Result<(), CliError> {
+    let opened = fs::OpenOptions::new().create(true).append(true).open(path);
+    opened.map(drop).map_err(|error| unwritable(argument, path, error))
 }
 
 fn write_file(

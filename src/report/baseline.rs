@@ -93,7 +93,7 @@ impl Baseline {
             locator: record.locator.clone(),
             as_printed: record.as_printed.finding.clone(),
             amended: record.amended.as_ref().map(|stated| stated.finding.clone()),
-            by_degree: record.by_degree.clone(),
+            by_degree: record.by_degree.iter().map(DegreeFinding::without_grounds).collect(),
         };
         Self { schema: SCHEMA.to_owned(), claims: records.iter().map(entry).collect() }
     }

@@ -3,10 +3,10 @@
 use std::fmt::Write as _;
 
 use crate::float::Worst;
-use crate::scalar::decimal;
+use crate::scalar::{decimal, integer};
 
 use super::baseline::{Baseline, Entry};
-use super::record::{Finding, Record, Stated};
+use super::record::{Finding, Grounds, Record, Stated};
 use super::{Drift, Report};
 
 /// The table of verdicts: one row a claim.
@@ -58,12 +58,7 @@ fn items(stated: &Stated) -> Vec<String> {
     if !stated.hypotheses.is_empty() {
         items.push(format!("assuming: {}", plain(&stated.hypotheses.join("; "))));
     }
-    if let Some(grounds) = &stated.rests_on {
-        items.push(format!(
-            "decided for every x on {} instances of the paper and {} small cases, by {} exact decisions",
-            grounds.instances, grounds.small_cases, grounds.facts
-        ));
-    }
+    items.extend(stated.rests_on.as_ref().map(decided));
     if !finding.degrees.is_empty() {
         let degrees: Vec<_> = finding.degrees.iter().map(ToString::to_string).collect();
         items.push(format!("degrees {}", degrees.join(", ")));
@@ -81,6 +76,13 @@ fn items(stated: &Stated) -> Vec<String> {
     items
 }
 
+fn decided(grounds: &Grounds) -> String {
+    let Grounds { instances, small_cases, facts } = grounds;
+    format!(
+        "decided on {instances} instances of the paper and {small_cases} small cases, by {facts} exact decisions"
+    )
+}
+
 fn section(record: &Record) -> String {
     let mut text = format!("### {} ({})\n\n", record.id, record.locator);
     let parts =
@@ -94,9 +96,10 @@ fn section(record: &Record) -> String {
         text.push('\n');
     }
     for of in &record.by_degree {
-        let witness = of.finding.witness.as_ref().map(|witness| format!("; {}", plain(&witness.to_string())));
+        let witness = of.finding.witness.as_ref().map(|witness| plain(&witness.to_string()));
+        let detail = witness.or(of.rests_on.as_ref().map(decided)).map(|detail| format!("; {detail}"));
         let _ =
-            writeln!(text, "- degree {}: {}{}", of.degree, verdict(&of.finding), witness.unwrap_or_default());
+            writeln!(text, "- degree {}: {}{}", of.degree, verdict(&of.finding), detail.unwrap_or_default());
     }
     if !record.by_degree.is_empty() {
         text.push('\n');
@@ -108,7 +111,10 @@ fn section(record: &Record) -> String {
 }
 
 fn drift_table(drifts: &[Drift]) -> String {
-    let place = |worst: &Worst| plain(&format!("G_{} at x = {}, {} limit", worst.index, worst.x, worst.side));
+    let place = |worst: &Worst| {
+        let place = format!("G_{} at x = {}, {} limit", worst.index, worst.x, worst.side);
+        if worst.error == integer(0) { "nowhere".to_owned() } else { plain(&place) }
+    };
     let row = |drift: &Drift| {
         let (absolute, ulp) = (&drift.discrepancy.max_absolute, &drift.discrepancy.max_ulp);
         format!(

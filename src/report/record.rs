@@ -64,6 +64,9 @@ pub struct DegreeFinding {
     /// The verdict.
     #[serde(flatten)]
     pub finding: Finding,
+    /// On how much a proof rests.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub rests_on: Option<Grounds>,
 }
 
 /// All that is reported of a claim.
@@ -86,6 +89,22 @@ pub struct Record {
     /// How words were made into mathematics.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub note: Option<String>,
+}
+
+impl DegreeFinding {
+    /// The finding alone, as it is recorded.
+    #[must_use]
+    pub fn without_grounds(&self) -> Self {
+        Self { rests_on: None, ..self.clone() }
+    }
+}
+
+impl Grounds {
+    /// Those of a proof.
+    fn of(verdict: &Verdict) -> Option<Self> {
+        let Verdict::Proved { reach, .. } = verdict else { return None };
+        Some(Self { instances: reach.instances, small_cases: reach.small_cases, facts: reach.facts })
+    }
 }
 
 impl From<&Verdict> for Finding {
@@ -116,19 +135,11 @@ impl Stated {
     /// A statement and the verdict on it.
     #[must_use]
     pub fn new(form: &Form, verdict: &Verdict) -> Self {
-        let rests_on = match verdict {
-            Verdict::Proved { reach, .. } => Some(Grounds {
-                instances: reach.instances,
-                small_cases: reach.small_cases,
-                facts: reach.facts,
-            }),
-            _ => None,
-        };
         Self {
             statement: form.text().to_owned(),
             hypotheses: form.hypotheses(),
             finding: verdict.into(),
-            rests_on,
+            rests_on: Grounds::of(verdict),
             sharpness: None,
         }
     }
@@ -153,7 +164,11 @@ impl Record {
             as_printed: Stated::new(&claim.printed, &judged.printed),
             amended,
             by_degree: said
-                .map(|(degree, verdict)| DegreeFinding { degree: *degree, finding: verdict.into() })
+                .map(|(degree, verdict)| DegreeFinding {
+                    degree: *degree,
+                    finding: verdict.into(),
+                    rests_on: Grounds::of(verdict),
+                })
                 .collect(),
             note: claim.note.map(str::to_owned),
         }

@@ -40,6 +40,11 @@ impl RationalAlgebra for f64 {
     fn over(&self, rhs: &Self) -> Option<Self> {
         (*rhs != 0.0).then(|| self / rhs)
     }
+    /// Two divisions, for the same reason.
+    fn shares(&self, rhs: &Self) -> Option<(Self, Self)> {
+        let sum = self + rhs;
+        Some((self.over(&sum)?, rhs.over(&sum)?))
+    }
 }
 
 impl Field for f64 {}

@@ -82,6 +82,16 @@ impl<S: RationalAlgebra> Jet<S> {
     }
 }
 
+/// Σ a·b over pairs of which there is at least one, passing over zeros: jets of linear functions have many.
+fn sum_of_products<'a, S: Ring + 'a>(mut pairs: impl Iterator<Item = (&'a S, &'a S)>) -> S {
+    let product = |(a, b): (&S, &S)| if a.is_zero() || b.is_zero() { a.zero() } else { a.times(b) };
+    let first = match pairs.next() {
+        Some(pair) => product(pair),
+        None => unreachable!("every coefficient of a product has a term"),
+    };
+    pairs.filter(|(a, b)| !a.is_zero() && !b.is_zero()).fold(first, |sum, (a, b)| sum.plus(&a.times(b)))
+}
+
 impl<S: Ring> Ring for Jet<S> {
     fn zero(&self) -> Self {
         Self::constant(self.coefficients[0].zero(), self.order())
@@ -97,10 +107,8 @@ impl<S: Ring> Ring for Jet<S> {
     }
     fn times(&self, rhs: &Self) -> Self {
         let order = self.order().min(rhs.order());
-        let coefficient = |d: usize| {
-            let terms = (0..=d).map(|a| self.coefficients[a].times(&rhs.coefficients[d - a]));
-            terms.fold(self.coefficients[0].zero(), |sum, term| sum.plus(&term))
-        };
+        let coefficient =
+            |d: usize| sum_of_products((0..=d).map(|a| (&self.coefficients[a], &rhs.coefficients[d - a])));
         Self { coefficients: (0..=order).map(coefficient).collect() }
     }
     fn negate(&self) -> Self {
@@ -118,8 +126,7 @@ impl<S: RationalAlgebra> RationalAlgebra for Jet<S> {
         let inverse = self.coefficients[0].reciprocal()?;
         let mut coefficients = vec![inverse.clone()];
         for d in 1..=self.order() {
-            let known = (1..=d).map(|a| self.coefficients[a].times(&coefficients[d - a]));
-            let sum = known.fold(inverse.zero(), |sum, term| sum.plus(&term));
+            let sum = sum_of_products((1..=d).map(|a| (&self.coefficients[a], &coefficients[d - a])));
             coefficients.push(sum.times(&inverse).negate());
         }
         Some(Self { coefficients })

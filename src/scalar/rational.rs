@@ -60,16 +60,17 @@ pub enum NumberError {
     #[error("`{0}` is not a finite number")]
     NotFinite(String),
     /// An exponent that would ask for more digits than any input needs.
-    #[error("the exponent in `{0}` is out of range: at most {limit} in absolute value", limit = EXPONENT_LIMIT)]
+    #[error("the exponent in `{0}` is out of range: powers of ten to 400, powers of two to 1100")]
     Exponent(String),
     /// Anything else.
     #[error("`{0}` is not a number: write 3, -1/2, 0.4, 1e-3 or 0x1.8p-3")]
     Malformed(String),
 }
 
-/// The largest exponent that is read, in absolute value: enough for every `f64`, and no text of a few
-/// characters can ask for gigabytes.
-const EXPONENT_LIMIT: i64 = 5_000;
+/// The largest exponents that are read, in absolute value: enough for every `f64`, and no text of a few
+/// characters can ask for hours.
+const DECIMAL_LIMIT: i64 = 400;
+const BINARY_LIMIT: i64 = 1100;
 
 /// Reads an exact rational number: `3`, `-1/2`, `0.4` (that is 2/5), `1e-3`, `0x1.8p-3` (a hexadecimal float).
 ///
@@ -133,11 +134,12 @@ fn positional(text: &str, base: u32, marker: char) -> Option<Result<BigRational,
     if unsigned.is_empty() || !unsigned.bytes().all(|b| b.is_ascii_digit()) {
         return None;
     }
+    let (radix, limit) = if marker == 'p' { (2, BINARY_LIMIT) } else { (10, DECIMAL_LIMIT) };
     let exponent = match exponent.parse::<i64>() {
-        Ok(e) if e.abs() <= EXPONENT_LIMIT => i32::try_from(e).ok()?,
+        Ok(e) if e.abs() <= limit => i32::try_from(e).ok()?,
         _ => return Some(Err(ExponentOutOfRange)),
     };
-    let radix = BigRational::from_integer(BigInt::from(if marker == 'p' { 2 } else { 10 }));
+    let radix = BigRational::from_integer(BigInt::from(radix));
     Some(Ok(value * num_traits::Pow::pow(radix, exponent)))
 }
 

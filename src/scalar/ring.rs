@@ -60,6 +60,12 @@ pub trait RationalAlgebra: Ring {
     fn over(&self, rhs: &Self) -> Option<Self> {
         Some(self.times(&rhs.reciprocal()?))
     }
+
+    /// self/(self + rhs) and rhs/(self + rhs), if the sum is a unit.
+    fn shares(&self, rhs: &Self) -> Option<(Self, Self)> {
+        let inverse = self.plus(rhs).reciprocal()?;
+        Some((self.times(&inverse), rhs.times(&inverse)))
+    }
 }
 
 /// A [`RationalAlgebra`] in which every element except 0 is a unit.

@@ -28,9 +28,8 @@ pub fn weight<S: RationalAlgebra>(ratio: &S, x: &S, a: &BigRational, b: &BigRati
     if a < b {
         let rise = ratio.times(&x.minus(&x.embed(a)));
         let fall = x.embed(b).minus(x);
-        let total = rise.plus(&fall);
-        if let (Some(w), Some(complement)) = (rise.over(&total), fall.over(&total)) {
-            return (w, complement);
+        if let Some(shares) = rise.shares(&fall) {
+            return shares;
         }
     }
     (x.zero(), x.one())

@@ -29,7 +29,7 @@ pub(super) struct Args {
     /// The side from which limits are taken; at t_m it is the left one in any case.
     #[arg(long, value_enum, default_value_t)]
     side: OneSide,
-    /// The highest derivative, at most 100.
+    /// The highest derivative, at most 50.
     #[arg(long, value_name = "D", value_parser = whole_number, allow_hyphen_values = true, default_value = "0")]
     derivatives: usize,
 }
@@ -39,8 +39,8 @@ const EXAMPLE: &str = r#"Examples:
   knotproof eval --degree 2 --knots "0 0 0 1 2 2 2" --alpha 5 --x 1/2 --points "0,0 1,2 2,2 3,0""#;
 
 /// The highest derivative that is computed. The numbers grow with the order, and the time with more than its
-/// cube: this one takes a second or two in degree 2.
-const DERIVATIVES_LIMIT: usize = 100;
+/// cube: on knots of a few digits this one takes a second or two up to degree 5.
+const DERIVATIVES_LIMIT: usize = 50;
 
 #[derive(Debug, Clone, Copy, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "lowercase")]
