@@ -1,6 +1,7 @@
 //! Conjecture 3.1: every basis function has one and only one maximum.
 
 use crate::analysis::{Place, Shape};
+use crate::spline::Side;
 
 use super::basis::name;
 use super::case::BasisCase;
@@ -31,16 +32,21 @@ fn one_maximum(
     let at = [("i", i.to_string())];
     let places = || {
         let maxima: Vec<_> = shape.local_maxima().map(|maximum| place(&maximum.place)).collect();
-        let jumps = shape
-            .jumps()
-            .iter()
-            .map(|jump| format!("at {} it jumps from the limit {} to {}", jump.at, jump.left, jump.right));
         let mut found = vec![match maxima.as_slice() {
             [] => format!("{g} has no local maximum"),
             [one] => format!("its only local maximum is at {one}"),
             several => format!("it has {} local maxima: at {}", several.len(), several.join(" and at ")),
         }];
-        found.extend(jumps);
+        found.extend(shape.local_minima().filter(|_| maxima.len() > 1).filter_map(|minimum| {
+            // At a knot the slopes show the minimum, and so the maxima on either side, to whoever computes them.
+            let Place::Point(x) = &minimum.place else { return None };
+            let slope = |side| case.basis().jets(x, side, 1)[i].coefficients()[1].clone();
+            let (left, right) = (slope(Side::Left), slope(Side::Right));
+            Some(format!("between them it has a minimum at x = {x}, where its slope is {left} on the left and {right} on the right"))
+        }));
+        found.extend(shape.jumps().iter().map(|jump| {
+            format!("at {} it jumps from the limit {} to {}", jump.at, jump.left, jump.right)
+        }));
         found.join("; ")
     };
     match reading {

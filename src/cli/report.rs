@@ -43,7 +43,9 @@ Exit code 0: every verdict is as recorded, refuted claims included. Exit code 1:
 
 const JSON: &str = "report.json";
 const MARKDOWN: &str = "report.md";
-const VERDICTS: &str = "proofs/verdicts.json";
+/// The folder and the file of the recorded verdicts, and the file with their table, below the current folder.
+const PROOFS: &str = "proofs";
+const VERDICTS: &str = "verdicts.json";
 const README: &str = "README.md";
 
 /// The result: its fields are the JSON.
@@ -68,19 +70,18 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     chosen.retain(|claim| !partial || args.claim.iter().any(|name| name == claim.id));
     // Whatever can be wrong with the files is found out before the work begins.
     let baseline = match &args.baseline {
-        Some(path) => read_baseline(path)?,
-        None => Baseline::recorded().map_err(CliError::Recorded)?,
+        Some(path) => Some(read_baseline(path)?),
+        // What is about to be replaced is not read: it may be damaged, or of an older shape.
+        None if args.record => None,
+        None => Some(Baseline::recorded().map_err(CliError::Recorded)?),
     };
+    if args.record {
+        recordable()?;
+    }
     if let Some(folder) = &args.out {
         fs::create_dir_all(folder).map_err(|error| unwritable("--out", folder, error))?;
         writable("--out", &folder.join(JSON))?;
         writable("--out", &folder.join(MARKDOWN))?;
-    }
-    if args.record {
-        let readme = read("--record", Path::new(README))?;
-        with_verdict_table(&readme, &baseline).ok_or(CliError::NoTable)?;
-        writable("--record", Path::new(README))?;
-        writable("--record", Path::new(VERDICTS))?;
     }
 
     let progress = Progress::new(chosen.len() + 1);
@@ -92,7 +93,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     if args.record {
         record(&found, &mut written)?;
     }
-    let differences = if args.record { Vec::new() } else { baseline.differences(&found, partial) };
+    let differences = baseline.map(|baseline| baseline.differences(&found, partial)).unwrap_or_default();
     let mut outcome = Outcome { report, differences, written };
     if let Some(folder) = &args.out {
         let json = serde_json::to_string_pretty(&outcome).map_err(std::io::Error::from)?;
@@ -113,13 +114,25 @@ fn read_baseline(path: &Path) -> Result<Baseline, CliError> {
     Baseline::parse(&text).map_err(|error| CliError::Baseline { path: path.to_owned(), error })
 }
 
+/// Are README.md, with its two marks, and the folder of the verdicts where `--record` looks for them?
+fn recordable() -> Result<(), CliError> {
+    let proofs = Path::new(PROOFS);
+    fs::read_dir(proofs).map_err(|error| unwritable("--record", proofs, error))?;
+    readme_with(&Baseline::of(&[])).map(|_| ())
+}
+
+/// README.md with the table of these verdicts.
+fn readme_with(verdicts: &Baseline) -> Result<String, CliError> {
+    let old = read("--record", Path::new(README))?;
+    with_verdict_table(&old, verdicts).ok_or(CliError::NoTable)
+}
+
 /// Rewrites the recorded verdicts, and the table made from them.
 fn record(found: &Baseline, written: &mut Vec<PathBuf>) -> Result<(), CliError> {
-    let old = read("--record", Path::new(README))?;
-    let new = with_verdict_table(&old, found).ok_or(CliError::NoTable)?;
+    let readme = readme_with(found)?;
     let json = serde_json::to_string_pretty(found).map_err(std::io::Error::from)?;
-    write_file("--record", Path::new(VERDICTS), &(json + "\n"), written)?;
-    write_file("--record", Path::new(README), &new, written)
+    write_file("--record", &Path::new(PROOFS).join(VERDICTS), &(json + "\n"), written)?;
+    write_file("--record", Path::new(README), &readme, written)
 }
 
 /// Can the file be written? Makes it if it is not there, and changes nothing in it.
@@ -160,8 +173,11 @@ impl fmt::Display for Outcome {
         let printed: Tally = self.report.claims.iter().map(|record| &record.as_printed.finding).collect();
         writeln!(f, "As printed: {printed}.")?;
         let amended = self.report.claims.iter().filter_map(|record| record.amended.as_ref());
-        let amended: Tally = amended.map(|stated| &stated.finding).collect();
-        writeln!(f, "As amended, where refuted: {amended}.")?;
+        let amended: Vec<_> = amended.map(|stated| &stated.finding).collect();
+        if !amended.is_empty() {
+            let amended: Tally = amended.into_iter().collect();
+            writeln!(f, "As amended, where refuted: {amended}.")?;
+        }
         if let Some(worst) = self
             .report
             .float
@@ -182,7 +198,7 @@ impl fmt::Display for Outcome {
         match self.differences.as_slice() {
             [] => write!(f, "Every verdict is as recorded."),
             differences => {
-                writeln!(f, "{} verdicts are not as recorded:", differences.len())?;
+                writeln!(f, "Not as recorded: {}", differences.len())?;
                 differences.iter().try_for_each(|difference| writeln!(f, "  {difference}"))
             }
         }

@@ -1,0 +1,233 @@
+//! The whole report, once, against the recorded verdicts; and what has to be true of the register whatever the
+//! verdicts are.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+use std::sync::LazyLock;
+
+use knotproof::claims::{Witness, claims};
+use knotproof::report::{Baseline, END, Finding, Record, Report, START, markdown, with_verdict_table};
+
+/// The claims of the paper and the questions, in the order in which the register lists them. Written down here once
+/// more, so that none can get lost.
+#[rustfmt::skip]
+const IDS: &[&str] = &[
+    "phi.range", "phi.shape", "L2.1", "R2.2.1", "R2.2.2a", "R2.2.2b", "R2.2.2c", "P2.1.1", "P2.1.2",
+    "P2.1.3", "C2.4", "Ill2.1", "T3.5.1", "T3.5.2", "T3.5.3", "T3.5.4", "L3.6", "L3.7", "P3.1.1", "P3.1.2",
+    "P3.1.3", "abstract.regularity", "abstract.approx", "L3.8", "L3.9", "L3.10", "T3.11.1", "T3.11.2",
+    "T3.11.3a", "T3.11.3b", "Rem3.1", "Conj3.1.strong", "Conj3.1.weak", "Conj3.1.strong.continuous",
+    "Conj3.1.weak.continuous", "P3.2", "P3.3.1", "P3.3.2", "P4.1.1", "P4.1.2", "P4.1.3", "P4.1.4", "P4.2.1",
+    "P4.2.2", "P4.3", "T4.1", "Ill5.1.translate", "Ill5.1.fig7", "Ill5.1.support", "Ill5.2.support",
+    "Ill5.1.effect", "Ill5.3.symmetry", "Ill5.4.regularity", "Rem5.1.approx", "Rem5.1.conj", "C6.larger",
+    "Ill5.5.1", "Ill5.5.2", "Ill5.6.k1", "Ill5.6.bezier", "Ill5.6.between", "Ill5.7.local", "Ill5.7.hull",
+    "Ill5.7.shift", "Rem5.2", "Ill5.8.symmetry", "Ill5.8.double", "Ill5.8.fig29", "Ill5.8.multiplicity",
+    "proof.T3.5.2.cover", "proof.P4.1.1.iff", "proof.P3.2.induction", "X.G1", "X.variation",
+    "X.totalpositivity", "X.linear", "X.nested", "X.derivative", "X.nurbs",
+];
+
+/// Judging everything takes most of a minute: the tests here share one run.
+static REPORT: LazyLock<Report> =
+    LazyLock::new(|| Report::of(&claims(), |_| ()).expect("no two computations disagree"));
+
+/// Every finding of a record, with a name for it.
+fn findings(record: &Record) -> Vec<(String, &Finding)> {
+    let name = |of: &str| format!("{}, {of}", record.id);
+    let mut findings = vec![(name("as printed"), &record.as_printed.finding)];
+    findings.extend(record.amended.as_ref().map(|stated| (name("as amended"), &stated.finding)));
+    let degrees = record.by_degree.iter();
+    findings.extend(degrees.map(|of| (name(&format!("degree {}", of.degree)), &of.finding)));
+    findings
+}
+
+fn all_findings() -> impl Iterator<Item = (String, &'static Finding)> {
+    REPORT.claims.iter().flat_map(findings)
+}
+
+#[test]
+fn every_claim_of_the_paper_is_in_the_register_once() {
+    let ids: Vec<_> = claims().iter().map(|claim| claim.id).collect();
+    assert_eq!(ids, IDS);
+    assert_eq!(IDS.iter().collect::<BTreeSet<_>>().len(), IDS.len(), "an identifier occurs twice");
+}
+
+#[test]
+fn every_claim_has_a_statement_and_a_place_in_the_paper() {
+    for claim in claims() {
+        assert!(!claim.locator.is_empty() && !claim.printed.text().is_empty(), "{}", claim.id);
+        assert_eq!(claim.is_question(), claim.locator == "not in the paper", "{}", claim.id);
+        if let Some(amended) = &claim.amended {
+            assert_ne!(amended.text(), claim.printed.text(), "{}", claim.id);
+        }
+    }
+}
+
+/// A change of any verdict shows here, with what was recorded and what is found now. If it is meant, record it:
+/// `cargo run --release -- report --record`.
+#[test]
+fn every_verdict_is_as_recorded() {
+    let recorded = Baseline::recorded().expect("proofs/verdicts.json can be read");
+    let differences = recorded.differences(&Baseline::of(&REPORT.claims), false);
+    let differences: Vec<_> = differences.iter().map(ToString::to_string).collect();
+    assert!(differences.is_empty(), "not as recorded:\n{}", differences.join("\n"));
+}
+
+/// What is written is what is read again, numbers in all places included.
+#[test]
+fn verdicts_survive_being_written_and_read() {
+    let found = Baseline::of(&REPORT.claims);
+    let text = serde_json::to_string_pretty(&found).expect("plain data");
+    assert_eq!(Baseline::parse(&text).expect("our own text"), found);
+}
+
+#[test]
+fn the_report_covers_the_register() {
+    let ids: Vec<_> = REPORT.claims.iter().map(|record| record.id.as_str()).collect();
+    assert_eq!(ids, IDS);
+    assert_eq!(REPORT.schema, "knotproof.report/1");
+    assert!(!REPORT.float.is_empty());
+    let text = markdown(&REPORT);
+    for id in IDS {
+        assert!(text.contains(&format!("| `{id}` |")) && text.contains(&format!("### {id} (")), "{id}");
+    }
+}
+
+/// `evidence` in particular is no status: points alone settle nothing.
+#[test]
+fn every_status_says_what_it_has_to() {
+    for (name, finding) in all_findings() {
+        let said = finding.reason.as_deref().is_some_and(|reason| !reason.trim().is_empty());
+        match finding.status.as_str() {
+            "proved" => assert!(finding.scope.is_some() && finding.witness.is_none(), "{name}"),
+            "refuted" => assert!(finding.witness.is_some() && finding.scope.is_none(), "{name}"),
+            "undecided" | "not-formal" => assert!(said && finding.scope.is_none(), "{name}: no reason"),
+            other => panic!("{name} has the status {other}"),
+        }
+        assert_ne!(finding.scope.as_deref(), Some("points"), "{name}: points prove nothing");
+    }
+}
+
+#[test]
+fn every_proof_says_on_how_much_it_rests() {
+    for record in &REPORT.claims {
+        for stated in std::iter::once(&record.as_printed).chain(&record.amended) {
+            match (&stated.rests_on, stated.finding.status.as_str()) {
+                (Some(grounds), "proved") => {
+                    assert!(
+                        grounds.facts > 0 && grounds.instances + grounds.small_cases > 0,
+                        "{}",
+                        record.id
+                    );
+                }
+                (None, status) => assert_ne!(status, "proved", "{}", record.id),
+                (Some(_), status) => panic!("{} rests on something and is {status}", record.id),
+            }
+        }
+    }
+}
+
+#[test]
+fn a_refuted_claim_has_an_amended_statement_that_is_proved() {
+    for record in REPORT.claims.iter().filter(|record| !record.id.starts_with("X.")) {
+        let amended = record.amended.as_ref().map(|stated| stated.finding.status.as_str());
+        match record.as_printed.finding.status.as_str() {
+            "refuted" => assert_eq!(amended, Some("proved"), "{}", record.id),
+            _ => assert_eq!(amended, None, "{} needs no amendment", record.id),
+        }
+    }
+}
+
+/// Extra hypotheses that exclude no case in which the printed statement fails would amend nothing.
+#[test]
+fn every_extra_hypothesis_excludes_failing_cases() {
+    for record in &REPORT.claims {
+        if let Some(sharpness) = record.amended.as_ref().and_then(|stated| stated.sharpness) {
+            assert!(0 < sharpness.failing && sharpness.failing <= sharpness.excluded, "{}", record.id);
+        }
+    }
+}
+
+/// A point between two digits: a decimal, which may be rounded.
+fn has_decimal(text: &str) -> bool {
+    let characters: Vec<_> = text.chars().collect();
+    characters.windows(3).any(|w| w[0].is_ascii_digit() && w[1] == '.' && w[2].is_ascii_digit())
+}
+
+fn texts(witness: &Witness) -> impl Iterator<Item = &str> {
+    let given = witness.given.iter().flat_map(|(name, value)| [name.as_str(), value.as_str()]);
+    given.chain([witness.claimed.as_str(), witness.found.as_str()]).chain(witness.reproduce.as_deref())
+}
+
+#[test]
+fn every_witness_is_exact_and_complete() {
+    let mut seen = 0;
+    for (name, finding) in all_findings() {
+        let Some(witness) = &finding.witness else { continue };
+        seen += 1;
+        assert!(
+            !witness.given.is_empty() && !witness.claimed.is_empty() && !witness.found.is_empty(),
+            "{name}"
+        );
+        assert_ne!(witness.claimed, witness.found, "{name}");
+        for text in texts(witness) {
+            assert!(!has_decimal(text) && !text.contains('≈') && !text.contains("NaN"), "{name}: {text}");
+        }
+    }
+    assert!(seen > 20, "only {seen} witnesses: the test does not see them");
+    assert!(has_decimal("x = 0.5") && !has_decimal("(1, 2). 3"));
+}
+
+/// Degree by degree, and never one degree for all: a question is not settled by the degree that fails first.
+#[test]
+fn every_question_is_settled_degree_by_degree() {
+    for record in &REPORT.claims {
+        let degrees: Vec<_> = record.by_degree.iter().map(|of| of.degree).collect();
+        if record.id.starts_with("X.") {
+            assert!(degrees.len() > 1 && degrees.is_sorted(), "{}: {degrees:?}", record.id);
+            let refuted = |finding: &Finding| finding.status == "refuted";
+            let some = record.by_degree.iter().any(|of| refuted(&of.finding));
+            assert_eq!(some, refuted(&record.as_printed.finding), "{}", record.id);
+        } else {
+            assert!(degrees.is_empty(), "{}", record.id);
+        }
+    }
+}
+
+#[test]
+fn the_table_in_the_readme_is_the_recorded_one() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md");
+    let readme = fs::read_to_string(path).expect("there is a README.md");
+    let recorded = Baseline::recorded().expect("proofs/verdicts.json can be read");
+    let expected = with_verdict_table(&readme, &recorded).expect("README.md has the two marks");
+    assert!(readme == expected, "the table is out of date: run `cargo run --release -- report --record`");
+    for id in IDS {
+        assert_eq!(readme.matches(&format!("| `{id}` |")).count(), 1, "{id}");
+    }
+}
+
+#[test]
+fn the_table_replaces_what_is_between_the_marks_and_nothing_else() {
+    let recorded = Baseline::recorded().expect("proofs/verdicts.json can be read");
+    let before = "# A title\n\nText with | a bar and `code`.\n\n";
+    let after = "\n\nMore text.\n";
+    let fresh = format!("{before}{START}\n{END}{after}");
+    let filled = with_verdict_table(&fresh, &recorded).expect("both marks are there");
+    assert!(
+        filled.starts_with(&format!("{before}{START}\n")) && filled.ends_with(&format!("\n{END}{after}"))
+    );
+    let rows = filled.lines().filter(|line| line.starts_with("| `")).count();
+    assert_eq!(rows, recorded.claims.len());
+    for entry in &recorded.claims {
+        let row = format!("| `{}` | {} | {}", entry.id, entry.locator, entry.as_printed.status);
+        assert!(filled.contains(&row), "{row}");
+    }
+    assert_eq!(with_verdict_table(&filled, &recorded).as_ref(), Some(&filled), "once more changes nothing");
+    // An outdated table goes.
+    let outdated = format!("{before}{START}\n\n| `gone` | 1 | proved | |\n{END}{after}");
+    assert_eq!(with_verdict_table(&outdated, &recorded).as_ref(), Some(&filled));
+
+    let (only_start, only_end) = (format!("{before}{START}{after}"), format!("{before}{END}{after}"));
+    for text in ["", before, &only_start, &only_end, &format!("{END}\n{START}\n")] {
+        assert_eq!(with_verdict_table(text, &recorded), None, "{text}");
+    }
+}
