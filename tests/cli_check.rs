@@ -1,0 +1,437 @@
+//! `knotproof check` as a user meets it: verdicts on one instance, for every x.
+
+#![allow(clippy::unwrap_used, reason = "helpers of tests")]
+
+use std::fs;
+use std::process::{Command as Process, Stdio};
+
+use assert_cmd::Command;
+use knotproof::scalar::{BigRational, integer, parse_rational};
+use knotproof::spline::{Basis, Index, KnotVector, Side};
+use serde_json::{Value, json};
+
+fn knotproof(arguments: &[&str]) -> Command {
+    let mut command = Command::cargo_bin("knotproof").unwrap();
+    command.args(arguments);
+    command
+}
+
+/// The exit code and the result as JSON, in which everything has the shape that scripts rely on.
+fn check(arguments: &[&str]) -> (i32, Value) {
+    let output = knotproof(&[&["check", "--format", "json"], arguments].concat()).output().unwrap();
+    assert_eq!(String::from_utf8_lossy(&output.stderr), "");
+    let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(found["schema"], "knotproof.check/1");
+    assert!(!properties(&found).is_empty());
+    for property in properties(&found) {
+        assert!(property["id"].is_string() && property["alpha"].is_string(), "{property}");
+        has_shape_of_finding(property);
+        if let Some(amended) = property.get("amended") {
+            assert_eq!(property["status"], "refuted", "what holds is not amended");
+            assert_ne!(amended["statement"], property["statement"]);
+            has_shape_of_finding(amended);
+        }
+    }
+    (output.status.code().unwrap(), found)
+}
+
+fn has_shape_of_finding(finding: &Value) {
+    let has = |field: &str| finding.get(field).is_some();
+    assert!(finding["statement"].is_string());
+    match finding["status"].as_str().unwrap() {
+        "proved" => assert!(finding["scope"] == "instance" && !has("witness"), "{finding}"),
+        "refuted" => assert!(has("witness") && !has("scope"), "{finding}"),
+        "undecided" | "not-applicable" => {
+            assert!(finding["reason"].is_string() && !has("scope") && !has("witness"), "{finding}");
+        }
+        other => panic!("no such status: {other}"),
+    }
+}
+
+fn properties(found: &Value) -> &[Value] {
+    found["properties"].as_array().unwrap()
+}
+
+fn statuses(found: &Value) -> Vec<(&str, &str)> {
+    properties(found).iter().map(|p| (p["id"].as_str().unwrap(), p["status"].as_str().unwrap())).collect()
+}
+
+/// The value of that name in the first property's witness.
+fn given<'a>(found: &'a Value, name: &str) -> &'a str {
+    let given = found["properties"][0]["witness"]["given"].as_array().unwrap();
+    let pair = given.iter().find(|pair| pair[0] == name);
+    pair.unwrap_or_else(|| panic!("no {name} in {given:?}"))[1].as_str().unwrap()
+}
+
+fn basis(degree: usize, knots: &str, alpha: &str) -> Basis {
+    let knots = knots.split(' ').map(|t| parse_rational(t).unwrap()).collect();
+    Basis::new(KnotVector::new(knots).unwrap(), degree, alpha.parse::<Index>().unwrap()).unwrap()
+}
+
+#[test]
+fn all_fields_are_there() {
+    let arguments = ["--degree", "1", "--knots", "0 0 1/2 1", "--alpha", "-1"];
+    let (code, found) = check(&[&arguments[..], &["--property", "T3.5.3", "--property", "P3.1.1"]].concat());
+    assert_eq!(code, 1);
+    let text = "Partition of unity: for every j with t_j < t_{j+1} and all x in [t_j, t_{j+1}): \
+                Σ_{i=0}^n G_i^k(x) = Σ_{i=j−k}^j G_i^k(x) = 1.";
+    // On [1/2, 1) only G_1 is left: 1 − φ_{−1}(2/3, 1/2, 1) = 1 − (1/6)/(1/6 + 2/3) = 4/5.
+    let expected = json!({
+        "schema": "knotproof.check/1",
+        "degree": 1,
+        "knots": ["0", "0", "1/2", "1"],
+        "properties": [
+            {
+                "id": "T3.5.3",
+                "alpha": "-1",
+                "statement": text,
+                "status": "refuted",
+                "witness": {
+                    "given": [["k", "1"], ["U", "(0, 0, 1/2, 1)"], ["α", "-1"], ["j", "2"], ["x", "2/3"]],
+                    "claimed": "Σ G_i^1(2/3) = 1",
+                    "found": "the sum is 4/5",
+                    "reproduce": "knotproof eval --degree 1 --knots 0,0,1/2,1 --alpha -1 --x 2/3 --derivatives 1",
+                },
+                "amended": {
+                    "statement": "The same for every j with k ≤ j ≤ n, that is for x in [t_k, t_{n+1}).",
+                    "status": "proved",
+                    "scope": "instance",
+                    "degrees": [1],
+                },
+            },
+            {
+                "id": "P3.1.1",
+                "alpha": "-1",
+                "statement": "Every G_i^k is piecewise rational.",
+                "status": "proved",
+                "scope": "instance",
+                "degrees": [1],
+            },
+        ],
+    });
+    assert_eq!(found, expected);
+}
+
+/// Degrees are whole numbers; every other number is a string.
+#[test]
+fn no_number_is_a_float() {
+    fn walk(name: &str, value: &Value) {
+        match value {
+            Value::Number(number) => {
+                assert!(number.is_u64() && ["degree", "degrees"].contains(&name), "{name}: {number}");
+            }
+            Value::Array(items) => items.iter().for_each(|item| walk(name, item)),
+            Value::Object(fields) => fields.iter().for_each(|(name, item)| walk(name, item)),
+            _ => {}
+        }
+    }
+    walk("", &check(&["--degree", "2", "--knots", "0 0.25 1 1.5 2 2", "--alpha", "-1.5"]).1);
+}
+
+#[test]
+fn without_a_choice_every_claim_about_instances_in_general_is_judged() {
+    let (code, found) = check(&["--instance", "U4", "--alpha", "-1"]);
+    assert_eq!(code, 1, "T3.5.1 fails on every open vector");
+    let ids: Vec<_> = statuses(&found).into_iter().map(|(id, _)| id).collect();
+    for id in ["phi.range", "T3.5.2", "Conj3.1.strong.continuous", "P3.2", "T4.1", "proof.P3.2.induction"] {
+        assert_eq!(ids.iter().filter(|other| **other == id).count(), 1, "{id}");
+    }
+    assert!(!ids.iter().any(|id| id.starts_with("X.") || id.starts_with("Ill5.")), "{ids:?}");
+    assert_eq!(statuses(&found).iter().find(|(id, _)| *id == "T3.5.2"), Some(&("T3.5.2", "proved")));
+}
+
+#[test]
+fn exit_codes() {
+    let on = |options: &[&str]| check(&[&["--instance", "U4", "--alpha", "-1"], options].concat()).0;
+    assert_eq!(on(&["--property", "T3.5.3"]), 0);
+    assert_eq!(on(&["--property", "T3.5.1"]), 1);
+    assert_eq!(on(&["--property", "X.variation"]), 3);
+    assert_eq!(on(&["--property", "X.variation", "--property", "T3.5.3"]), 3);
+    assert_eq!(on(&["--property", "X.variation", "--property", "T3.5.1"]), 1, "refuted counts more");
+    knotproof(&["check", "--instance", "U4", "--property", "T3.5"]).assert().code(2).stdout("");
+}
+
+#[test]
+fn one_property_or_several_in_the_order_of_the_paper() {
+    let on = |options: &[&str]| {
+        let (_, found) = check(&[&["--instance", "U4", "--alpha", "5"], options].concat());
+        statuses(&found).into_iter().map(|(id, _)| id.to_owned()).collect::<Vec<_>>()
+    };
+    assert_eq!(on(&["--property", "P3.2"]), ["P3.2"]);
+    assert_eq!(on(&["--property=X.G1", "--property", "T3.5.3", "--property", "X.G1"]), ["T3.5.3", "X.G1"]);
+}
+
+/// The message of a request that is refused, without its frame.
+fn refused(arguments: &[&str], argument: &str) -> String {
+    let arguments = [&["check", "--format", "json", "--instance", "U4"], arguments].concat();
+    let output = knotproof(&arguments).assert().code(2).stdout("").get_output().stderr.clone();
+    let report: Value = serde_json::from_slice(&output).unwrap();
+    assert_eq!(report["schema"], "knotproof.error/1");
+    assert_eq!(report["error"]["argument"], argument, "{report}");
+    report["error"]["message"].as_str().unwrap().to_owned()
+}
+
+#[test]
+fn an_unknown_property_is_refused_with_those_that_are_near() {
+    for (name, near) in [
+        ("T3.5", "T3.5.1, T3.5.2, T3.5.3, T3.5.4?"),
+        ("T3.5.9", "T3.5.1, T3.5.2, T3.5.3, T3.5.4?"),
+        ("Conj3.1.weak.", "Conj3.1.weak.continuous?"),
+        ("X.nurb", "X.nurbs?"),
+    ] {
+        let message = refused(&["--property", "P3.2", "--property", name], "--property");
+        assert_eq!(message, format!("--property: there is no claim `{name}`; did you mean {near}"));
+    }
+    for name in ["", "é", "\u{1b}[31m"] {
+        assert!(refused(&["--property", name], "--property").contains("P3.2"), "all of them are shown");
+    }
+}
+
+#[test]
+fn a_claim_about_examples_is_referred_to_report() {
+    for claim in ["Ill5.8.fig29", "Rem5.1.conj"] {
+        let message = refused(&["--property", claim], "--property");
+        assert!(message.contains("about examples of the paper"), "{message}");
+        assert!(message.contains(&format!("`knotproof report --claim {claim}`")), "{message}");
+    }
+}
+
+#[test]
+fn an_unknown_scope_is_refused() {
+    let message = refused(&["--scope", "all"], "--scope");
+    assert!(
+        message.contains("'all'") && message.contains("points, instance, alpha, knots, degree"),
+        "{message}"
+    );
+}
+
+/// What is proved here is proved for one α: whoever asks for every α is not told "proved".
+#[test]
+fn a_proof_that_reaches_less_far_than_asked_for_is_undecided() {
+    let on = |scope| check(&["--instance", "U4", "--alpha", "-1", "--property", "T3.5.3", "--scope", scope]);
+    for scope in ["points", "instance"] {
+        let (code, found) = on(scope);
+        assert_eq!((code, statuses(&found)), (0, vec![("T3.5.3", "proved")]), "{scope}");
+    }
+    for scope in ["alpha", "knots", "degree"] {
+        let (code, found) = on(scope);
+        assert_eq!((code, statuses(&found)), (3, vec![("T3.5.3", "undecided")]));
+        let reason = found["properties"][0]["reason"].as_str().unwrap();
+        assert_eq!(reason, format!("proved at scope instance only, and {scope} was asked for"));
+    }
+    // One instance is enough to refute.
+    let options = ["--instance", "U4", "--alpha", "-1", "--property", "T3.5.1", "--scope", "degree"];
+    let (code, found) = check(&options);
+    assert_eq!((code, statuses(&found)), (1, vec![("T3.5.1", "refuted")]));
+    assert_eq!(found["properties"][0]["amended"]["status"], "undecided");
+}
+
+#[test]
+fn several_indices_are_judged_one_after_the_other() {
+    let options = ["--property", "T3.5.3", "--property", "X.linear"];
+    let alphas = ["--alpha", "inf", "--alpha", "-1/2", "--alpha", "3"];
+    let (code, found) = check(&[&["--instance", "U4"], &alphas[..], &options].concat());
+    let of = |p: &Value| [&p["alpha"], &p["id"], &p["status"]].map(|text| text.as_str().unwrap().to_owned());
+    let expected = [
+        ["inf", "T3.5.3", "proved"],
+        // The question is about finite α.
+        ["inf", "X.linear", "not-applicable"],
+        ["-1/2", "T3.5.3", "proved"],
+        ["-1/2", "X.linear", "refuted"],
+        ["3", "T3.5.3", "proved"],
+        ["3", "X.linear", "refuted"],
+    ];
+    assert_eq!(
+        (code, properties(&found).iter().map(of).collect::<Vec<_>>()),
+        (1, expected.map(|p| p.map(str::to_owned)).to_vec())
+    );
+    // Without --alpha: those that the paper shows.
+    let (_, found) = check(&["--instance", "U4", "--property", "T3.5.3"]);
+    let alphas: Vec<_> = properties(&found).iter().map(|p| p["alpha"].as_str().unwrap()).collect();
+    assert_eq!(alphas, ["-1", "2", "5", "inf"]);
+}
+
+#[test]
+fn an_instance_by_name_by_file_and_by_options_is_the_same() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("u9.json");
+    let content = r#"{"degree": 2, "knots": [0, 0, 0, 0.75, "6/4", "9/4", 3, 3, 3], "alpha": [-1, 5]}"#;
+    fs::write(&path, content).unwrap();
+    let by_name = check(&["--instance", "U9", "--alpha", "-1", "--alpha", "5"]);
+    assert_eq!(check(&["--instance", path.to_str().unwrap()]), by_name);
+    let knots = "0 0 0 3/4 3/2 9/4 3 3 3";
+    assert_eq!(check(&["--degree", "2", "--knots", knots, "--alpha", "-1", "--alpha", "5"]), by_name);
+}
+
+/// Any knots at all: degree 0, ends and inner knots of multiplicity k + 1 and k + 2, not open, negative, fewer
+/// functions than k + 1, huge and tiny gaps, α next to 0 and 1. What is refuted as printed holds as amended, or the
+/// amended statement says nothing about it.
+#[test]
+fn every_instance_gets_a_verdict() {
+    for (degree, knots, alphas) in [
+        ("0", "0 1", &["-1"][..]),
+        ("0", "0 0 1 1 1 2", &["-1", "inf"]),
+        ("1", "0 0 1/2 1/2 1 1", &["-1"]),
+        ("1", "0 0 0 1 1 1", &["2"]),
+        ("1", "0 1 1 1 1 2", &["-1"]),
+        ("2", "0 1 2 3 4", &["-1"]),
+        ("2", "0 0 0 0 1 1 1 1", &["-1"]),
+        ("2", "0 0 0 1 1 1 1 2 2 2", &["5"]),
+        ("2", "0 1 2 2 2 2 3 4 4", &["-1/2"]),
+        ("2", "-1 0 1e-9 1e9 2e9 2e9", &["-1/1000000", "1000001/1000000"]),
+        ("3", "-3 -2 -2 0 1/3 1/2 7 9", &["-1"]),
+        ("3", "0 0 0 0 1 1 1 1 1 2 2 2 2", &["3/2"]),
+    ] {
+        let mut arguments = vec!["--degree", degree, "--knots", knots];
+        arguments.extend(alphas.iter().flat_map(|alpha| ["--alpha", alpha]));
+        let (code, found) = check(&arguments);
+        assert_eq!(code, 1, "P2.1.3 fails at the ends of every interval");
+        for property in properties(&found) {
+            let amended = property.get("amended").map_or("not-applicable", |a| a["status"].as_str().unwrap());
+            assert!(["proved", "not-applicable"].contains(&amended), "{knots}: {property}");
+        }
+    }
+}
+
+#[test]
+fn a_witness_can_be_computed_again() {
+    // U is not open: left of t_k = 2 a function G_{−1} is missing, so the sum is less than 1 there.
+    for (degree, knots, alpha) in [
+        (2, "0 1 2 3 4 5", "-1"),
+        (1, "0 1/2 2 3", "5"),
+        (3, "0 0 0 1 1 2 3 4 4", "inf"),
+        (2, "0 0 0 1 2 3", "3/2"),
+    ] {
+        let options = ["--degree", &degree.to_string(), "--knots", knots, "--alpha", alpha];
+        let (code, found) = check(&[&options[..], &["--property", "T3.5.3"]].concat());
+        assert_eq!(code, 1, "{knots}");
+        let basis = basis(degree, knots, alpha);
+        let (k, u, index) = (given(&found, "k"), given(&found, "U"), given(&found, "α"));
+        assert_eq!((k, u, index), (&*degree.to_string(), &*basis.knots().to_string(), alpha));
+
+        let x = parse_rational(given(&found, "x")).unwrap();
+        let j: usize = given(&found, "j").parse().unwrap();
+        assert!(basis.knots().t(j) <= &x && &x < basis.knots().t(j + 1), "x lies in the span j");
+        let sum: BigRational = basis.values(&x, Side::Right).iter().sum();
+        assert_ne!(sum, integer(1));
+        assert_eq!(found["properties"][0]["witness"]["found"], format!("the sum is {sum}"));
+
+        // The command that goes with it gives the same.
+        let command = found["properties"][0]["witness"]["reproduce"].as_str().unwrap();
+        let arguments: Vec<_> = command.strip_prefix("knotproof ").unwrap().split(' ').collect();
+        let output =
+            knotproof(&arguments).args(["--format", "json"]).assert().success().get_output().stdout.clone();
+        let eval: Value = serde_json::from_slice(&output).unwrap();
+        let values = eval["values"].as_array().unwrap().iter().map(|value| value.as_str().unwrap());
+        assert_eq!(values.map(|value| parse_rational(value).unwrap()).sum::<BigRational>(), sum);
+    }
+    // At the double knot 0 of degree 1, G_0 is 1 and not 0.
+    let (_, found) =
+        check(&["--degree", "1", "--knots", "0 0 1 2 2", "--alpha", "2", "--property", "T3.5.1"]);
+    let (i, x) = (given(&found, "i").parse::<usize>().unwrap(), parse_rational(given(&found, "x")).unwrap());
+    let basis = basis(1, "0 0 1 2 2", "2");
+    let value = &basis.values(&x, Side::Right)[i];
+    let (low, high) = basis.support(i);
+    assert!((x <= *low || x >= *high) && *value != integer(0));
+    assert_eq!(found["properties"][0]["witness"]["found"], format!("G_{i}^1({x}) = {value}"));
+}
+
+/// The same claim on the same knots holds or fails as the knots and not the program's own cases decide.
+#[test]
+fn the_verdict_is_about_this_instance() {
+    let verdict = |knots: &str, property: &str| {
+        let options = ["--degree", "2", "--knots", knots, "--alpha", "-1", "--property", property];
+        check(&options).1["properties"][0]["status"].as_str().unwrap().to_owned()
+    };
+    assert_eq!(verdict("0 0 0 1 2 2 2", "T3.5.3"), "proved");
+    assert_eq!(verdict("0 0 1 2 3 3 3", "T3.5.3"), "refuted");
+    assert_eq!(verdict("0 1 2 3 4 5", "T3.5.1"), "proved");
+    assert_eq!(verdict("0 0 0 1 2 2 2", "T3.5.1"), "refuted");
+    assert_eq!(verdict("0 0 0 1 2 2 2", "Conj3.1.strong"), "proved");
+    assert_eq!(verdict("0 0 0 1 1 1 2 2 2", "Conj3.1.strong"), "refuted");
+    assert_eq!(verdict("0 0 0 1 1 1 2 2 2", "Conj3.1.strong.continuous"), "proved");
+    assert_eq!(verdict("0 0 0 1 2 2 2", "P3.3.2"), "not-applicable", "there is an interior knot");
+    assert_eq!(verdict("0 0 0 2 2 2", "P3.3.2"), "proved");
+}
+
+/// A hypothesis that does not hold is named, and nothing is claimed to be proved.
+#[test]
+fn a_claim_about_open_knots_does_not_apply_to_others() {
+    let options = ["--degree", "2", "--knots", "0 1 2 3 4 5", "--alpha", "-1", "--property", "P3.2"];
+    let (code, found) = check(&options);
+    assert_eq!(statuses(&found), [("P3.2", "not-applicable")]);
+    assert_eq!(found["properties"][0]["reason"], "a hypothesis does not hold here: U is open");
+    assert_eq!(code, 0, "nothing is refuted and nothing undecided");
+}
+
+#[test]
+fn the_text_has_a_line_for_each_claim() {
+    let on = ["--instance", "U1", "--alpha", "-1", "--alpha", "inf"];
+    let output =
+        knotproof(&[&["check"], &on[..]].concat()).assert().code(1).stderr("").get_output().stdout.clone();
+    let text = String::from_utf8(output).unwrap();
+    assert!(text.starts_with("U1 (Fig. 9)\nk = 2, U = (0, 1, 2, 3, 3, 5, 6)\n"), "{text}");
+    assert!(!text.contains('\u{1b}'), "no escape sequences in a pipe");
+    let (_, found) = check(&on);
+    let lines: Vec<Vec<&str>> = text.lines().map(|line| line.split_whitespace().collect()).collect();
+    for (id, status) in statuses(&found) {
+        let line = |line: &&Vec<&str>| line.first() == Some(&id) && line.get(1) == Some(&status);
+        assert!(lines.iter().any(|words| line(&words)), "{id} {status} in {text}");
+    }
+    assert_eq!(text.matches("for every x:").count(), 2, "one part for each index");
+    let widths = text.lines().filter(|line| line.contains(" proved (instance)") && !line.contains("amended"));
+    let widths: Vec<_> = widths.map(|line| line.find("proved").unwrap()).collect();
+    assert!(widths.windows(2).all(|pair| pair[0] == pair[1]), "the verdicts stand below each other: {text}");
+    let counts = text.lines().last().unwrap();
+    let count = |status| statuses(&found).iter().filter(|(_, other)| *other == status).count();
+    for status in ["proved", "refuted", "not-applicable"] {
+        assert!(counts.contains(&format!("{} {status}", count(status))), "{counts}");
+    }
+}
+
+#[test]
+fn the_text_shows_the_witness_and_the_limit() {
+    let options = ["check", "--degree", "1", "--knots", "0 0 1 2", "--alpha", "-1", "--property"];
+    let text = |property| {
+        let output = knotproof(&[&options[..], &[property]].concat()).output().unwrap();
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let refuted = text("T3.5.3");
+    for part in
+        ["at j = 2, x = 3/2: it says Σ G_i^1(3/2) = 1; but the sum is 2/3", "amended: proved (instance)"]
+    {
+        assert!(refuted.contains(part), "{part} in {refuted}");
+    }
+    assert!(text("X.variation").contains("\n      only control ordinates"), "the limit is named");
+}
+
+#[test]
+fn colour_only_where_it_is_asked_for() {
+    let coloured = |variables: &[(&str, &str)]| {
+        let mut command = knotproof(&["check", "--instance", "U4", "--alpha", "2", "--property", "T3.5.1"]);
+        for name in ["NO_COLOR", "CLICOLOR_FORCE", "CLICOLOR"] {
+            command.env_remove(name);
+        }
+        command.envs(variables.iter().copied());
+        command.assert().code(1).get_output().stdout.contains(&0x1b)
+    };
+    assert!(!coloured(&[]));
+    assert!(coloured(&[("CLICOLOR_FORCE", "1")]));
+    assert!(!coloured(&[("CLICOLOR_FORCE", "1"), ("NO_COLOR", "1")]));
+}
+
+#[test]
+fn a_closed_pipe_is_no_error() {
+    for format in ["text", "json"] {
+        let mut child = Process::new(assert_cmd::cargo::cargo_bin("knotproof"))
+            .args(["check", "--format", format, "--instance", "U4", "--alpha", "-1"])
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        drop(child.stdout.take());
+        let output = child.wait_with_output().unwrap();
+        // The verdict stands, whoever reads it.
+        assert_eq!((output.status.code(), output.stderr.as_slice()), (Some(1), &b""[..]), "{format}");
+    }
+}
