@@ -1,6 +1,6 @@
 //! `knotproof check` as a user meets it: verdicts on one instance, for every x.
 
-#![allow(clippy::unwrap_used, reason = "helpers of tests")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
 
 use std::fs;
 use std::process::{Command as Process, Stdio};

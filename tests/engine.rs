@@ -109,20 +109,25 @@ fn on_threads<T: Send>(threads: usize, run: impl FnOnce() -> T + Send) -> T {
     pool.install(run)
 }
 
-/// The smallest failing case is the slowest to fail, and the larger ones fail at once.
+/// The small cases are slow and the large ones fail at once: with several threads, a large one fails first.
 #[test]
 fn the_witness_is_the_first_failing_case_on_any_number_of_threads() {
     const FIRST: usize = 37;
     let cases: Vec<_> = (0..2000).map(Number::small).collect();
-    for threads in [1, 2, 8] {
-        let statement = Statement::new("", |case: &Number, ledger: &mut Ledger| {
-            if case.n == FIRST {
-                thread::sleep(Duration::from_millis(20));
+    let failing_from = |first: usize| {
+        Statement::new("", move |case: &Number, ledger: &mut Ledger| {
+            if [0, FIRST].contains(&case.n) {
+                thread::sleep(Duration::from_millis(30));
             }
-            act(if case.n >= FIRST && case.n % 3 == FIRST % 3 { Fails } else { Holds }, case.n, ledger)
-        });
-        let verdict = on_threads(threads, || judge(&statement, &cases));
+            act(if case.n >= first && case.n % 3 == FIRST % 3 { Fails } else { Holds }, case.n, ledger)
+        })
+    };
+    for threads in [1, 2, 8] {
+        let verdict = on_threads(threads, || judge(&failing_from(FIRST), &cases));
         assert_eq!(verdict, Ok(Verdict::Refuted(witness(FIRST))), "{threads} threads");
+        let verdict = on_threads(threads, || judge(&failing_from(usize::MAX), &cases));
+        let all = Reach { small_cases: 2000, facts: 2000, ..Reach::default() };
+        assert_eq!(verdict, Ok(Verdict::Proved { scope: Scope::Instance, reach: all }), "{threads} threads");
     }
 }
 
@@ -198,7 +203,7 @@ fn a_case_that_does_not_meet_the_hypotheses_is_not_looked_at() {
     let count = Arc::clone(&seen);
     let statement = Statement::new("", move |case: &Number, ledger: &mut Ledger| {
         count.fetch_add(1, Ordering::Relaxed);
-        act(if case.n % 2 == 0 && case.n <= 6 { Holds } else { Fails }, case.n, ledger)
+        act(if case.n.is_multiple_of(2) && case.n <= 6 { Holds } else { Fails }, case.n, ledger)
     })
     .given([Hypothesis::Even])
     .given([Hypothesis::AtMost(6)]);
