@@ -245,7 +245,9 @@ fn each_degree_is_judged_by_itself() {
     // A case without a degree belongs to none.
     cases.push(Number::small(1));
     for threads in [1, 4] {
-        let found = on_threads(threads, || judge_by_degree(&statement(&acts), &cases)).expect("no fault");
+        let judged = on_threads(threads, || judge_by_degree(&statement(&acts), &cases));
+        let (whole, found) = judged.expect("no fault");
+        assert_eq!(whole, Verdict::Refuted(witness(1)), "the first of the lowest degree");
         assert_eq!(found.iter().map(|(k, _)| *k).collect::<Vec<_>>(), [1, 2, 3, 4], "by rising degree");
         assert_eq!(found[0].1, Verdict::Refuted(witness(1)), "the first of its degree");
         assert_eq!(found[1].1, Verdict::Undecided("limit 4".into()));
@@ -256,7 +258,8 @@ fn each_degree_is_judged_by_itself() {
         assert_eq!(proved(&found[2].1), Some((2, vec![3])), "a refutation in degree 1 says nothing about it");
         assert!(matches!(found[3].1, Verdict::NotApplicable(_)));
     }
-    assert_eq!(judge_by_degree(&statement(&acts), &[]), Ok(Vec::new()));
+    let nothing = judge_by_degree::<Number>(&statement(&acts), &[]);
+    assert!(matches!(nothing, Ok((Verdict::NotApplicable(_), found)) if found.is_empty()));
 }
 
 /// Every decision is counted once, and says what is so.

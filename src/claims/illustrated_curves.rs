@@ -196,16 +196,14 @@ fn passes_through(drawn: &Drawn, point: &Point, ledger: &mut Ledger) -> bool {
         [x, y] => common_positive_roots(x, y).exist(),
         _ => false,
     });
-    let at_knots = drawn.case.knots().stop_knots().any(|(t, _)| {
-        [Side::Left, Side::Right]
-            .iter()
-            .any(|side| t != drawn.case.knots().first() && drawn.curve.point(t, *side) == *point)
-            || drawn.curve.point(t, Side::Right) == *point
-    });
-    // Both decisions are exact; what enters the ledger is that there are no such points.
-    let passes = inside || at_knots;
-    ledger.count(usize::from(passes), 0);
-    passes
+    // The limit from the left of t_0 is that of no curve.
+    let knots = drawn.case.knots();
+    let meets = |t: &BigRational, side| drawn.curve.point(t, side) == *point;
+    let at_knots = knots
+        .stop_knots()
+        .any(|(t, _)| meets(t, Side::Right) || (t != knots.first() && meets(t, Side::Left)));
+    // Both decisions are exact; the ledger counts that there are no such points.
+    !ledger.count(usize::from(inside || at_knots), 0)
 }
 
 /// For every finite index some point of G_α is no point of G_∞.
@@ -367,7 +365,7 @@ fn double_point(instance: &Instance) -> Option<&Point> {
 }
 
 /// An enclosure of the least squared distance from the curve to a point off it: −sup(−|G − P|²), narrowed until
-/// its lower end is positive.
+/// its lower end is positive: the point must be off the curve.
 fn least_squared_distance(drawn: &Drawn, point: &Point) -> Result<(BigRational, BigRational), Stop> {
     let negated = drawn.everywhere().into_iter().filter_map(|curve| {
         let difference: Vec<_> = curve.iter().zip(point).map(|(c, p)| c.minus(&c.embed(p))).collect();
@@ -409,16 +407,14 @@ fn nearly_adheres(bound: BigRational) -> impl Fn(&Illustration, &mut Ledger) -> 
             let Some(point) = double_point(instance) else { continue };
             for index in &instance.indices {
                 let drawn = Drawn::new(instance, index);
+                let claimed = format!("the curve misses the point, by a squared distance less than {bound}");
+                if passes_through(&drawn, point, ledger) {
+                    return Err(refuted(instance, &[alpha(index)], claimed, "it passes through".into()));
+                }
                 let (low, high) = least_squared_distance(&drawn, point)?;
-                if passes_through(&drawn, point, ledger) || !ledger.less(&high, &bound) {
-                    let claimed =
-                        format!("the curve misses the point, by a squared distance less than {bound}");
-                    return Err(refuted(
-                        instance,
-                        &[alpha(index)],
-                        claimed,
-                        format!("it lies in [{low}, {high}]"),
-                    ));
+                if !ledger.less(&high, &bound) {
+                    let found = format!("it lies in [{low}, {high}]");
+                    return Err(refuted(instance, &[alpha(index)], claimed, found));
                 }
                 ledger.remark(format!(
                     "{}, α = {index}: the least squared distance lies in [{low}, {high}].",

@@ -44,9 +44,11 @@ fn one_maximum(
             let (left, right) = (slope(Side::Left), slope(Side::Right));
             Some(format!("between them it has a minimum at x = {x}, where its slope is {left} on the left and {right} on the right"))
         }));
-        found.extend(shape.jumps().iter().map(|jump| {
-            format!("at {} it jumps from the limit {} to {}", jump.at, jump.left, jump.right)
-        }));
+        found.extend(
+            shape.jumps().iter().map(|jump| {
+                format!("at {} it jumps from the limit {} to {}", jump.at, jump.left, jump.right)
+            }),
+        );
         found.join("; ")
     };
     match reading {

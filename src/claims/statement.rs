@@ -90,15 +90,17 @@ pub fn judge_by_degree<C: Case>(
     statement: &Statement<C>,
     cases: &[C],
 ) -> Result<(Verdict, Vec<(usize, Verdict)>), Fault> {
-    let mut by_degree: BTreeMap<usize, Vec<&C>> = BTreeMap::new();
+    let mut by_degree: BTreeMap<Option<usize>, Vec<&C>> = BTreeMap::new();
     for case in cases {
-        by_degree.entry(case.degree().unwrap_or(0)).or_default().push(case);
+        by_degree.entry(case.degree()).or_default().push(case);
     }
     let mut decided = Vec::new();
     let mut verdicts = Vec::new();
     for (degree, cases) in by_degree {
         let outcomes: Vec<_> = outcomes(statement, &cases).into_iter().zip(cases).collect();
-        verdicts.push((degree, summarise(&outcomes)?));
+        if let Some(degree) = degree {
+            verdicts.push((degree, summarise(&outcomes)?));
+        }
         decided.extend(outcomes);
     }
     Ok((summarise(&decided)?, verdicts))

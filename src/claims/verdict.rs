@@ -129,26 +129,31 @@ impl Ledger {
     }
 
     /// left = right: of numbers, or of functions as an identity.
+    #[must_use]
     pub fn equal<S: ExactField>(&mut self, left: &S, right: &S) -> bool {
         self.enter(left == right)
     }
 
     /// left ≠ right.
+    #[must_use]
     pub fn differ<S: ExactField>(&mut self, left: &S, right: &S) -> bool {
         self.enter(left != right)
     }
 
     /// left < right.
+    #[must_use]
     pub fn less<S: ExactField + OrderedField>(&mut self, left: &S, right: &S) -> bool {
         self.enter(left < right)
     }
 
     /// f > 0 on the whole open span.
+    #[must_use]
     pub fn positive(&mut self, f: &Piece) -> bool {
         self.enter(always_positive(f).holds())
     }
 
     /// Two numbers of things agree: a rank and a dimension, a count of maxima and 1.
+    #[must_use]
     pub fn count(&mut self, found: usize, expected: usize) -> bool {
         self.enter(found == expected)
     }
