@@ -147,10 +147,12 @@ pub enum CliError {
         claim: String,
     },
     /// A file or folder that cannot be read or written.
-    #[error("{argument}: {}: {error}", path.display())]
+    #[error("{argument}: cannot {action} {}: {error}", path.display())]
     File {
         /// The option.
         argument: &'static str,
+        /// `read` or `write`.
+        action: &'static str,
         /// The file.
         path: PathBuf,
         /// What the system says.

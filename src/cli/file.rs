@@ -38,11 +38,15 @@ impl InstanceFile {
     pub(super) fn read(path: &Path) -> Result<Self, CliError> {
         let text = read("--instance", path)?;
         let malformed = |error| CliError::Malformed { path: path.to_owned(), error };
-        if text.trim_start().starts_with('[') {
+        if let Some(("", list)) = text.split_once('[').map(|(before, list)| (before.trim(), list)) {
             // A list of fields without names would be taken for them, in their order.
-            return Err(malformed(serde::de::Error::custom(
-                "expected an object with named fields, and found a list",
-            )));
+            let before = &text[..text.len() - list.len()];
+            let (line, column) =
+                (before.lines().count(), before.lines().last().map_or(0, |l| l.chars().count()));
+            let message = "expected an object with named fields, and found a list";
+            return Err(malformed(serde::de::Error::custom(format!(
+                "{message} at line {line} column {column}"
+            ))));
         }
         serde_json::from_str(&text).map_err(malformed)
     }
@@ -53,7 +57,7 @@ impl InstanceFile {
 /// # Errors
 /// [`CliError::File`], also if it is too long or no text.
 pub(super) fn read(argument: &'static str, path: &Path) -> Result<String, CliError> {
-    let failed = |error| CliError::File { argument, path: path.to_owned(), error };
+    let failed = |error| CliError::File { argument, action: "read", path: path.to_owned(), error };
     let mut bytes = Vec::new();
     let file = File::open(path).map_err(failed)?;
     file.take(LENGTH_LIMIT + 1).read_to_end(&mut bytes).map_err(failed)?;

@@ -106,11 +106,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
 }
 
 fn read_baseline(path: &Path) -> Result<Baseline, CliError> {
-    let text = fs::read_to_string(path).map_err(|error| CliError::File {
-        argument: "--baseline",
-        path: path.to_owned(),
-        error,
-    })?;
+    let text = read("--baseline", path)?;
     Baseline::parse(&text).map_err(|error| CliError::Baseline { path: path.to_owned(), error })
 }
 
@@ -153,7 +149,7 @@ fn write_file(
 }
 
 fn unwritable(argument: &'static str, path: &Path, error: std::io::Error) -> CliError {
-    CliError::File { argument, path: path.to_owned(), error }
+    CliError::File { argument, action: "write", path: path.to_owned(), error }
 }
 
 /// The table of verdicts, and what is not as recorded.
