@@ -1,6 +1,7 @@
 //! Floor 3: from exact pieces to decisions about every x.
 
 mod contenders;
+mod decision;
 mod integer_polynomial;
 mod linear;
 mod pieces;
@@ -10,14 +11,15 @@ mod shape;
 mod sign;
 mod supremum;
 
+pub use decision::{
+    Decision, PositivePoint, SignPattern, Zeros, always_nonnegative, always_positive, common_positive_roots,
+    sign_pattern,
+};
 pub use linear::{coefficient_rows, common_numerators, in_span, is_combination, rank};
 pub use pieces::{
     Piece, Pieces, SpanPieces, constant, coordinate_between, coordinate_of, positive_coordinate,
 };
 pub use roots::{IsolatedRoot, count_positive_roots, positive_roots};
 pub use shape::{Extremum, ExtremumKind, Jump, Place, Shape};
-pub use sign::{
-    Decision, PositivePoint, Sign, SignPattern, Zeros, always_nonnegative, always_positive,
-    common_positive_roots, sign_pattern,
-};
+pub use sign::Sign;
 pub use supremum::{ClosedCoordinate, Enclosure, SupremumError, supremum};

@@ -8,10 +8,11 @@ use num_rational::BigRational;
 use crate::scalar::{Polynomial, Ring, integer};
 
 use super::contenders::{Contender, Height, Role};
+use super::decision::sign_pattern;
 use super::pieces::Piece;
 use super::roots::IsolatedRoot;
 use super::shape::{Extremum, ExtremumKind, Jump, Place, Shape};
-use super::sign::{Sign, sign_pattern};
+use super::sign::Sign;
 
 /// A function on one span.
 pub(super) struct Segment {

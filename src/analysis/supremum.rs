@@ -6,9 +6,9 @@ use thiserror::Error;
 
 use crate::scalar::{Ring, integer, rationals_between};
 
+use super::decision::{Decision, PositivePoint, always_nonnegative};
 use super::pieces::{Piece, constant};
 use super::roots::count_positive_roots;
-use super::sign::{Decision, PositivePoint, always_nonnegative};
 
 /// A point of the closed span, in its positive coordinate.
 #[derive(Debug, Clone, PartialEq, Eq)]

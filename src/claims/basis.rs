@@ -5,10 +5,10 @@ use crate::scalar::{BigRational, Ring, integer};
 use crate::spline::{KnotVector, Side, Span};
 
 use super::case::{BasisCase, definition_values};
+use super::claim::{Claim, Form};
 use super::hypothesis::Hypothesis::{
     BaseInterval, FirstSpan, InteriorMultiplicityAtMostDegree, LastSpan, Open, Symmetric,
 };
-use super::registry::{Claim, Form};
 use super::statement::Statement;
 use super::verdict::{Judgement, Ledger, Stop};
 
@@ -430,17 +430,7 @@ pub(super) fn claims() -> Vec<Claim> {
 mod tests {
     use super::*;
     use crate::claims::hypothesis::Hypothesis;
-    use crate::claims::small_cases::Cases;
-    use crate::claims::statement::judge;
-    use crate::claims::verdict::Verdict;
-
-    fn refuted(
-        conclusion: impl Fn(&BasisCase, &mut Ledger) -> Judgement + Send + Sync + 'static,
-        given: impl IntoIterator<Item = Hypothesis>,
-    ) -> bool {
-        let statement = Statement::new("", conclusion).given(given);
-        matches!(judge(&statement, &Cases::all().bases).unwrap(), Verdict::Refuted(_))
-    }
+    use crate::claims::small_cases::refuted;
 
     #[test]
     fn false_variants_are_refuted() {

@@ -7,8 +7,8 @@ use crate::spline::{Index, PointWeights, Side, Weights, de_boor};
 
 use super::basis::{interpolation, name, symmetry};
 use super::case::BasisCase;
+use super::claim::{Claim, Form};
 use super::hypothesis::Hypothesis::{DegreeAtLeast, FirstSpan, LastSpan, Open, Symmetric};
-use super::registry::{Claim, Form};
 use super::regularity::{at_first, at_last, end_derivatives};
 use super::statement::Statement;
 use super::verdict::{Judgement, Ledger, Stop};
@@ -337,17 +337,7 @@ pub(super) fn claims() -> Vec<Claim> {
 mod tests {
     use super::*;
     use crate::claims::hypothesis::Hypothesis;
-    use crate::claims::small_cases::Cases;
-    use crate::claims::statement::judge;
-    use crate::claims::verdict::Verdict;
-
-    fn refuted(
-        conclusion: impl Fn(&BasisCase, &mut Ledger) -> Judgement + Send + Sync + 'static,
-        given: impl IntoIterator<Item = Hypothesis>,
-    ) -> bool {
-        let statement = Statement::new("", conclusion).given(given);
-        matches!(judge(&statement, &Cases::all().bases).unwrap(), Verdict::Refuted(_))
-    }
+    use crate::claims::small_cases::refuted;
 
     #[test]
     fn false_variants_are_refuted() {

@@ -6,13 +6,13 @@ use crate::spline::{Index, Side};
 
 use super::basis::{name, regular, support_spans, symmetry};
 use super::case::BasisCase;
+use super::claim::Claim;
 use super::illustrations::{
     Illustration, case_of, each, every_basis, illustrated, largest, named, of_degree, refuted, together,
     with_indices,
 };
 use super::instances::Instance;
 use super::maximum::{Except, Reading, conjecture};
-use super::registry::Claim;
 use super::verdict::{Judgement, Ledger, Stop};
 
 const ALL: [&str; 14] =
@@ -390,28 +390,20 @@ fn jumping(instance: &Instance) -> &'static [usize] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::claims::statement::{Statement, judge};
-    use crate::claims::verdict::Verdict;
-
-    fn refuted(
-        examples: Vec<Illustration>,
-        conclusion: impl Fn(&Illustration, &mut Ledger) -> Judgement + Send + Sync + 'static,
-    ) -> bool {
-        matches!(judge(&Statement::new("", conclusion), &examples).unwrap(), Verdict::Refuted(_))
-    }
+    use crate::claims::illustrations::refutes;
 
     #[test]
     fn false_variants_are_refuted() {
-        assert!(refuted(each(&["U0"]), every_basis(translation(2))), "translation by two spans");
-        assert!(refuted(each(&["U9"]), influence(false)), "no influence");
-        assert!(refuted(with_indices(each(&["U9"]), &["2", "2"]), influence(true)), "influence of nothing");
-        assert!(refuted(each(&["U11"]), jumps(|_| &[])), "no jump at a triple knot");
-        assert!(refuted(each(&["U9"]), jumps(|_| &[1])), "a jump at a simple knot");
+        assert!(refutes(each(&["U0"]), every_basis(translation(2))), "translation by two spans");
+        assert!(refutes(each(&["U9"]), influence(false)), "no influence");
+        assert!(refutes(with_indices(each(&["U9"]), &["2", "2"]), influence(true)), "influence of nothing");
+        assert!(refutes(each(&["U11"]), jumps(|_| &[])), "no jump at a triple knot");
+        assert!(refutes(each(&["U9"]), jumps(|_| &[1])), "a jump at a simple knot");
         let close = close_to_classical(rational(1, 100));
-        assert!(refuted(with_indices(each(&["U4"]), &["5"]), close), "within 1/100");
+        assert!(refutes(with_indices(each(&["U4"]), &["5"]), close), "within 1/100");
         let shrinks: [&[&str]; 2] = [&["-1", "-2"], &["2", "3"]];
-        assert!(refuted(of_degree(each(&["U1"]), &[2]), effect_grows(shrinks)), "the effect shrinks");
+        assert!(refutes(of_degree(each(&["U1"]), &[2]), effect_grows(shrinks)), "the effect shrinks");
         let mirrored = every_basis(symmetry(true, |_, i| i));
-        assert!(refuted(with_indices(each(&["U4"]), &["-1"]), mirrored), "symmetry with i for n − i");
+        assert!(refutes(with_indices(each(&["U4"]), &["-1"]), mirrored), "symmetry with i for n − i");
     }
 }

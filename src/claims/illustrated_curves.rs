@@ -6,12 +6,12 @@ use crate::spline::{Curve, Index, Point, Side};
 
 use super::basis::mirrored_span;
 use super::case::BasisCase;
+use super::claim::Claim;
 use super::curve::{convex_hull, shifts_weight};
 use super::illustrations::{
     Illustration, case_of, each, every_basis, illustrated, largest, named, of_degree, refuted, together,
 };
 use super::instances::Instance;
-use super::registry::Claim;
 use super::verdict::{Judgement, Ledger, Stop};
 
 /// A curve of the paper with the pieces of its basis.
@@ -635,28 +635,20 @@ pub(super) fn claims() -> Vec<Claim> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::claims::statement::{Statement, judge};
-    use crate::claims::verdict::Verdict;
-
-    fn refuted(
-        examples: Vec<Illustration>,
-        conclusion: impl Fn(&Illustration, &mut Ledger) -> Judgement + Send + Sync + 'static,
-    ) -> bool {
-        matches!(judge(&Statement::new("", conclusion), &examples).unwrap(), Verdict::Refuted(_))
-    }
+    use crate::claims::illustrations::refutes;
 
     #[test]
     fn false_variants_are_refuted() {
-        assert!(refuted(each(&["C5"]), close_to_classical(&["-4", "5"], rational(1, 1000))), "too close");
-        assert!(refuted(each(&["C5"]), separates([&["-1/2", "-4"], &["5", "6/5"]])), "approaches");
-        assert!(refuted(of_degree(each(&["C6a"]), &[2]), polygon_is_trace), "degree 2 along the polygon");
-        assert!(refuted(of_degree(each(&["C6a"]), &[2]), trace_is_classical), "degree 2 independent of α");
-        assert!(refuted(of_degree(each(&["C6a"]), &[3]), trace_differs), "the Bézier case depends on α");
-        assert!(refuted(together(&["C7a", "C7b"]), moves_locally(true)), "three segments");
-        assert!(refuted(each(&["S7"]), mirror_images(true)), "a bisector of one point");
-        assert!(refuted(each(&["C5"]), mirror_images(false)), "a polygon without symmetry");
-        assert!(refuted(each(&["S2"]), adheres), "adheres");
-        assert!(refuted(each(&["S3"]), nearly_adheres(integer(1))), "misses a point that it meets");
-        assert!(refuted(each(&["S1"]), corner(1)), "corners at simple knots, for α = ∞ too");
+        assert!(refutes(each(&["C5"]), close_to_classical(&["-4", "5"], rational(1, 1000))), "too close");
+        assert!(refutes(each(&["C5"]), separates([&["-1/2", "-4"], &["5", "6/5"]])), "approaches");
+        assert!(refutes(of_degree(each(&["C6a"]), &[2]), polygon_is_trace), "degree 2 along the polygon");
+        assert!(refutes(of_degree(each(&["C6a"]), &[2]), trace_is_classical), "degree 2 independent of α");
+        assert!(refutes(of_degree(each(&["C6a"]), &[3]), trace_differs), "the Bézier case depends on α");
+        assert!(refutes(together(&["C7a", "C7b"]), moves_locally(true)), "three segments");
+        assert!(refutes(each(&["S7"]), mirror_images(true)), "a bisector of one point");
+        assert!(refutes(each(&["C5"]), mirror_images(false)), "a polygon without symmetry");
+        assert!(refutes(each(&["S2"]), adheres), "adheres");
+        assert!(refutes(each(&["S3"]), nearly_adheres(integer(1))), "misses a point that it meets");
+        assert!(refutes(each(&["S1"]), corner(1)), "corners at simple knots, for α = ∞ too");
     }
 }

@@ -7,8 +7,8 @@ use crate::scalar::rational;
 use crate::spline::{Basis, Index};
 
 use super::case::{BasisCase, Case, Origin};
+use super::claim::Form;
 use super::instances::{Instance, instances_named};
-use super::registry::{Claim, Form};
 use super::statement::Statement;
 use super::verdict::{Judgement, Ledger, Stop, Witness};
 
@@ -124,7 +124,12 @@ pub(super) fn illustrated(
     Form::Illustration(Statement::new(text, conclusion), examples)
 }
 
-/// The claims of section 5.
-pub(super) fn claims() -> Vec<Claim> {
-    [super::illustrated_bases::claims(), super::illustrated_curves::claims()].into_iter().flatten().collect()
+/// Does the engine refute the conclusion on the examples? For tests of deliberately false variants of claims.
+#[cfg(test)]
+pub(super) fn refutes(
+    examples: Vec<Illustration>,
+    conclusion: impl Fn(&Illustration, &mut Ledger) -> Judgement + Send + Sync + 'static,
+) -> bool {
+    let statement = Statement::new("", conclusion);
+    matches!(super::statement::judge(&statement, &examples), Ok(super::verdict::Verdict::Refuted(_)))
 }

@@ -5,8 +5,8 @@ use crate::spline::Side;
 
 use super::basis::name;
 use super::case::BasisCase;
+use super::claim::{Claim, Form};
 use super::hypothesis::Hypothesis::{DegreeAtLeast, DegreeAtMost};
-use super::registry::{Claim, Form};
 use super::statement::Statement;
 use super::verdict::{Judgement, Ledger, Stop};
 
@@ -125,7 +125,7 @@ pub(super) fn claims() -> Vec<Claim> {
     };
     const DROPS: &str = "The same for every i, unless t_{i+1} = t_{i+k+1} < t_m: then G_i^k rises to the limit 1 and drops to 0 there.";
     const LOW_DROPS: &str = "The same for k = 1 and k = 2 and every i, unless t_{i+1} = t_{i+k+1} < t_m: then G_i^k rises to the limit 1 and drops to 0 there.";
-    const WEAK: &str = "No case is known in which it fails. But where there are two local maxima, moving α makes now the one larger, now the other, and in between they may be equal.";
+    const WEAK: &str = "For these cases only, and probably false: in floating point the two local maxima of G_0^3 on (0, 0, 5, 7, 8, 8, 8, 8) change their order between α = −1001/1000 and α = −1, so that somewhere in between they would be equal. That is not decided here.";
     const WHERE: &str = "Functions with t_i = t_{i+k+1} are 0 and left out.";
     const CONTINUOUS: &str = "Continuous is meant on (t_0, t_m). On the open support alone every function is continuous, those included that rise to a knot of multiplicity k + 1 and drop there.";
     vec![

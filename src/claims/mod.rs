@@ -9,6 +9,7 @@
 
 mod basis;
 mod case;
+mod claim;
 mod curve;
 mod hypothesis;
 mod illustrated_bases;
@@ -18,7 +19,7 @@ mod independence;
 mod instances;
 mod maximum;
 mod questions;
-mod registry;
+mod register;
 mod regularity;
 mod small_cases;
 mod statement;
@@ -27,10 +28,11 @@ mod verdict;
 mod weight;
 
 pub use case::{BasisCase, Case, Origin, WeightCase};
+pub use claim::{Claim, Form, Judged};
 pub use hypothesis::{Hypothesis, WeightHypothesis};
 pub use illustrations::Illustration;
 pub use instances::{Instance, instances, instances_named};
-pub use registry::{Claim, Form, Judged, claims};
+pub use register::claims;
 pub use small_cases::Cases;
 pub use statement::{Conclusion, Fault, Sharpness, Statement, judge, judge_by_degree, sharpness};
 pub use verdict::{Judgement, Ledger, Reach, Scope, Stop, Verdict, Witness};

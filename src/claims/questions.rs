@@ -9,8 +9,8 @@ use crate::spline::{Basis, Side};
 
 use super::basis::name;
 use super::case::BasisCase;
+use super::claim::{Claim, Form};
 use super::hypothesis::Hypothesis::{DegreeAtLeast, FiniteIndex, InnerMultiplicityAtMostDegree, Open};
-use super::registry::{Claim, Form};
 use super::statement::Statement;
 use super::verdict::{Judgement, Ledger, Stop};
 

@@ -6,10 +6,10 @@ use crate::spline::{Side, weight};
 
 use super::basis::{name, regular};
 use super::case::BasisCase;
+use super::claim::{Claim, Form};
 use super::hypothesis::Hypothesis::{
     DegreeAtLeast, FiniteIndex, FirstSpan, LastMultiplicityNotDegreePlusTwo, LastSpan, Open, SimpleKnots,
 };
-use super::registry::{Claim, Form};
 use super::statement::Statement;
 use super::verdict::{Judgement, Ledger, Stop};
 
@@ -446,18 +446,7 @@ pub(super) fn claims() -> Vec<Claim> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::claims::hypothesis::Hypothesis;
-    use crate::claims::small_cases::Cases;
-    use crate::claims::statement::judge;
-    use crate::claims::verdict::Verdict;
-
-    fn refuted(
-        conclusion: impl Fn(&BasisCase, &mut Ledger) -> Judgement + Send + Sync + 'static,
-        given: impl IntoIterator<Item = Hypothesis>,
-    ) -> bool {
-        let statement = Statement::new("", conclusion).given(given);
-        matches!(judge(&statement, &Cases::all().bases).unwrap(), Verdict::Refuted(_))
-    }
+    use crate::claims::small_cases::refuted;
 
     #[test]
     fn false_variants_are_refuted() {

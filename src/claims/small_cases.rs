@@ -141,6 +141,23 @@ fn weight_cases() -> Vec<WeightCase> {
     small.chain(shown).collect()
 }
 
+/// Does the engine refute the conclusion, under the hypotheses, on the cases of a report? For tests of deliberately
+/// false variants of claims.
+#[cfg(test)]
+pub(super) fn refuted(
+    conclusion: impl Fn(&BasisCase, &mut super::verdict::Ledger) -> super::verdict::Judgement
+    + Send
+    + Sync
+    + 'static,
+    given: impl IntoIterator<Item = super::hypothesis::Hypothesis>,
+) -> bool {
+    let statement = super::statement::Statement::new("", conclusion).given(given);
+    matches!(
+        super::statement::judge(&statement, &Cases::all().bases),
+        Ok(super::verdict::Verdict::Refuted(_))
+    )
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

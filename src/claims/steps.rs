@@ -4,9 +4,9 @@ use crate::scalar::{Ring, integer};
 
 use super::basis::{local_support, name, positivity};
 use super::case::BasisCase;
+use super::claim::{Claim, Form};
 use super::hypothesis::Hypothesis::{DegreeAtLeast, InteriorMultiplicityAtMostDegree, Open};
 use super::independence::independence;
-use super::registry::{Claim, Form};
 use super::statement::Statement;
 use super::verdict::{Judgement, Ledger, Stop};
 

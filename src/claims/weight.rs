@@ -5,8 +5,8 @@ use crate::scalar::{BigRational, RationalAlgebra, RationalFunction, Ring, intege
 use crate::spline::{Index, weight};
 
 use super::case::WeightCase;
+use super::claim::{Claim, Form};
 use super::hypothesis::WeightHypothesis::{FiniteIndex, Proper};
-use super::registry::{Claim, Form};
 use super::statement::Statement;
 use super::verdict::{Judgement, Ledger, Stop, Witness};
 

@@ -1,4 +1,4 @@
-//! The register of claims: what each says, and how it is judged.
+//! What a claim says, and how it is judged.
 
 use super::case::{BasisCase, WeightCase};
 use super::illustrations::Illustration;
@@ -131,23 +131,4 @@ pub struct Judged {
     pub sharpness: Option<Sharpness>,
     /// For the questions `X.…`: the verdict for each degree.
     pub by_degree: Vec<(usize, Verdict)>,
-}
-
-/// All claims, in the order of the paper.
-#[must_use]
-pub fn claims() -> Vec<Claim> {
-    [
-        super::weight::claims(),
-        super::basis::claims(),
-        super::regularity::claims(),
-        super::maximum::claims(),
-        super::independence::claims(),
-        super::curve::claims(),
-        super::illustrations::claims(),
-        super::steps::claims(),
-        super::questions::claims(),
-    ]
-    .into_iter()
-    .flatten()
-    .collect()
 }
