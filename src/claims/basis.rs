@@ -456,4 +456,21 @@ mod tests {
             "support without exceptions"
         );
     }
+
+    #[test]
+    fn a_pole_is_noticed() {
+        use crate::claims::case::Origin;
+        use crate::scalar::RationalAlgebra;
+        use crate::spline::{Basis, Index};
+
+        let knots = KnotVector::bernstein(1, &integer(0), &integer(1)).unwrap();
+        let case = BasisCase::new(Basis::new(knots, 1, Index::infinity()).unwrap(), Origin::User);
+        let span = &case.pieces().spans()[0];
+        let u = Piece::variable(&integer(1));
+        let judged = |g: Option<Piece>| regular(&case, span, 0, &g.unwrap(), &mut Ledger::default());
+        assert!(judged(u.plus(&u.one()).reciprocal()).is_ok());
+        assert!(judged(u.minus(&u.one()).reciprocal()).is_err(), "between the knots");
+        assert!(judged(u.reciprocal()).is_err(), "at the first knot");
+        assert!(judged(Some(u)).is_err(), "at the second knot");
+    }
 }

@@ -97,10 +97,15 @@ fn same_or_not(
     Ok(())
 }
 
-/// The closure of {G_i ≠ 0} is [t_i, t_{i+k+1}]: G_i is 0 on the spans outside and not 0 on those inside.
-fn support(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
+/// The closure of {G_i ≠ 0} is [t_i, t_{i+k+1}], or [t_i, t_{i+width(k)}]: G_i is 0 on the spans outside and not 0
+/// on those inside.
+fn support(width: fn(k: usize) -> usize) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
+    move |case, ledger| support_of(width(case.k()), case, ledger)
+}
+
+fn support_of(width: usize, case: &BasisCase, ledger: &mut Ledger) -> Judgement {
     for i in 0..=case.n() {
-        let (low, high) = case.basis().support(i);
+        let (low, high) = (case.knots().t(i), case.knots().t(i + width));
         for pieces in case.pieces().spans() {
             let (start, end) = case.knots().ends(pieces.span);
             let (inside, g) = (low <= start && end <= high, case.definition_piece(pieces, i));
@@ -296,7 +301,7 @@ pub(super) fn claims() -> Vec<Claim> {
             illustrated(
                 "U0: the support (closure of where G_i^k ≠ 0) is [t_i, t_{i+k+1}].",
                 each(&["U0"]),
-                every_basis(support),
+                every_basis(support(|k| k + 1)),
             ),
         ),
         Claim::new(
@@ -305,7 +310,7 @@ pub(super) fn claims() -> Vec<Claim> {
             illustrated(
                 "U0 to U3, degree 2: the support of G_i^k is [t_i, t_{i+k+1}].",
                 of_degree(each(&PERIODIC), &[2]),
-                every_basis(support),
+                every_basis(support(|k| k + 1)),
             ),
         ),
         Claim::new(
@@ -395,6 +400,7 @@ mod tests {
     #[test]
     fn false_variants_are_refuted() {
         assert!(refutes(each(&["U0"]), every_basis(translation(2))), "translation by two spans");
+        assert!(refutes(each(&["U1"]), every_basis(support(|k| k))), "a support too short");
         assert!(refutes(each(&["U9"]), influence(false)), "no influence");
         assert!(refutes(with_indices(each(&["U9"]), &["2", "2"]), influence(true)), "influence of nothing");
         assert!(refutes(each(&["U11"]), jumps(|_| &[])), "no jump at a triple knot");

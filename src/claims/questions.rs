@@ -242,10 +242,13 @@ fn derivative_in_class(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
     Ok(())
 }
 
-/// On every span, with Q the least common denominator: deg Q ≤ k(k + 1)/2, no numerator has a higher degree, and
+/// On every span, with Q the least common denominator: deg Q ≤ bound(k), which is k(k + 1)/2 in the claim, no numerator has a higher degree, and
 /// the coefficients of Q in u, which are positive multiples of its Bézier weights, are positive.
-fn rational_bezier(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
-    let most = case.k() * (case.k() + 1) / 2;
+fn rational_bezier(bound: fn(k: usize) -> usize) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
+    move |case, ledger| rational_bezier_of(bound(case.k()), case, ledger)
+}
+
+fn rational_bezier_of(most: usize, case: &BasisCase, ledger: &mut Ledger) -> Judgement {
     for pieces in case.pieces().spans() {
         if !(case.k()..=case.n()).contains(&pieces.span.index()) {
             continue;
@@ -346,7 +349,7 @@ pub(super) fn claims() -> Vec<Claim> {
             Form::Basis(
                 Statement::new(
                     "On every span the curve is a rational Bézier curve of degree at most k(k+1)/2 with positive weights.",
-                    rational_bezier,
+                    rational_bezier(|k| k * (k + 1) / 2),
                 )
                 .given([FiniteIndex, DegreeAtLeast(1)]),
             ),
@@ -357,10 +360,34 @@ pub(super) fn claims() -> Vec<Claim> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::claims::case::Origin;
+    use crate::claims::small_cases::refuted;
+    use crate::claims::statement::judge;
+    use crate::claims::verdict::Verdict;
+    use crate::spline::{Index, KnotVector};
 
     #[test]
     fn determinants() {
         let matrix = [[1, 2, 3], [0, 1, 4], [5, 6, 0]].map(|row| row.map(integer).to_vec());
         assert_eq!(determinant(&matrix), integer(1));
+    }
+
+    #[test]
+    fn a_bezier_degree_too_low_is_refuted() {
+        assert!(refuted(rational_bezier(|k| k * (k + 1) / 2 - 1), [Open, DegreeAtLeast(1)]));
+    }
+
+    /// For polynomial splines the answers are known, and all are yes.
+    #[test]
+    fn what_fails_for_finite_indices_holds_for_the_classical_one() {
+        let knots = KnotVector::new([0, 0, 0, 0, 1, 2, 3, 3, 3, 3].map(integer).to_vec()).unwrap();
+        let basis = Basis::new(knots, 3, Index::infinity()).unwrap();
+        let case = [BasisCase::new(basis, Origin::User)];
+        let conclusions = [tangent_continuity, linear_precision, nested, derivative_in_class];
+        for (place, conclusion) in conclusions.into_iter().enumerate() {
+            let verdict = judge(&Statement::new("", conclusion), &case).unwrap();
+            assert!(matches!(verdict, Verdict::Proved { .. }), "{place}: {verdict:?}");
+        }
+        assert!(negative_minor(&case[0]).is_none(), "polynomial B-splines are totally positive");
     }
 }

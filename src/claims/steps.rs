@@ -127,9 +127,17 @@ pub(super) fn claims() -> Vec<Claim> {
 mod tests {
     use super::*;
     use crate::claims::case::{BasisCase, Origin};
+    use crate::claims::small_cases::refuted;
     use crate::claims::statement::judge;
     use crate::claims::verdict::Verdict;
     use crate::spline::{Basis, Index, KnotVector};
+
+    #[test]
+    fn the_cover_and_the_support_are_refuted_without_their_exceptions() {
+        assert!(refuted(cover(true), [DegreeAtLeast(2)]), "also for k ≥ 2");
+        assert!(refuted(support_exactly(false), [Open]));
+        assert!(!refuted(support_exactly(true), [Open]));
+    }
 
     #[test]
     fn the_inference_holds_in_degree_0_and_fails_in_degree_1() {
