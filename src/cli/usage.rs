@@ -2,7 +2,7 @@
 
 use std::ffi::OsString;
 
-use clap::error::{ContextKind, ContextValue};
+use clap::error::{ContextKind, ContextValue, ErrorKind};
 
 use super::exit::Exit;
 use super::output::{Format, Output};
@@ -21,12 +21,12 @@ pub(super) fn answer(error: &clap::Error, errors: Output) -> Exit {
         let _ = error.print();
         return Exit::Holds;
     }
-    match errors.format() {
-        Format::Text => {
-            // Nobody is left to be told that standard error is closed.
-            let _ = error.print();
-        }
-        Format::Json => errors.error(&message(error), argument(error).as_deref()),
+    let help_wanted = error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand;
+    if help_wanted && errors.format() == Format::Text {
+        // Nobody is left to be told that standard error is closed.
+        let _ = error.print();
+    } else {
+        errors.error(&message(error), argument(error).as_deref());
     }
     Exit::Usage
 }
