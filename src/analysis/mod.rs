@@ -2,6 +2,7 @@
 
 mod contenders;
 mod decision;
+mod extremum;
 mod integer_polynomial;
 mod linear;
 mod pieces;
@@ -15,11 +16,12 @@ pub use decision::{
     Decision, PositivePoint, SignPattern, Zeros, always_nonnegative, always_positive, common_positive_roots,
     sign_pattern,
 };
+pub use extremum::{Extremum, ExtremumKind, Jump, Place};
 pub use linear::{coefficient_rows, common_numerators, in_span, is_combination, rank};
 pub use pieces::{
     Piece, Pieces, SpanPieces, constant, coordinate_between, coordinate_of, positive_coordinate,
 };
 pub use roots::{IsolatedRoot, count_positive_roots, positive_roots};
-pub use shape::{Extremum, ExtremumKind, Jump, Place, Shape};
+pub use shape::Shape;
 pub use sign::Sign;
 pub use supremum::{ClosedCoordinate, Enclosure, SupremumError, supremum};

@@ -9,10 +9,18 @@ use crate::scalar::{Polynomial, Ring, integer};
 
 use super::contenders::{Contender, Height, Role};
 use super::decision::sign_pattern;
+use super::extremum::{Extremum, ExtremumKind, Jump, Place};
 use super::pieces::Piece;
 use super::roots::IsolatedRoot;
-use super::shape::{Extremum, ExtremumKind, Jump, Place, Shape};
 use super::sign::Sign;
+
+/// What a profile shows.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Features {
+    pub(super) extrema: Vec<Extremum>,
+    pub(super) jumps: Vec<Jump>,
+    pub(super) contenders: Vec<Contender>,
+}
 
 /// A function on one span.
 pub(super) struct Segment {
@@ -122,21 +130,22 @@ impl Profile {
         });
     }
 
-    pub(super) fn shape(self) -> Shape {
-        let mut shape = Shape { extrema: Vec::new(), jumps: Vec::new(), contenders: Vec::new() };
+    /// Its extrema and jumps, and what its supremum is to be found among.
+    pub(super) fn features(self) -> Features {
+        let mut features = Features { extrema: Vec::new(), jumps: Vec::new(), contenders: Vec::new() };
         for (position, station) in self.stations.iter().enumerate() {
             if let (Some(left), Height::Exact(right)) = (&station.left_limit, &station.height) {
                 let (left, right) = (left.clone(), right.clone());
                 let (at, _) = station.place.interval();
                 if left > right {
-                    shape
+                    features
                         .contenders
                         .push(Contender { height: Height::Exact(left.clone()), role: Role::Limit });
                 }
-                shape.jumps.push(Jump { at: at.clone(), left, right });
+                features.jumps.push(Jump { at: at.clone(), left, right });
             }
             if let Some(kind) = kind(station.left, station.right) {
-                shape.extremum(kind, station.place.clone(), station, Role::Point);
+                features.extremum(kind, station.place.clone(), station, Role::Point);
             }
             // A plateau begins here, unless it has begun before.
             if self.runs.get(position) == Some(&Run::Constant) && station.left != Ordering::Equal {
@@ -144,11 +153,11 @@ impl Profile {
                 let bounds = |station: &Station| station.place.interval().0.clone();
                 let place = Place::Plateau { from: bounds(station), to: bounds(end), closed };
                 if let Some(kind) = kind(station.left, right) {
-                    shape.extremum(kind, place, station, Role::Plateau);
+                    features.extremum(kind, place, station, Role::Plateau);
                 }
             }
         }
-        shape
+        features
     }
 
     /// Where a plateau that begins at a station ends, whether that point belongs to it, and how the function
@@ -180,7 +189,7 @@ fn kind(left: Ordering, right: Ordering) -> Option<ExtremumKind> {
     }
 }
 
-impl Shape {
+impl Features {
     fn extremum(&mut self, kind: ExtremumKind, place: Place, station: &Station, role: Role) {
         let value = station.height.clone().enclosure();
         if kind == ExtremumKind::Maximum {
@@ -246,6 +255,7 @@ fn finite(value: Option<BigRational>) -> BigRational {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::analysis::contenders::attained_once;
     use crate::scalar::{RationalAlgebra, rational};
 
     /// Functions that no basis has, to reach every rule.
@@ -262,11 +272,11 @@ mod tests {
         let bump = y.times(&down).scaled(4);
         let shape = |pieces: &[&Piece], inside| {
             let segments = pieces.iter().enumerate().map(|(start, piece)| segment(start, piece));
-            Profile::of(segments, inside).shape()
+            Profile::of(segments, inside).features()
         };
-        let summary = |shape: &Shape| {
-            let kinds = shape.extrema.iter().map(|e| (e.kind == ExtremumKind::Maximum, e.place.clone()));
-            (kinds.collect::<Vec<_>>(), shape.weak())
+        let summary = |features: &Features| {
+            let kinds = features.extrema.iter().map(|e| (e.kind == ExtremumKind::Maximum, e.place.clone()));
+            (kinds.collect::<Vec<_>>(), attained_once(features.contenders.clone()))
         };
         let point = |x| Place::Point(integer(x));
         let half = |x: i64| Place::Point(rational(2 * x + 1, 2));

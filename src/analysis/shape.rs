@@ -1,83 +1,11 @@
 //! The shape of a basis function: where it rises, falls, stays and jumps, exactly.
 
-use num_rational::BigRational;
-
 use crate::spline::Basis;
 
-use super::contenders::{Contender, attained_once};
+use super::contenders::attained_once;
+use super::extremum::{Extremum, ExtremumKind, Jump};
 use super::pieces::Pieces;
-use super::profile::{Profile, Segment};
-use super::roots::IsolatedRoot;
-
-/// Maximum or minimum.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum ExtremumKind {
-    /// Larger than everywhere close by on both sides.
-    Maximum,
-    /// Smaller than everywhere close by on both sides.
-    Minimum,
-}
-
-/// Where something is.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Place {
-    /// At x exactly: every rational place is found as such.
-    Point(BigRational),
-    /// At an irrational x between lo and hi, an isolated root in the affine coordinate of its span.
-    Irrational {
-        /// A lower bound of x.
-        lo: BigRational,
-        /// An upper bound of x.
-        hi: BigRational,
-        /// x = t_j + y(t_{j+1} − t_j) for the y of this root.
-        root: IsolatedRoot,
-    },
-    /// On a maximal interval of constancy, [from, to] or [from, to).
-    Plateau {
-        /// Its first point.
-        from: BigRational,
-        /// Its upper end.
-        to: BigRational,
-        /// Does `to` belong to it? Not if the function jumps there.
-        closed: bool,
-    },
-}
-
-impl Place {
-    /// (lo, hi) with lo ≤ x ≤ hi; lo = hi for an exact point, the ends of a plateau.
-    #[must_use]
-    pub fn interval(&self) -> (&BigRational, &BigRational) {
-        match self {
-            Self::Point(x) => (x, x),
-            Self::Irrational { lo, hi, .. } => (lo, hi),
-            Self::Plateau { from, to, .. } => (from, to),
-        }
-    }
-}
-
-/// A local maximum or minimum.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Extremum {
-    /// Which of the two.
-    pub kind: ExtremumKind,
-    /// Where.
-    pub place: Place,
-    /// Is it at a knot? A plateau is, since it begins and ends at knots.
-    pub at_knot: bool,
-    /// (lo, hi) with lo ≤ value ≤ hi, equal if the value is known exactly, as at every rational place.
-    pub value: (BigRational, BigRational),
-}
-
-/// A discontinuity.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Jump {
-    /// The knot.
-    pub at: BigRational,
-    /// The limit from the left.
-    pub left: BigRational,
-    /// The limit from the right, which is the value.
-    pub right: BigRational,
-}
+use super::profile::{Features, Profile, Segment};
 
 /// The local extrema and jumps of one G_i^k.
 ///
@@ -106,9 +34,7 @@ pub struct Jump {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Shape {
-    pub(super) extrema: Vec<Extremum>,
-    pub(super) jumps: Vec<Jump>,
-    pub(super) contenders: Vec<Contender>,
+    features: Features,
 }
 
 impl Shape {
@@ -128,32 +54,32 @@ impl Shape {
             })
         });
         let inside = to < basis.knots().last();
-        let mut shape = Profile::of(segments, inside).shape();
+        let mut features = Profile::of(segments, inside).features();
         // At the ends of [t_0, t_m] there is nothing to be continuous with.
-        shape.jumps.retain(|jump| jump.at != *basis.knots().first() && jump.at != *basis.knots().last());
-        shape
+        features.jumps.retain(|jump| jump.at != *basis.knots().first() && jump.at != *basis.knots().last());
+        Self { features }
     }
 
     /// The local maxima and minima, from left to right.
     #[must_use]
     pub fn extrema(&self) -> &[Extremum] {
-        &self.extrema
+        &self.features.extrema
     }
 
     /// The local maxima, from left to right.
     pub fn local_maxima(&self) -> impl Iterator<Item = &Extremum> {
-        self.extrema.iter().filter(|extremum| extremum.kind == ExtremumKind::Maximum)
+        self.features.extrema.iter().filter(|extremum| extremum.kind == ExtremumKind::Maximum)
     }
 
     /// The local minima, from left to right.
     pub fn local_minima(&self) -> impl Iterator<Item = &Extremum> {
-        self.extrema.iter().filter(|extremum| extremum.kind == ExtremumKind::Minimum)
+        self.features.extrema.iter().filter(|extremum| extremum.kind == ExtremumKind::Minimum)
     }
 
     /// The discontinuities inside (t_0, t_m), the ends of the support included.
     #[must_use]
     pub fn jumps(&self) -> &[Jump] {
-        &self.jumps
+        &self.features.jumps
     }
 
     /// Exactly one local maximum (`Conj3.1.strong`).
@@ -166,13 +92,14 @@ impl Shape {
     /// so closely that the limited refinement does not separate them, and neither is rational.
     #[must_use]
     pub fn weak(&self) -> Option<bool> {
-        attained_once(self.contenders.clone())
+        attained_once(self.features.contenders.clone())
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::analysis::Place;
     use crate::scalar::{integer, rational};
     use crate::spline::{Index, KnotVector};
 

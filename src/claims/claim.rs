@@ -4,7 +4,7 @@ use super::case::{BasisCase, WeightCase};
 use super::illustrations::Illustration;
 use super::small_cases::Cases;
 use super::statement::{Fault, Sharpness, Statement, judge, judge_by_degree, sharpness};
-use super::verdict::Verdict;
+use super::verdict::{Judgement, Ledger, Verdict};
 
 /// A statement with the kind of cases that it speaks of.
 pub enum Form {
@@ -17,6 +17,15 @@ pub enum Form {
 }
 
 impl Form {
+    /// A statement about examples of the paper.
+    pub(super) fn illustrated(
+        text: &'static str,
+        examples: Vec<Illustration>,
+        conclusion: impl Fn(&Illustration, &mut Ledger) -> Judgement + Send + Sync + 'static,
+    ) -> Self {
+        Self::Illustration(Statement::new(text, conclusion), examples)
+    }
+
     /// The statement in words and formulas.
     #[must_use]
     pub fn text(&self) -> &'static str {

@@ -6,10 +6,9 @@ use crate::spline::{Index, Side};
 
 use super::basis::{name, regular, support_spans, symmetry};
 use super::case::BasisCase;
-use super::claim::Claim;
+use super::claim::{Claim, Form};
 use super::illustrations::{
-    Illustration, case_of, each, every_basis, illustrated, largest, named, of_degree, refuted, together,
-    with_indices,
+    Illustration, case_of, each, every_basis, largest, named, of_degree, refuted, together, with_indices,
 };
 use super::instances::Instance;
 use super::maximum::{Except, Reading, conjecture};
@@ -274,7 +273,7 @@ pub(super) fn claims() -> Vec<Claim> {
         Claim::new(
             "Ill5.1.translate",
             "Illustration 5.1",
-            illustrated(
+            Form::illustrated(
                 "U0, degrees 0 to 3, x in [t_0, t_m): G_i^k(x) = G_0^k(t_0 − t_i + x).",
                 each(&["U0"]),
                 every_basis(translation(1)),
@@ -283,13 +282,13 @@ pub(super) fn claims() -> Vec<Claim> {
         Claim::new(
             "Ill5.1.fig7",
             "Illustration 5.1, Fig. 7",
-            illustrated(
+            Form::illustrated(
                 "U0, degree 3: α has no influence on the basis.",
                 of_degree(each(&["U0"]), &[3]),
                 influence(false),
             ),
         )
-        .amended(illustrated(
+        .amended(Form::illustrated(
             "U0, degree 3: every G_i^3 is another function for each of the indices −1, 2, 5, ∞.",
             of_degree(each(&["U0"]), &[3]),
             influence(true),
@@ -298,7 +297,7 @@ pub(super) fn claims() -> Vec<Claim> {
         Claim::new(
             "Ill5.1.support",
             "Illustration 5.1",
-            illustrated(
+            Form::illustrated(
                 "U0: the support (closure of where G_i^k ≠ 0) is [t_i, t_{i+k+1}].",
                 each(&["U0"]),
                 every_basis(support(|k| k + 1)),
@@ -307,7 +306,7 @@ pub(super) fn claims() -> Vec<Claim> {
         Claim::new(
             "Ill5.2.support",
             "Illustration 5.2",
-            illustrated(
+            Form::illustrated(
                 "U0 to U3, degree 2: the support of G_i^k is [t_i, t_{i+k+1}].",
                 of_degree(each(&PERIODIC), &[2]),
                 every_basis(support(|k| k + 1)),
@@ -316,7 +315,7 @@ pub(super) fn claims() -> Vec<Claim> {
         Claim::new(
             "Ill5.1.effect",
             "Illustrations 5.1 and 5.2",
-            illustrated(
+            Form::illustrated(
                 "U0 to U3, k ≥ 1: sup |^αG_i^k − ^∞G_i^k| grows as α rises along −8, −4, −2, −1, −1/2, −1/4, −1/8 and as it falls along 9, 5, 3, 2, 3/2, 5/4, 9/8.",
                 of_degree(each(&PERIODIC), &[1, 2, 3]),
                 effect_grows([RISING, FALLING]),
@@ -326,7 +325,7 @@ pub(super) fn claims() -> Vec<Claim> {
         Claim::new(
             "Ill5.3.symmetry",
             "Illustration 5.3",
-            illustrated(
+            Form::illustrated(
                 "U4, U5, degree 2, α in {−1, 2, ∞}: ^αG_i²(t_0+t_7−x) = ^{1−α}G_{4−i}²(x) for all x in [t_0, t_7].",
                 with_indices(each(&["U4", "U5"]), &["-1", "2", "inf"]),
                 every_basis(symmetry(true, |n, i| n - i)),
@@ -335,7 +334,7 @@ pub(super) fn claims() -> Vec<Claim> {
         Claim::new(
             "Ill5.4.regularity",
             "Illustration 5.4",
-            illustrated(
+            Form::illustrated(
                 "U9, U10, U12: every G_i² is C⁰ and one-sided differentiable at interior knots. U11, U13: G_2² and G_3² have a jump (supports [t_0,t_5] and [t_3,t_8]), all others are C⁰ and one-sided differentiable.",
                 each(&["U9", "U10", "U11", "U12", "U13"]),
                 |illustration, ledger| {
@@ -348,7 +347,7 @@ pub(super) fn claims() -> Vec<Claim> {
         Claim::new(
             "Rem5.1.approx",
             "Remark 5.1",
-            illustrated(
+            Form::illustrated(
                 "U0 to U13, degree 2: |^5G_i²(x) − ^∞G_i²(x)| ≤ 1/10 for all x and i.",
                 with_indices(of_degree(together(&ALL), &[2]), &["5"]),
                 close_to_classical(rational(1, 10)),
@@ -358,7 +357,7 @@ pub(super) fn claims() -> Vec<Claim> {
         Claim::new(
             "Rem5.1.conj",
             "Remark 5.1",
-            illustrated(
+            Form::illustrated(
                 "U0 with k = 1, 2, 3 and U1 to U13 with k = 2, α in {−1, 2, 5, ∞}: Conjecture 3.1 holds, in both readings.",
                 bases(),
                 every_basis(|case, ledger| {
@@ -367,7 +366,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 }),
             ),
         )
-        .amended(illustrated(
+        .amended(Form::illustrated(
             "The same but for G_2² of U11 and of U13, which rises to the triple knot and drops there.",
             bases(),
             every_basis(|case, ledger| {
@@ -378,7 +377,7 @@ pub(super) fn claims() -> Vec<Claim> {
         Claim::new(
             "C6.larger",
             "Conclusion",
-            illustrated(
+            Form::illustrated(
                 "The family contains the polynomial B-splines (α = ∞) and is strictly larger: on U4 no other index shown gives polynomials only.",
                 each(&["U4"]),
                 every_basis(strictly_larger),

@@ -6,10 +6,10 @@ use crate::spline::{Curve, Index, Point, Side};
 
 use super::basis::mirrored_span;
 use super::case::BasisCase;
-use super::claim::Claim;
+use super::claim::{Claim, Form};
 use super::curve::{convex_hull, shifts_weight};
 use super::illustrations::{
-    Illustration, case_of, each, every_basis, illustrated, largest, named, of_degree, refuted, together,
+    Illustration, case_of, each, every_basis, largest, named, of_degree, refuted, together,
 };
 use super::instances::Instance;
 use super::verdict::{Judgement, Ledger, Stop};
@@ -491,12 +491,12 @@ pub(super) fn claims() -> Vec<Claim> {
     const HULL: [&str; 6] = ["C5", "C6a", "C6b", "C7a", "C7b", "C7c"];
     const TO_ZERO: &[&str] = &["-4", "-1/2", "-1/5", "-1/7"];
     const TO_ONE: &[&str] = &["5", "3/2", "6/5", "8/7"];
-    let hull = |text| illustrated(text, each(&HULL), every_basis(convex_hull));
+    let hull = |text| Form::illustrated(text, each(&HULL), every_basis(convex_hull));
     vec![
         Claim::new(
             "Ill5.5.1",
             "Illustration 5.5 (1)",
-            illustrated(
+            Form::illustrated(
                 "C5, α = −4 and α = 5: |G_α(x) − G_∞(x)| < 1/2 for all x (the polygon is 10 wide and 4 high).",
                 each(&["C5"]),
                 close_to_classical(&["-4", "5"], rational(1, 4)),
@@ -506,7 +506,7 @@ pub(super) fn claims() -> Vec<Claim> {
         Claim::new(
             "Ill5.5.2",
             "Illustration 5.5 (2)",
-            illustrated(
+            Form::illustrated(
                 "C5: sup |G_α(x) − G_∞(x)| grows along α = −4, −1/2, −1/5, −1/7 and along α = 5, 3/2, 6/5, 8/7.",
                 each(&["C5"]),
                 separates([TO_ZERO, TO_ONE]),
@@ -516,7 +516,7 @@ pub(super) fn claims() -> Vec<Claim> {
         Claim::new(
             "Ill5.6.k1",
             "Illustration 5.6",
-            illustrated(
+            Form::illustrated(
                 "C6a, C6b, degree 1: the curve's trace is the control polygon, whatever α.",
                 of_degree(each(&["C6a", "C6b"]), &[1]),
                 polygon_is_trace,
@@ -525,7 +525,7 @@ pub(super) fn claims() -> Vec<Claim> {
         Claim::new(
             "Ill5.6.bezier",
             "Illustration 5.6",
-            illustrated(
+            Form::illustrated(
                 "C6a with degree 3, C6b with degree 5 (no interior knot): the curve's trace does not depend on α.",
                 [of_degree(each(&["C6a"]), &[3]), of_degree(each(&["C6b"]), &[5])].into_iter().flatten().collect(),
                 trace_is_classical,
@@ -534,7 +534,7 @@ pub(super) fn claims() -> Vec<Claim> {
         Claim::new(
             "Ill5.6.between",
             "Illustration 5.6",
-            illustrated(
+            Form::illustrated(
                 "C6a degree 2, C6b degrees 2 to 4: α does influence the trace.",
                 [of_degree(each(&["C6a"]), &[2]), of_degree(each(&["C6b"]), &[2, 3, 4])]
                     .into_iter()
@@ -547,13 +547,13 @@ pub(super) fn claims() -> Vec<Claim> {
         Claim::new(
             "Ill5.7.local",
             "Illustration 5.7",
-            illustrated(
+            Form::illustrated(
                 "C7: the curves differ only where the moved d_4 acts, and each is made up of three segments of which the second moves with it.",
                 together(&["C7a", "C7b", "C7c"]),
                 moves_locally(true),
             ),
         )
-        .amended(illustrated(
+        .amended(Form::illustrated(
             "C7: the curves differ exactly for x in (t_4, t_8) = (1, 4), the second of two segments; it ends at the fixed point d_6.",
             together(&["C7a", "C7b", "C7c"]),
             moves_locally(false),
@@ -566,7 +566,7 @@ pub(super) fn claims() -> Vec<Claim> {
         Claim::new(
             "Ill5.7.shift",
             "Illustration 5.7",
-            illustrated(
+            Form::illustrated(
                 "C7: for every x and j, G_0 + … + G_j is at least its classical value for α < 0 and at most that for α > 1: weight moves from d_{i+1} to d_i, or back.",
                 each(&["C7a"]),
                 |illustration, ledger| {
@@ -583,13 +583,13 @@ pub(super) fn claims() -> Vec<Claim> {
         Claim::new(
             "Ill5.8.symmetry",
             "Illustration 5.8",
-            illustrated(
+            Form::illustrated(
                 "S1 to S7, α in {∞, −1, −1/2, −1/5}: G_α and G_{1−α} are symmetric with respect to the perpendicular bisector of (d_0, d_n).",
                 each(&SYMMETRIC),
                 mirror_images(true),
             ),
         )
-        .amended(illustrated(
+        .amended(Form::illustrated(
             "The same with respect to the axis that exchanges d_i and d_{n−i}; in S7, where d_0 = d_n, that is y = 2.",
             each(&SYMMETRIC),
             mirror_images(false),
@@ -597,13 +597,13 @@ pub(super) fn claims() -> Vec<Claim> {
         Claim::new(
             "Ill5.8.double",
             "Illustration 5.8",
-            illustrated(
+            Form::illustrated(
                 "S2, S5: the curves G_α and G_{1−α} pass through the double control point.",
                 each(&["S2", "S5"]),
                 adheres,
             ),
         )
-        .amended(illustrated(
+        .amended(Form::illustrated(
             "S2, S5: they miss the double control point, by a distance less than 1/4.",
             each(&["S2", "S5"]),
             nearly_adheres(rational(1, 16)),
@@ -612,7 +612,7 @@ pub(super) fn claims() -> Vec<Claim> {
         Claim::new(
             "Ill5.8.fig29",
             "Illustration 5.8, Fig. 29",
-            illustrated(
+            Form::illustrated(
                 "S3: the trace of the curve does not depend on α.",
                 each(&["S3"]),
                 trace_is_classical,
@@ -622,7 +622,7 @@ pub(super) fn claims() -> Vec<Claim> {
         Claim::new(
             "Ill5.8.multiplicity",
             "Illustration 5.8",
-            illustrated(
+            Form::illustrated(
                 "S3, S6: at the double knot the tangent directions of G_α and of G_{1−α} from the left and from the right differ.",
                 each(&["S3", "S6"]),
                 corner(2),

@@ -7,9 +7,7 @@ use crate::scalar::rational;
 use crate::spline::{Basis, Index};
 
 use super::case::{BasisCase, Case, Origin};
-use super::claim::Form;
 use super::instances::{Instance, instances_named};
-use super::statement::Statement;
 use super::verdict::{Judgement, Ledger, Stop, Witness};
 
 /// One or more of the paper's instances that a statement speaks of together.
@@ -115,21 +113,12 @@ pub(super) fn largest(functions: &[Piece]) -> Result<Enclosure, Stop> {
     supremum(functions, &rational(1, 1000)).map_err(|error| Stop::Fault(error.to_string()))
 }
 
-/// A claim about illustrations.
-pub(super) fn illustrated(
-    text: &'static str,
-    examples: Vec<Illustration>,
-    conclusion: impl Fn(&Illustration, &mut Ledger) -> Judgement + Send + Sync + 'static,
-) -> Form {
-    Form::Illustration(Statement::new(text, conclusion), examples)
-}
-
 /// Does the engine refute the conclusion on the examples? For tests of deliberately false variants of claims.
 #[cfg(test)]
 pub(super) fn refutes(
     examples: Vec<Illustration>,
     conclusion: impl Fn(&Illustration, &mut Ledger) -> Judgement + Send + Sync + 'static,
 ) -> bool {
-    let statement = Statement::new("", conclusion);
+    let statement = super::statement::Statement::new("", conclusion);
     matches!(super::statement::judge(&statement, &examples), Ok(super::verdict::Verdict::Refuted(_)))
 }
