@@ -6,13 +6,17 @@
 //! | `f64` | field up to rounding | the value that a CAD program would get |
 //! | [`Jet`] over any scalar | algebra | one-sided derivatives of any order |
 //! | [`Polynomial`] | ring | identities in weights that are polynomials |
+//! | [`Multivariate`] | ring | identities over the integers in many variables, of [`Monomial`]s: ratio, gaps, weights |
 //! | [`RationalFunction`] | exact field | the piece itself: a statement about every x of a span |
 
 pub mod axioms;
 mod decimal;
 mod float;
 mod jet;
+mod monomial;
+mod multivariate;
 mod polynomial;
+mod product;
 mod rational;
 mod rational_function;
 mod ring;
@@ -20,6 +24,8 @@ mod ring;
 pub use decimal::decimal;
 pub use float::{exact_value, ulp};
 pub use jet::Jet;
+pub use monomial::Monomial;
+pub use multivariate::Multivariate;
 pub use num_rational::BigRational;
 pub use polynomial::Polynomial;
 pub use rational::{NumberError, height, integer, parse_rational, rational, rationals_between};
