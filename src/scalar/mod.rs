@@ -8,15 +8,18 @@
 //! | [`Polynomial`] | ring | identities in weights that are polynomials |
 //! | [`Multivariate`] | ring | identities over the integers in many variables, of [`Monomial`]s: ratio, gaps, weights |
 //! | [`RationalFunction`] | exact field | the piece itself: a statement about every x of a span |
+//! | [`Quotient`] | exact field | the same for every ratio, or all gaps, at once: denominators stay factored |
 
 pub mod axioms;
 mod decimal;
+mod factors;
 mod float;
 mod jet;
 mod monomial;
 mod multivariate;
 mod polynomial;
 mod product;
+mod quotient;
 mod rational;
 mod rational_function;
 mod ring;
@@ -28,6 +31,7 @@ pub use monomial::Monomial;
 pub use multivariate::Multivariate;
 pub use num_rational::BigRational;
 pub use polynomial::Polynomial;
+pub use quotient::Quotient;
 pub use rational::{NumberError, height, integer, parse_rational, rational, rationals_between};
 pub use rational_function::RationalFunction;
 pub use ring::{ExactField, Field, OrderedField, RationalAlgebra, Ring};
