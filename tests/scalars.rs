@@ -4,9 +4,11 @@ use std::str::FromStr;
 
 use knotproof::scalar::axioms::{self, BrokenLaw};
 use knotproof::scalar::{
-    BigRational, ExactField, Field, Jet, OrderedField, Polynomial, RationalAlgebra, RationalFunction, Ring,
-    decimal, exact_value, integer, parse_rational, rational, ulp,
+    BigRational, ExactField, Field, Jet, Monomial, Multivariate, OrderedField, Polynomial, Quotient,
+    RationalAlgebra, RationalFunction, Ring, decimal, exact_value, integer, parse_rational, rational, ulp,
 };
+use knotproof::spline::{Active, KnotVector, PointWeights, triangle};
+use num_bigint::BigInt;
 use num_traits::{Pow, Signed};
 use proptest::prelude::*;
 
@@ -73,8 +75,145 @@ fn jets(order: usize) -> impl Strategy<Value = Vec<Jet<BigRational>>> {
     prop::collection::vec(one, 3)
 }
 
+/// Integers that cancel often, and those at the ends of the machine's.
+fn whole() -> impl Strategy<Value = BigInt> {
+    let ends =
+        prop_oneof![Just(i128::from(i64::MAX)), Just(i128::from(i64::MIN)), Just(i128::MAX), Just(i128::MIN)];
+    prop_oneof![8 => (-3_i128..=3).boxed(), 1 => ends.boxed()].prop_map(BigInt::from)
+}
+
+/// Few terms in the first, a middle and the last variable; by the bound, five of them can be multiplied.
+fn multivariate() -> impl Strategy<Value = Multivariate> {
+    let variable = prop_oneof![Just(0_usize), Just(7), Just(8), Just(Multivariate::VARIABLES - 1)];
+    let power = (variable, 0_usize..=3)
+        .prop_map(|(v, e)| (0..e).fold(Monomial::ONE, |m, _| m.times(&Monomial::variable(v))));
+    let monomial = (power.clone(), power).prop_map(|(m, n)| m.times(&n));
+    prop::collection::vec((monomial, whole()), 0..5).prop_map(Multivariate::from_terms)
+}
+
+/// Products of few different factors over few others, so that they repeat, cancel and are shared.
+fn quotient() -> impl Strategy<Value = Quotient> {
+    let (r, u) = (Quotient::variable(0), Quotient::variable(1));
+    let one = r.one();
+    let parts = vec![r.clone(), u.clone(), u.plus(&one), r.times(&u).plus(&one), r.plus(&u), r.minus(&u)];
+    let square = r.times(&r).minus(&u.times(&u));
+    let part = prop::sample::select([parts, vec![square]].concat());
+    let list = || prop::collection::vec(part.clone(), 0..3);
+    (small(), list(), list()).prop_map(move |(constant, above, below)| {
+        let above = above.iter().fold(one.embed(&constant), |product, f| product.times(f));
+        below.iter().fold(above, |q, f| q.over(f).expect("no part is 0"))
+    })
+}
+
+/// x_v ↦ the v-th of some different polynomials in one variable.
+fn along_a_curve(v: usize) -> Poly {
+    linear(&integer(v % 5)).times(&Polynomial::constant(rational(1, 2)))
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
+
+    #[test]
+    fn polynomials_in_many_variables_are_a_ring(elements in prop::collection::vec(multivariate(), 3)) {
+        prop_assert_eq!(axioms::ring(&elements), Ok(()));
+    }
+
+    #[test]
+    fn quotients_are_a_field(elements in prop::collection::vec(quotient(), 2)) {
+        prop_assert_eq!(axioms::field(&elements), Ok(()));
+    }
+
+    #[test]
+    fn jets_over_quotients_are_an_algebra(c in prop::collection::vec(quotient(), 4)) {
+        let elements = [jet(&c[..2]), jet(&c[2..])];
+        prop_assert_eq!(axioms::rational_algebra(&elements), Ok(()));
+    }
+
+    /// Sorted lists of packed terms against lists of coefficients, and against numbers.
+    #[test]
+    fn operations_commute_with_evaluation(a in multivariate(), b in multivariate(), at in prop::collection::vec(small(), 48)) {
+        let number = |p: &Multivariate| p.evaluate(&at[0], |v| at[v].clone());
+        prop_assert_eq!(number(&a.plus(&b)), number(&a) + number(&b));
+        prop_assert_eq!(number(&a.minus(&b)), number(&a) - number(&b));
+        prop_assert_eq!(number(&a.times(&b)), number(&a) * number(&b));
+        let function = |p: &Multivariate| {
+            let zero = Function::constant(integer(0));
+            p.evaluate(&zero, |v| Function::from_polynomial(along_a_curve(v))).numerator().clone()
+        };
+        prop_assert_eq!(function(&a.plus(&b)), function(&a).plus(&function(&b)));
+        prop_assert_eq!(function(&a.times(&b)), function(&a).times(&function(&b)));
+        // Substituting b for one variable is evaluating at a point that b determines.
+        let mut moved = at.clone();
+        moved[7] = number(&b);
+        prop_assert_eq!(number(&a.substitute(7, &b)), a.evaluate(&at[0], |v| moved[v].clone()));
+    }
+
+    /// In one variable, the coefficients are those of the reference.
+    #[test]
+    fn one_variable_is_a_special_case(p in prop::collection::vec(whole(), 1..6), q in prop::collection::vec(whole(), 1..6)) {
+        let rational = |c: &BigInt| BigRational::from_integer(c.clone());
+        let poly = |c: &[BigInt]| Polynomial::new(integer(0), c.iter().map(rational));
+        for v in [0, 13, 47] {
+            let x = Multivariate::variable(v);
+            let many = |c: &[BigInt]| c.iter().rev().fold(x.zero(), |sum, c| sum.plus(&Multivariate::constant(c.clone())).times(&x));
+            let back = |p: &Multivariate| {
+                let constant = |c: &Multivariate| rational(&c.as_constant().expect("one variable occurs"));
+                let mut c = p.coefficients_in(v).iter().map(constant).collect::<Vec<_>>().into_iter();
+                Polynomial::new(c.next().expect("at least one"), c)
+            };
+            prop_assert_eq!(back(&many(&p)), poly(&p));
+            prop_assert_eq!(back(&many(&p).plus(&many(&q))), poly(&p).plus(&poly(&q)));
+            prop_assert_eq!(back(&many(&p).minus(&many(&q))), poly(&p).minus(&poly(&q)));
+            prop_assert_eq!(back(&many(&p).times(&many(&q))), poly(&p).times(&poly(&q)));
+        }
+    }
+
+    #[test]
+    fn parts_of_a_polynomial_make_it_up(p in multivariate(), q in multivariate()) {
+        for v in [0, 7, 47] {
+            let x = Multivariate::variable(v);
+            let coefficients = p.coefficients_in(v);
+            let sum = coefficients.iter().rev().fold(p.zero(), |sum, c| sum.times(&x).plus(c));
+            prop_assert_eq!(&sum, &p);
+            prop_assert!(coefficients.len() == p.degree_in(v) + 1 && coefficients.iter().all(|c| c.degree_in(v) == 0));
+        }
+        prop_assert_eq!(p.split().is_none(), p.is_zero());
+        if let Some((c, m, rest)) = p.split() {
+            prop_assert_eq!(&Multivariate::from(m).times(&rest).scaled(&c), &p);
+            prop_assert_eq!(rest.split().map(|(c, m, _)| (c, m)), Some((1.into(), Monomial::ONE)));
+            prop_assert_eq!(q.times(&p).divided_by(&p), Some(q));
+        }
+    }
+
+    /// Along a curve, quotients are rational functions of one variable, which are kept in lowest terms.
+    #[test]
+    fn quotients_agree_with_rational_functions(a in quotient(), b in quotient(), at in prop::collection::vec(small(), 2)) {
+        let curve = [Polynomial::new(integer(1), [integer(2), integer(3)]), linear(&integer(4))];
+        let function = |q: &Quotient| {
+            q.evaluate(&Function::constant(integer(0)), |v| Function::from_polynomial(curve[v].clone()))
+                .expect("no factor is 0 along the curve")
+        };
+        let (p, q) = (function(&a), function(&b));
+        prop_assert_eq!(function(&a.plus(&b)), p.plus(&q));
+        prop_assert_eq!(function(&a.minus(&b)), p.minus(&q));
+        prop_assert_eq!(function(&a.times(&b)), p.times(&q));
+        prop_assert_eq!(a.over(&b).map(|x| function(&x)), p.over(&q));
+        prop_assert_eq!(a.reciprocal().map(|x| function(&x)), p.reciprocal());
+        prop_assert_eq!(a.reduced(), a.clone());
+        let number = |q: &Quotient| q.evaluate(&at[0], |v| at[v].clone());
+        if let (Some(x), Some(y)) = (number(&a), number(&b)) {
+            prop_assert_eq!(number(&a.plus(&b)), Some(&x + &y));
+            prop_assert_eq!(number(&a.times(&b)), Some(x * y));
+        }
+        // With the first variable replaced by the second one plus 1.
+        let shifted = Multivariate::variable(1).plus(&Multivariate::constant(1));
+        if let Some(q) = a.substitute(0, &shifted) {
+            let moved = a.evaluate(&at[1], |v| if v == 0 { &at[1] + integer(1) } else { at[1].clone() });
+            if moved.is_some() {
+                prop_assert_eq!(number(&q), moved);
+            }
+        }
+    }
 
     #[test]
     fn rationals_are_an_ordered_field(elements in prop::collection::vec(number(), 4)) {
@@ -245,6 +384,63 @@ fn rational_functions_of_two_variables_are_a_field() {
     assert_eq!(axioms::field(&[u.zero(), u.one(), u, constant, mixed]), Ok(()));
 }
 
+/// Degrees at the bound, both signs of the leading coefficient, long coefficients, neighbouring variables.
+#[test]
+fn the_laws_hold_on_nasty_polynomials() {
+    let x = Multivariate::variable;
+    let huge = Multivariate::constant(BigInt::from(i128::MAX).pow(3_u32));
+    let difference = x(0).minus(&x(47));
+    let elements = [
+        x(0).zero(),
+        x(0).one().negate(),
+        x(7).power(25).minus(&x(8).power(25)),
+        difference.power(4).times(&huge).plus(&x(8)),
+        x(6).plus(&x(7)).plus(&x(8)).plus(&x(9)).negate(),
+    ];
+    assert_eq!(axioms::ring(&elements), Ok(()));
+}
+
+/// x¹²⁷ is a polynomial, x¹²⁸ is refused, whatever its neighbours are: an exponent never runs into the next one.
+#[test]
+fn an_exponent_above_the_bound_is_refused() {
+    for v in 0..Multivariate::VARIABLES {
+        let x = Multivariate::variable(v);
+        let others = x.one().plus(&Multivariate::variable((v + 1) % 48));
+        assert_eq!(x.power(127).times(&others).degree_in(v), 127);
+        let refused =
+            std::panic::catch_unwind(|| x.plus(&others).power(64).times(&x.plus(&others).power(64)));
+        let message = *refused.expect_err("degree 128").downcast::<String>().expect("a message");
+        assert!(message.contains("127"), "{message}");
+    }
+}
+
+/// What the field of fractions is for: one run of the triangle is every α at once.
+#[test]
+fn the_triangle_over_quotients_holds_for_every_ratio() {
+    let knots = KnotVector::new((0..8_i64).map(|t| rational(t, 1)).collect()).expect("rising");
+    let [r, u] = [0, 1].map(Quotient::variable);
+    for span in knots.spans() {
+        let (start, end) = knots.ends(span);
+        let symbolic: Active<Quotient> = {
+            let x = r.embed(start).plus(&r.embed(end).times(&u)).over(&u.plus(&u.one())).expect("not 0");
+            triangle(&PointWeights::new(&knots, r.clone(), x), span, 3, knots.m())
+        };
+        let sum = symbolic.values().iter().fold(r.zero(), |sum, g| sum.plus(g));
+        assert_eq!(sum == r.one(), symbolic.values().len() == 4);
+        for ratio in
+            [rational(1, 1), rational(2, 1), rational(1, 3), rational(1_000_003, 7), rational(1, 1_000_000)]
+        {
+            let u = Function::variable(&ratio);
+            let x = u.embed(start).plus(&u.embed(end).times(&u)).over(&u.plus(&u.one())).expect("not 0");
+            let weights = PointWeights::new(&knots, u.embed(&ratio), x);
+            let at_ratio = symbolic.map(|g| {
+                g.evaluate(&u, |v| if v == 0 { u.embed(&ratio) } else { u.clone() }).expect("no pole")
+            });
+            assert_eq!(at_ratio, triangle(&weights, span, 3, knots.m()), "on span {span:?} at r = {ratio}");
+        }
+    }
+}
+
 #[test]
 fn floats_obey_the_laws_where_nothing_rounds() {
     assert_eq!(axioms::ring(&[0.0, 1.0, -1.0, 3.0, 0.75, -5.0, 1024.0]), Ok(()));
@@ -270,9 +466,11 @@ fn the_exact_fields_are_these() {
     exact_field::<BigRational>();
     exact_field::<Function>();
     exact_field::<RationalFunction<Function>>();
+    exact_field::<Quotient>();
     field::<f64>();
     algebra::<Jet<f64>>();
     algebra::<Jet<Function>>();
+    algebra::<Jet<Quotient>>();
 }
 
 /// A field with one fault.
