@@ -89,10 +89,10 @@ impl Quotient {
     /// The factors F of the denominator with their powers e ≥ 1, by rising factor.
     ///
     /// ```
-    /// use knotproof::scalar::{Quotient, RationalAlgebra, Ring, integer};
+    /// use knotproof::scalar::{Quotient, RationalAlgebra, Ring, rational};
     ///
     /// let (r, u) = (Quotient::variable(0), Quotient::variable(1));
-    /// let q = r.over(&u.times(&u).times(&r.plus(&u)).times(&r.embed(&integer(-6)))).unwrap();
+    /// let q = r.over(&u.times(&u).times(&r.plus(&u)).times(&r.embed(&rational(-6, 1)))).unwrap();
     /// assert_eq!((q.numerator().to_string(), q.divisor().clone()), ("-x0".to_string(), 6.into()));
     /// let factors: Vec<_> = q.factors().map(|(f, e)| (f.to_string(), e)).collect();
     /// assert_eq!(factors, [("x1".to_string(), 2), ("x0 + x1".to_string(), 1)]);
@@ -173,7 +173,7 @@ impl Quotient {
     ///
     /// let (r, u) = (Quotient::variable(0), Quotient::variable(1));
     /// let q = r.over(&r.plus(&u)).unwrap();
-    /// let at = |r: i64, u: i64| q.evaluate(&integer(0), |v| [integer(r), integer(u)][v].clone());
+    /// let at = |r: i64, u: i64| q.evaluate(&integer(0), |v| rational([r, u][v], 1));
     /// assert_eq!(at(2, 3), Some(rational(2, 5)));
     /// assert_eq!(at(2, -2), None);
     /// ```
@@ -400,6 +400,19 @@ mod tests {
         }
         assert_eq!(x(0).zero().reciprocal(), None);
         assert_eq!(x(0).shares(&x(0).negate()), None);
+    }
+
+    /// A sum has the least common denominator of the lists, not their product.
+    #[test]
+    fn a_sum_repeats_no_factor() {
+        let (one, f, g) = (x(0).one(), x(0).plus(&x(1)), x(0).minus(&x(1)));
+        let a = one.over(&f).unwrap().over(&f).unwrap().over(&g).unwrap();
+        let b = x(0).over(&f).unwrap().over(&g).unwrap().times(&one.embed(&rational(1, 6)));
+        let sum = a.times(&one.embed(&rational(1, 4))).plus(&b);
+        assert_eq!(sum.divisor, 12.into());
+        assert_eq!(sum.factors().map(|(_, e)| e).sum::<usize>(), 3);
+        assert_eq!(a.plus(&a.times(&x(1))).denominator(), a.denominator());
+        assert_eq!(sum.plus(&sum).plus(&a).denominator().degree_in(0), sum.denominator().degree_in(0));
     }
 
     #[test]
