@@ -50,6 +50,7 @@
 //! | G_α = Σ d_i G_i^k | [`Curve`](spline::Curve) |
 //! | d_i, control points | [`Curve::points`](spline::Curve::points) |
 //! | d_i^r, de Boor's points | [`Curve::de_boor`](spline::Curve::de_boor) |
+//! | ω_m and b_m, weights and control points of a span's rational Bézier curve (ours) | [`RationalBezier`](analysis::RationalBezier) |
 //! | D⁺, D⁻ | [`Basis::jets`](spline::Basis::jets) with a [`Side`](spline::Side) |
 //! | u in (0, ∞), the span's own coordinate (ours) | [`positive_coordinate`](analysis::positive_coordinate) |
 //!

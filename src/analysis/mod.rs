@@ -3,10 +3,12 @@
 mod contenders;
 mod decision;
 mod extremum;
+mod factored;
 mod integer_polynomial;
 mod linear;
 mod pieces;
 mod profile;
+mod rational_bezier;
 mod roots;
 mod shape;
 mod sign;
@@ -21,6 +23,7 @@ pub use linear::{coefficient_rows, common_numerators, in_span, is_combination, r
 pub use pieces::{
     Piece, Pieces, SpanPieces, constant, coordinate_between, coordinate_of, positive_coordinate,
 };
+pub use rational_bezier::RationalBezier;
 pub use roots::{IsolatedRoot, count_positive_roots, positive_roots};
 pub use shape::Shape;
 pub use sign::Sign;
