@@ -3,6 +3,7 @@
 use std::io;
 use std::path::PathBuf;
 
+use num_rational::BigRational;
 use thiserror::Error;
 
 use crate::claims::Fault;
@@ -127,6 +128,20 @@ pub enum CliError {
         /// The most that is allowed.
         limit: usize,
     },
+    /// No control points where a curve is wanted.
+    #[error("--points is missing: there is no curve without control points; give {needed}, d_0 to d_{}", needed - 1)]
+    NoPoints {
+        /// n + 1.
+        needed: usize,
+    },
+    /// A degree that would take too long to convert.
+    #[error("--degree: {degree} is too high to be converted: at most {limit}")]
+    TooHigh {
+        /// k.
+        degree: usize,
+        /// The highest that is allowed.
+        limit: usize,
+    },
     /// No claim has this identifier.
     #[error("{argument}: there is no claim `{name}`; there are {near}", near = list(near))]
     UnknownClaim {
@@ -172,6 +187,15 @@ pub enum CliError {
     /// README.md has no place for the table of verdicts.
     #[error("--record: README.md has no lines `{START}` and `{END}` to put the table between")]
     NoTable,
+    /// A converted piece is not the curve: a bug.
+    #[error(
+        "internal error: the rational Bézier curve differs from the curve at x = {x}; \
+         please report this bug with the command line"
+    )]
+    Conversion {
+        /// Where.
+        x: BigRational,
+    },
     /// This program has a bug.
     #[error(transparent)]
     Fault(#[from] Fault),
@@ -195,7 +219,8 @@ impl CliError {
             | Self::Curve { place, .. }
             | Self::NoIndices { place } => Some(place.argument()),
             Self::Missing { argument, .. } | Self::Degree { argument, .. } => Some(argument),
-            Self::Parentheses { .. } | Self::PointsJson(_) => Some("--points"),
+            Self::Parentheses { .. } | Self::PointsJson(_) | Self::NoPoints { .. } => Some("--points"),
+            Self::TooHigh { .. } => Some("--degree"),
             Self::UnknownInstance { .. } | Self::Malformed { .. } => Some("--instance"),
             Self::SeveralIndices { .. } => Some("--alpha"),
             Self::Function { .. } => Some("--index"),
@@ -204,7 +229,7 @@ impl CliError {
             Self::NotGeneral { .. } => Some("--property"),
             Self::Baseline { .. } => Some("--baseline"),
             Self::NoTable => Some("--record"),
-            Self::Recorded(_) | Self::Fault(_) | Self::Output(_) => None,
+            Self::Recorded(_) | Self::Conversion { .. } | Self::Fault(_) | Self::Output(_) => None,
         }
     }
 
@@ -222,8 +247,21 @@ impl CliError {
     #[must_use]
     pub fn exit(&self) -> Exit {
         match self {
-            Self::Output(_) | Self::Fault(_) | Self::Recorded(_) => Exit::Internal,
+            Self::Output(_) | Self::Fault(_) | Self::Conversion { .. } | Self::Recorded(_) => Exit::Internal,
             _ => Exit::Usage,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::rational;
+
+    #[test]
+    fn a_wrong_conversion_is_a_fault_of_the_program() {
+        let error = CliError::Conversion { x: rational(1, 2) };
+        assert_eq!((error.exit(), error.argument()), (Exit::Internal, None));
+        assert!(error.to_string().contains("internal error") && error.to_string().contains("x = 1/2"));
     }
 }

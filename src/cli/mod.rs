@@ -4,6 +4,7 @@
 //! [`Output`], as text or as JSON. What is wrong with a request is a [`CliError`]: one message, exit code 2,
 //! and nothing on standard output.
 
+mod bezier;
 mod check;
 mod error;
 mod eval;
@@ -53,6 +54,7 @@ Example:
 #[derive(Debug, Subcommand)]
 enum Command {
     Eval(Box<eval::Args>),
+    Bezier(Box<bezier::Args>),
     Check(Box<check::Args>),
     Report(report::Args),
     Schema(schema::Args),
@@ -62,6 +64,7 @@ impl Command {
     fn run(&self, output: &Output) -> Result<Exit, CliError> {
         match self {
             Self::Eval(args) => eval::run(args, output),
+            Self::Bezier(args) => bezier::run(args, output),
             Self::Check(args) => check::run(args, output),
             Self::Report(args) => report::run(args, output),
             Self::Schema(args) => schema::run(args, output),

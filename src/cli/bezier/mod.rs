@@ -1,0 +1,118 @@
+//! The command `bezier`: a curve as rational Bézier curves, for programs that know NURBS.
+
+mod text;
+
+use num_rational::BigRational;
+use serde::Serialize;
+
+use crate::analysis::RationalBezier;
+use crate::spline::{Curve, Point};
+
+use super::error::CliError;
+use super::exact::Exact;
+use super::exit::Exit;
+use super::instance::InstanceArgs;
+use super::output::Output;
+use super::progress::Progress;
+
+/// Converts a curve exactly: on every knot span a rational Bézier curve of the least degree.
+///
+/// All weights are positive, and the first of each piece is 1. Before anything is printed, each piece is compared
+/// with the curve at so many points that they are equal for every x of the span.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLE)]
+pub(super) struct Args {
+    #[command(flatten)]
+    instance: InstanceArgs,
+}
+
+const EXAMPLE: &str = r#"Examples:
+  knotproof bezier --degree 2 --knots "0 0 0 1 2 2 2" --alpha 5 --points "0,0 1,2 2,2 3,0"
+  knotproof bezier --instance C5 --alpha -4 --format json"#;
+
+/// The highest degree k that is converted. A piece has degree k(k + 1)/2 in general, and the time grows with about
+/// the seventh power of k: on knots of a few digits this one takes two seconds a span.
+const DEGREE_LIMIT: usize = 10;
+
+/// The result: its fields are the JSON.
+#[derive(Debug, Serialize)]
+struct Conversion {
+    schema: &'static str,
+    degree: usize,
+    knots: Vec<Exact>,
+    alpha: String,
+    dimension: usize,
+    /// From left to right, one for each span that is not empty.
+    pieces: Vec<Piece>,
+    #[serde(skip)]
+    label: Option<String>,
+}
+
+/// The piece on [t_j, t_{j+1}].
+#[derive(Debug, Serialize)]
+struct Piece {
+    /// j.
+    span: usize,
+    from: Exact,
+    to: Exact,
+    /// Does the span lie in [t_k, t_{n+1}], where the basis functions add up to 1?
+    base: bool,
+    degree: usize,
+    weights: Vec<Exact>,
+    points: Vec<Vec<Exact>>,
+}
+
+/// Converts, checks and prints.
+pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
+    let subject = args.instance.resolve()?;
+    let label = subject.label.clone();
+    let case = subject.only_case()?;
+    let curve = case.curve.ok_or(CliError::NoPoints { needed: case.basis.n() + 1 })?;
+    output.result(&convert(&curve, label)?)?;
+    Ok(Exit::Holds)
+}
+
+fn convert(curve: &Curve, label: Option<String>) -> Result<Conversion, CliError> {
+    let (basis, knots) = (curve.basis(), curve.basis().knots());
+    if basis.degree() > DEGREE_LIMIT {
+        return Err(CliError::TooHigh { degree: basis.degree(), limit: DEGREE_LIMIT });
+    }
+    let progress = Progress::new(knots.spans().count());
+    let checked = |piece: RationalBezier| {
+        progress.step(&format!("[{}, {}]", piece.ends().0, piece.ends().1));
+        match piece.disagreement(curve) {
+            None => Ok(Piece::new(&piece, curve)),
+            Some(x) => Err(CliError::Conversion { x }),
+        }
+    };
+    let pieces = RationalBezier::pieces(curve).map(checked).collect::<Result<_, _>>()?;
+    Ok(Conversion {
+        schema: "knotproof.bezier/1",
+        degree: basis.degree(),
+        knots: exact(knots.knots()),
+        alpha: basis.index().to_string(),
+        dimension: curve.dimension(),
+        pieces,
+        label,
+    })
+}
+
+impl Piece {
+    fn new(piece: &RationalBezier, curve: &Curve) -> Self {
+        let (from, to) = piece.ends();
+        let basis = curve.basis();
+        Self {
+            span: piece.span().index(),
+            from: Exact(from.clone()),
+            to: Exact(to.clone()),
+            base: (basis.degree()..=basis.n()).contains(&piece.span().index()),
+            degree: piece.degree(),
+            weights: exact(piece.weights()),
+            points: piece.points().iter().map(|point: &Point| exact(point)).collect(),
+        }
+    }
+}
+
+fn exact(numbers: &[BigRational]) -> Vec<Exact> {
+    numbers.iter().cloned().map(Exact).collect()
+}

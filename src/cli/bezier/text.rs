@@ -1,0 +1,69 @@
+//! What `bezier` prints for people.
+
+use std::fmt;
+
+use anstyle::Style;
+use comfy_table::Table;
+
+use crate::scalar::decimal;
+
+use super::super::exact::Exact;
+use super::super::table::{plain, right_aligned};
+use super::{Conversion, Piece};
+
+const HEADING: Style = Style::new().bold();
+/// Significant digits of an approximation.
+const DIGITS: usize = 10;
+
+impl fmt::Display for Conversion {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(label) = &self.label {
+            writeln!(f, "Instance {label}")?;
+        }
+        writeln!(f, "Knots {}, degree {}, α = {}", tuple(&self.knots), self.degree, self.alpha)?;
+        let (count, are) = match self.pieces.len() {
+            1 => ("1 rational Bézier curve".to_owned(), "It is"),
+            more => (format!("{more} rational Bézier curves"), "Each is"),
+        };
+        writeln!(
+            f,
+            "{count} of least degree. {are} equal to the curve for every x of its span (checked exactly)."
+        )?;
+        if self.pieces.iter().any(|piece| !piece.base) {
+            let note = "outside of [t_k, t_(n+1)], where the basis functions add up to less than 1";
+            writeln!(f, "Note: spans marked * lie {note}.")?;
+        }
+        for piece in &self.pieces {
+            let mark = if piece.base { "" } else { " *" };
+            let heading = format!("[{}, {}]{mark}, degree {}", piece.from, piece.to, piece.degree);
+            writeln!(f, "\n{HEADING}{heading}{HEADING:#}")?;
+            writeln!(f, "{}", piece.table().trim_fmt())?;
+        }
+        Ok(())
+    }
+}
+
+impl Piece {
+    /// One row a control point: its weight and its coordinates, exact and approximately.
+    fn table(&self) -> Table {
+        let mut table = plain(["m", "weight", "≈", "point", "≈"].map(str::to_owned).to_vec());
+        for (m, (weight, point)) in self.weights.iter().zip(&self.points).enumerate() {
+            let decimals: Vec<_> = point.iter().map(|Exact(c)| decimal(c, DIGITS)).collect();
+            let decimals = format!("({})", decimals.join(", "));
+            table.add_row([
+                m.to_string(),
+                weight.to_string(),
+                decimal(&weight.0, DIGITS),
+                tuple(point),
+                decimals,
+            ]);
+        }
+        right_aligned(&mut table, 0);
+        table
+    }
+}
+
+fn tuple(numbers: &[Exact]) -> String {
+    let numbers: Vec<_> = numbers.iter().map(ToString::to_string).collect();
+    format!("({})", numbers.join(", "))
+}

@@ -1,0 +1,201 @@
+//! `knotproof bezier` as a user meets it.
+
+#![allow(clippy::unwrap_used, reason = "helpers of tests")]
+
+use std::io::Write;
+use std::time::{Duration, Instant};
+
+use assert_cmd::Command;
+use serde::Deserialize;
+use serde_json::{Value, json};
+
+fn knotproof(arguments: &[&str]) -> Command {
+    let mut command = Command::cargo_bin("knotproof").unwrap();
+    command.args(arguments);
+    command
+}
+
+fn text(arguments: &[&str]) -> String {
+    let output = knotproof(arguments).assert().success().stderr("").get_output().stdout.clone();
+    String::from_utf8(output).unwrap()
+}
+
+fn bezier(arguments: &[&str]) -> Value {
+    let arguments = [&["bezier", "--format", "json"], arguments].concat();
+    serde_json::from_str(&text(&arguments)).unwrap()
+}
+
+/// Runs the request as text and as JSON, and checks that each message contains all of `parts`.
+fn rejected(arguments: &[&str], argument: &str, parts: &[&str]) {
+    let arguments = [&["bezier"], arguments].concat();
+    let output = knotproof(&arguments).assert().code(2).stdout("").get_output().stderr.clone();
+    let message = String::from_utf8(output).unwrap();
+    assert!(parts.iter().all(|part| message.contains(part)), "{parts:?} in {message}");
+    let arguments = [&arguments[..], &["--format", "json"]].concat();
+    let output = knotproof(&arguments).assert().code(2).stdout("").get_output().stderr.clone();
+    let report: Value = serde_json::from_slice(&output).unwrap();
+    assert_eq!(
+        (&report["schema"], &report["error"]["argument"]),
+        (&json!("knotproof.error/1"), &json!(argument))
+    );
+    let message = report["error"]["message"].as_str().unwrap();
+    assert!(parts.iter().all(|part| message.contains(part)), "{parts:?} in {message}");
+}
+
+const OPEN: [&str; 6] = ["--degree", "2", "--knots", "0 0 0 1 2 2 2", "--alpha", "5"];
+const POINTS: [&str; 2] = ["--points", "0,0 1,2 2,2 3,0"];
+
+#[test]
+fn all_fields_are_there_and_exact() {
+    let found =
+        bezier(&["--degree", "1", "--knots", "0 0 1 3 3", "--alpha", "-1", "--points", "0,1 4,5 6,7"]);
+    let expected = json!({
+        "schema": "knotproof.bezier/1",
+        "degree": 1,
+        "knots": ["0", "0", "1", "3", "3"],
+        "alpha": "-1",
+        "dimension": 2,
+        "pieces": [
+            {"span": 1, "from": "0", "to": "1", "base": true, "degree": 1,
+             "weights": ["1", "1/2"], "points": [["0", "1"], ["4", "5"]]},
+            {"span": 2, "from": "1", "to": "3", "base": true, "degree": 1,
+             "weights": ["1", "1/2"], "points": [["4", "5"], ["6", "7"]]},
+        ],
+    });
+    assert_eq!(found, expected);
+}
+
+#[test]
+fn text_is_a_table_for_each_piece() {
+    let found = text(&[&["bezier"], &OPEN[..], &POINTS].concat());
+    let expected = "\
+Knots (0, 0, 0, 1, 2, 2, 2), degree 2, α = 5
+2 rational Bézier curves of least degree. Each is equal to the curve for every x of its span (checked exactly).
+
+[0, 1], degree 3
+ m  weight   ≈            point           ≈
+ 0  1        1.000000000  (0, 0)          (0, 0)
+ 1  29/24    1.208333333  (20/29, 40/29)  (0.6896551724, 1.379310345)
+ 2  35/24    1.458333333  (33/28, 2)      (1.178571429, 2.000000000)
+ 3  225/128  1.757812500  (14/9, 2)       (1.555555556, 2.000000000)
+
+[1, 2], degree 3
+ m  weight   ≈            point           ≈
+ 0  1        1.000000000  (14/9, 2)       (1.555555556, 2.000000000)
+ 1  65/54    1.203703704  (24/13, 2)      (1.846153846, 2.000000000)
+ 2  625/432  1.446759259  (59/25, 32/25)  (2.360000000, 1.280000000)
+ 3  125/72   1.736111111  (3, 0)          (3.000000000, 0)
+";
+    assert_eq!(found, expected);
+    let one = text(&["bezier", "--instance", "C6a", "--degree", "3", "--alpha", "-4"]);
+    assert!(one.starts_with("Instance C6a (Fig. 23)\n"), "{one}");
+    assert!(one.contains("1 rational Bézier curve of least degree. It is equal"), "{one}");
+    assert!(!one.contains("Note"));
+}
+
+#[test]
+fn the_classical_index_gives_polynomial_pieces() {
+    let found = bezier(&["--instance", "C5", "--alpha", "inf"]);
+    let pieces = found["pieces"].as_array().unwrap();
+    assert_eq!(pieces.len(), 5);
+    for piece in pieces {
+        assert_eq!((&piece["degree"], &piece["weights"]), (&json!(3), &json!(["1", "1", "1", "1"])));
+    }
+}
+
+#[test]
+fn spans_outside_of_the_base_interval_are_marked() {
+    let request = ["--degree", "1", "--knots", "0 1 2 3", "--alpha", "-1", "--points", "3 6"];
+    let found = bezier(&request);
+    let base: Vec<_> =
+        found["pieces"].as_array().unwrap().iter().map(|piece| piece["base"].clone()).collect();
+    assert_eq!(base, [false, true, false]);
+    // d_0 φ(x, 0, 1): from 0 to d_0, and in the end from d_1 to 0.
+    assert_eq!(found["pieces"][0]["points"], json!([["0"], ["3"]]));
+    assert_eq!(found["pieces"][2]["points"], json!([["6"], ["0"]]));
+    let text = text(&[&["bezier"], &request[..]].concat());
+    assert!(text.contains("Note: spans marked * lie outside of [t_k, t_(n+1)]"), "{text}");
+    assert!(text.contains("[0, 1] *, degree 1\n") && text.contains("[1, 2], degree 1\n"), "{text}");
+}
+
+#[test]
+fn an_instance_file_is_converted() {
+    let mut file = tempfile::NamedTempFile::new().unwrap();
+    let content = r#"{"degree": 2, "knots": [0, 0, 0, 1, 1, 1], "alpha": 2, "points": [["0", 2, 1], [0.1, "3/2", 0], [1, 1, 1]]}"#;
+    file.write_all(content.as_bytes()).unwrap();
+    let found = bezier(&["--instance", file.path().to_str().unwrap()]);
+    assert_eq!(found["dimension"], 3);
+    assert_eq!(found["pieces"][0]["weights"], json!(["1", "2", "4"]));
+    assert_eq!(found["pieces"][0]["points"][1], json!(["1/10", "3/2", "0"]));
+}
+
+#[test]
+fn what_is_wrong_is_said() {
+    rejected(
+        &OPEN,
+        "--points",
+        &["--points is missing", "no curve without control points", "give 4, d_0 to d_3"],
+    );
+    rejected(&["--instance", "U4", "--alpha", "2"], "--points", &["give 5, d_0 to d_4"]);
+    rejected(
+        &[&OPEN[..], &["--points", "0 1"]].concat(),
+        "--points",
+        &["takes 4 control points", "here are 2"],
+    );
+    rejected(
+        &["--instance", "C6a", "--alpha", "2"],
+        "--instance",
+        &["degrees 1, 2, 3", "choose one with --degree"],
+    );
+    rejected(&["--instance", "C5"], "--alpha", &["one index is wanted"]);
+    rejected(&[&OPEN[..], &POINTS, &["--x", "1"]].concat(), "--x", &["unexpected argument"]);
+    rejected(&[&OPEN[..4], &POINTS, &["--alpha", "1/2"]].concat(), "--alpha", &["lies in [0, 1]"]);
+    let knots = (0..23).map(|t| t.to_string()).collect::<Vec<_>>().join(" ");
+    let request = ["--degree", "11", "--knots", &knots, "--alpha", "2", "--points", "0 1 2 3 4 5 6 7 8 9 10"];
+    rejected(&request, "--degree", &["11 is too high", "at most 10"]);
+}
+
+#[test]
+fn help_has_an_example() {
+    let help = text(&["bezier", "--help"]);
+    assert!(help.contains("Example") && help.contains("knotproof bezier --degree 2"), "{help}");
+}
+
+#[test]
+fn the_highest_degree_is_converted_in_time() {
+    let knots = [vec!["0"; 11], vec!["1"], vec!["3"; 11]].concat().join(" ");
+    let start = Instant::now();
+    let request = ["--degree", "10", "--knots", &knots, "--alpha", "-1/7"];
+    let found = bezier(&[&request[..], &["--points", "0 1 4 2 8 5 7 1 3 9 6 2"]].concat());
+    assert_eq!(found["pieces"].as_array().unwrap().len(), 2);
+    assert!(start.elapsed() < Duration::from_secs(30));
+}
+
+#[derive(Deserialize)]
+struct Golden {
+    source: String,
+    cases: Vec<Case>,
+}
+
+#[derive(Deserialize)]
+struct Case {
+    degree: usize,
+    knots: Vec<String>,
+    alpha: String,
+    points: Value,
+    pieces: Value,
+}
+
+/// Against `tests/golden/bezier.json`, which an implementation of its own wrote: see `generate_bezier.py` there.
+#[test]
+fn another_implementation_finds_the_same_pieces() {
+    let golden: Golden = serde_json::from_str(include_str!("golden/bezier.json")).unwrap();
+    assert_eq!(golden.source, "tests/golden/generate_bezier.py");
+    assert!(golden.cases.len() >= 60);
+    for case in golden.cases {
+        let (degree, knots, points) =
+            (case.degree.to_string(), case.knots.join(" "), case.points.to_string());
+        let request = ["--degree", &degree, "--knots", &knots, "--alpha", &case.alpha, "--points", &points];
+        assert_eq!(bezier(&request)["pieces"], case.pieces, "{request:?}");
+    }
+}
