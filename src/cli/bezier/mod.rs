@@ -31,7 +31,7 @@ const EXAMPLE: &str = r#"Examples:
   knotproof bezier --instance C5 --alpha -4 --format json"#;
 
 /// The highest degree k that is converted. A piece has degree k(k + 1)/2 in general, and the time grows with about
-/// the seventh power of k: on knots of a few digits this one takes two seconds a span.
+/// the sixth power of k: on knots of a few digits this one takes two seconds a span.
 const DEGREE_LIMIT: usize = 10;
 
 /// The result: its fields are the JSON.
