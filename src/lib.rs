@@ -98,6 +98,7 @@
 //! ```
 
 pub mod analysis;
+pub mod certificate;
 pub mod claims;
 pub mod cli;
 pub mod float;

@@ -281,20 +281,20 @@ fn moves_locally(three_segments: bool) -> impl Fn(&Illustration, &mut Ledger) ->
 }
 
 /// The reflection of the plane at the perpendicular bisector of two different points.
-struct Reflection {
+pub(super) struct Reflection {
     middle: Point,
     normal: Point,
 }
 
 impl Reflection {
-    fn between(from: &Point, to: &Point) -> Option<Self> {
+    pub(super) fn between(from: &Point, to: &Point) -> Option<Self> {
         let normal: Point = to.iter().zip(from).map(|(to, from)| to - from).collect();
         let middle = to.iter().zip(from).map(|(to, from)| (to + from) / integer(2)).collect();
         (from != to).then_some(Self { middle, normal })
     }
 
     /// P − 2((P − M)·v)/(v·v) v, over any scalar.
-    fn apply<S: RationalAlgebra>(&self, point: &[S]) -> Vec<S> {
+    pub(super) fn apply<S: RationalAlgebra>(&self, point: &[S]) -> Vec<S> {
         let square: BigRational = self.normal.iter().map(|v| v * v).sum();
         let terms = point
             .iter()

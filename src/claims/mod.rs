@@ -11,6 +11,7 @@ mod basis;
 mod case;
 mod claim;
 mod curve;
+mod formal;
 mod hypothesis;
 mod illustrated_bases;
 mod illustrated_curves;
@@ -29,6 +30,7 @@ mod weight;
 
 pub use case::{BasisCase, Case, Origin, WeightCase};
 pub use claim::{Claim, Form, Judged};
+pub use formal::{Formal, formal, formal_for_degree, refutation};
 pub use hypothesis::{Hypothesis, WeightHypothesis};
 pub use illustrations::Illustration;
 pub use instances::{Instance, instances, instances_named};

@@ -21,7 +21,7 @@ pub struct Monomial {
     words: [u64; WORDS],
 }
 
-const WORDS: usize = 6;
+const WORDS: usize = 16;
 const BYTES: usize = 8;
 const GUARDS: u64 = 0x8080_8080_8080_8080;
 

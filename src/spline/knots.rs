@@ -31,6 +31,11 @@ pub struct Span {
 }
 
 impl Span {
+    /// The span of index j where the knots are not numbers, and its being non-empty is known otherwise.
+    pub(crate) fn assumed(index: usize) -> Self {
+        Self { index }
+    }
+
     /// j.
     #[must_use]
     pub fn index(self) -> usize {

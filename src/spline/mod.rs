@@ -15,5 +15,5 @@ pub use curve::{Curve, CurveError, Point};
 pub use definition::by_definition;
 pub use index::{Index, IndexError};
 pub use knots::{KnotError, KnotVector, Side, Span};
-pub use triangle::{Active, de_boor, triangle};
+pub use triangle::{Active, de_boor, raise, triangle};
 pub use weight::{FormalWeights, PointWeights, Weights, weight};

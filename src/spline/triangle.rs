@@ -13,6 +13,12 @@ pub struct Active<S> {
 }
 
 impl<S> Active<S> {
+    /// G_first, G_{first+1}, … with the given values.
+    #[must_use]
+    pub fn new(first: usize, values: Vec<S>) -> Self {
+        Self { first, values }
+    }
+
     /// The index of the first one.
     #[must_use]
     pub fn first(&self) -> usize {
@@ -51,24 +57,31 @@ impl<S> Active<S> {
 ///
 /// The degree must be less than m.
 pub fn triangle<W: Weights>(weights: &W, span: Span, degree: usize, m: usize) -> Active<W::Scalar> {
-    let j = span.index();
-    let mut lower = Active { first: j, values: vec![weights.one()] };
-    for d in 1..=degree {
-        let pairs = lower.map_indexed(|i, value| {
-            let (w, complement) = weights.pair(i, d);
-            (w.times(value), complement.times(value))
-        });
-        // Each G_i^{d−1} is split in two: the part w goes to G_i^d, the part 1 − w to G_{i−1}^d.
-        let (first, last) = (j.saturating_sub(d), j.min(m - d - 1));
-        let values = (first..=last).filter_map(|i| match (pairs.get(i), pairs.get(i + 1)) {
-            (Some((own, _)), Some((_, next))) => Some(own.plus(next)),
-            (Some((own, _)), None) => Some(own.clone()),
-            (None, Some((_, next))) => Some(next.clone()),
-            (None, None) => None,
-        });
-        lower = Active { first, values: values.collect() };
-    }
-    lower
+    let lowest = Active { first: span.index(), values: vec![weights.one()] };
+    (1..=degree).fold(lowest, |lower, d| raise(weights, span, &lower, d, m))
+}
+
+/// One step of the [`triangle`]: the functions of degree d from those of degree d − 1 on the span.
+pub fn raise<W: Weights>(
+    weights: &W,
+    span: Span,
+    lower: &Active<W::Scalar>,
+    d: usize,
+    m: usize,
+) -> Active<W::Scalar> {
+    let pairs = lower.map_indexed(|i, value| {
+        let (w, complement) = weights.pair(i, d);
+        (w.times(value), complement.times(value))
+    });
+    // Each G_i^{d−1} is split in two: the part w goes to G_i^d, the part 1 − w to G_{i−1}^d.
+    let (first, last) = (span.index().saturating_sub(d), span.index().min(m - d - 1));
+    let values = (first..=last).filter_map(|i| match (pairs.get(i), pairs.get(i + 1)) {
+        (Some((own, _)), Some((_, next))) => Some(own.plus(next)),
+        (Some((own, _)), None) => Some(own.clone()),
+        (None, Some((_, next))) => Some(next.clone()),
+        (None, None) => None,
+    });
+    Active { first, values: values.collect() }
 }
 
 impl<S> Active<S> {

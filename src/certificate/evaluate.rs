@@ -1,0 +1,473 @@
+//! Terms as quotients of polynomials in the parameters, by the library's own triangle.
+
+use std::cell::RefCell;
+use std::collections::HashMap;
+
+use num_traits::Signed;
+use thiserror::Error;
+
+use crate::scalar::{Jet, Multivariate, Quotient, RationalAlgebra, Ring};
+use crate::spline::{Active, Span, Weights, de_boor, raise};
+
+use super::statement::{Class, Gap, Section};
+use super::term::{OfWeight, Place, Term, Where};
+
+/// Why a term has no value.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum EvaluationError {
+    /// No such parameter, abbreviation or window.
+    #[error("`{0}` is not declared")]
+    Unknown(String),
+    /// Something divides by what could be 0.
+    #[error("a denominator could be 0: {0}")]
+    Division(String),
+    /// A knot that the window does not show.
+    #[error("window {window} does not show the knot {index} that this depends on")]
+    OutsideWindow {
+        /// The window.
+        window: String,
+        /// The knot.
+        index: i64,
+    },
+    /// An empty span, or one that could be.
+    #[error("span {span} of window {window} could be empty")]
+    EmptySpan {
+        /// The window.
+        window: String,
+        /// The span.
+        span: i64,
+    },
+    /// More unknowns than a polynomial can have.
+    #[error("more than {} parameters and unknowns", Multivariate::VARIABLES)]
+    TooMany,
+}
+
+/// How far the definition is unfolded.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Unfolding {
+    /// Weights of this degree and above are unknowns.
+    pub weights_from: Option<usize>,
+    /// Functions up to this degree are unknowns.
+    pub functions_to: Option<usize>,
+    /// 1 − [p|q] is written as such: for equalities.
+    pub related: bool,
+}
+
+/// What an unknown stands for.
+#[derive(Debug, Clone, PartialEq)]
+enum Unknown {
+    /// p/(p + q).
+    Share(Quotient, Quotient),
+    /// The derivative of p/(p + q), for an interval of the given length.
+    Slope(Quotient, Quotient, Quotient),
+    /// G_i^d, or DG_i^d.
+    Function(bool, i64, usize, Place),
+}
+
+/// The values that one section gives to names.
+pub struct Evaluator<'a> {
+    section: &'a Section,
+    unfolding: Unfolding,
+    knots: HashMap<&'a str, (i64, Vec<Quotient>)>,
+    variables: RefCell<Vec<(Option<Unknown>, Class)>>,
+    names: HashMap<String, Quotient>,
+}
+
+/// A failed evaluation, or a value.
+pub type Evaluated<T = Quotient> = Result<T, EvaluationError>;
+
+impl<'a> Evaluator<'a> {
+    /// Prepares a section.
+    ///
+    /// # Errors
+    /// [`EvaluationError`], if a name is not declared where it is used.
+    pub fn new(section: &'a Section, unfolding: Unfolding) -> Evaluated<Self> {
+        let mut evaluator = Self {
+            section,
+            unfolding,
+            knots: HashMap::new(),
+            variables: RefCell::new(Vec::new()),
+            names: HashMap::new(),
+        };
+        for (name, class) in &section.parameters {
+            evaluator.declare(name.clone(), *class)?;
+        }
+        for (name, value) in &section.lets {
+            let value = evaluator.term(value)?;
+            evaluator.names.insert(name.clone(), value);
+        }
+        for window in &section.windows {
+            let mut knots = vec![evaluator.integer(0)];
+            for (gap, index) in window.gaps.iter().zip(window.first..) {
+                let gap = match gap {
+                    Gap::Parameter(class) => {
+                        let name = format!("({} {index})", window.name);
+                        evaluator.declare(name, *class)?
+                    }
+                    Gap::Term(value) => evaluator.term(value)?,
+                };
+                knots.push(knots[knots.len() - 1].plus(&gap));
+            }
+            evaluator.knots.insert(&window.name, (window.first, knots));
+        }
+        Ok(evaluator)
+    }
+
+    fn declare(&mut self, name: String, class: Class) -> Evaluated {
+        let value = self.fresh(None, class)?;
+        self.names.insert(name, value.clone());
+        Ok(value)
+    }
+
+    fn fresh(&self, unknown: Option<Unknown>, class: Class) -> Evaluated {
+        let mut variables = self.variables.borrow_mut();
+        if variables.len() == Multivariate::VARIABLES {
+            return Err(EvaluationError::TooMany);
+        }
+        variables.push((unknown, class));
+        Ok(Quotient::variable(variables.len() - 1))
+    }
+
+    fn integer(&self, value: i64) -> Quotient {
+        Quotient::from_polynomial(Multivariate::constant(value))
+    }
+
+    /// The number of the variable that a parameter is.
+    #[must_use]
+    pub fn variable_of(&self, parameter: &str) -> Option<usize> {
+        let at = self.section.parameters.iter().position(|(name, _)| name == parameter);
+        at.or_else(|| {
+            let value = self.names.get(parameter)?;
+            (0..self.variables.borrow().len())
+                .find(|&at| *value == Quotient::variable(at))
+        })
+    }
+
+    /// The sign of each variable.
+    #[must_use]
+    pub fn classes(&self) -> Vec<Class> {
+        self.variables.borrow().iter().map(|(_, class)| *class).collect()
+    }
+
+    /// The value of a term.
+    ///
+    /// # Errors
+    /// [`EvaluationError`].
+    pub fn term(&self, term: &Term) -> Evaluated {
+        let terms = |terms: &[Term]| -> Evaluated<Vec<Quotient>> {
+            terms.iter().map(|term| self.term(term)).collect()
+        };
+        match term {
+            Term::Number(value) => Ok(self.integer(0).embed(value)),
+            Term::Named(name) => {
+                self.names.get(name).cloned().ok_or_else(|| EvaluationError::Unknown(name.clone()))
+            }
+            Term::Sum(items) => {
+                Ok(terms(items)?.iter().fold(self.integer(0), |sum, item| sum.plus(item)))
+            }
+            Term::Product(items) => {
+                Ok(terms(items)?.iter().fold(self.integer(1), |product, item| product.times(item)))
+            }
+            Term::Difference(a, b) => Ok(self.term(a)?.minus(&self.term(b)?)),
+            Term::Ratio(a, b) => {
+                let divisor = self.term(b)?;
+                self.definite(divisor.numerator())?;
+                let quotient = self.term(a)?.over(&divisor);
+                quotient.ok_or_else(|| EvaluationError::Division(format!("{b:?}")))
+            }
+            Term::Power(a, n) => Ok(self.term(a)?.power(*n)),
+            Term::Knot(window, index) => self.knot(window, *index).cloned(),
+            Term::Point(place) => self.point(place),
+            Term::Weight(of, i, d, place) => {
+                let order = usize::from(*of == OfWeight::Derivative);
+                let weights = self.weights(place, *i, order)?;
+                let (w, complement) = weights.pair_at(*i, *d)?;
+                Ok(match of {
+                    OfWeight::Weight => w.coefficients()[0].clone(),
+                    OfWeight::Complement => complement.coefficients()[0].clone(),
+                    OfWeight::Derivative => w.coefficients()[1].clone(),
+                })
+            }
+            Term::Function { derivative, i, degree, place } => {
+                let order = usize::from(*derivative);
+                Ok(self.function(place, *i, *degree, order)?.coefficients()[order].clone())
+            }
+            Term::DeBoor { i, level, degree, place } => {
+                let first = place.span - to_i64(*degree);
+                let weights = self.weights(place, first, 0)?;
+                let point = |i: i64| {
+                    let value = self.term(&Term::Named(format!("(d {i})")))?;
+                    Ok(vec![Jet::constant(value, 0)])
+                };
+                let points: Evaluated<Vec<_>> = (first..=place.span).map(point).collect();
+                let levels = de_boor(&weights, Span::assumed(*degree), &points?);
+                weights.fault()?;
+                let point = usize::try_from(i - first).ok().and_then(|at| levels.get(*level)?.get(at));
+                let value = point.map(|point| point[0].coefficients()[0].clone());
+                value.ok_or_else(|| EvaluationError::Unknown(format!("d_{i}^{level}")))
+            }
+            Term::At(replaced, body) => {
+                let mut names = self.names.clone();
+                for (name, value) in replaced {
+                    if names.insert(name.clone(), self.term(value)?).is_none() {
+                        return Err(EvaluationError::Unknown(name.clone()));
+                    }
+                }
+                let inner = Self {
+                    section: self.section,
+                    unfolding: self.unfolding,
+                    knots: self.knots.clone(),
+                    variables: RefCell::new(self.variables.take()),
+                    names,
+                };
+                let value = inner.term(body);
+                self.variables.replace(inner.variables.into_inner());
+                value
+            }
+            Term::Determinant(rows) => {
+                let rows: Evaluated<Vec<_>> = rows.iter().map(|row| terms(row)).collect();
+                Ok(determinant(&rows?, &self.integer(1)))
+            }
+        }
+    }
+
+    /// G_i^d with derivatives up to the order, by the triangle on its own d + 2 knots: no other is looked at.
+    fn function(&self, place: &Place, i: i64, degree: usize, order: usize) -> Evaluated<Jet<Quotient>> {
+        let zero = Jet::constant(self.integer(0), order);
+        let Some(j) = usize::try_from(place.span - i).ok().filter(|j| *j <= degree) else { return Ok(zero) };
+        let (weights, span, m) = (self.weights(place, i, order)?, Span::assumed(j), degree + 1);
+        let lowest = self.unfolding.functions_to.map(|to| to.min(degree));
+        let mut active = match lowest {
+            None => Active::new(j, vec![weights.one()]),
+            Some(d) => {
+                let (first, last) = (j.saturating_sub(d), j.min(m - d - 1));
+                let unknown = |at: usize| {
+                    let value = |derivative| {
+                        let unknown = Unknown::Function(derivative, i + to_i64(at), d, place.clone());
+                        self.unknown(unknown, Class::Real)
+                    };
+                    self.jet([value(false), value(true)], order)
+                };
+                let values: Evaluated<Vec<_>> = (first..=last).map(unknown).collect();
+                Active::new(first, values?)
+            }
+        };
+        for d in lowest.unwrap_or(0) + 1..=degree {
+            active = raise(&weights, span, &active, d, m);
+        }
+        weights.fault()?;
+        Ok(active.get(0).cloned().unwrap_or(zero))
+    }
+
+    fn jet(&self, coefficients: [Evaluated; 2], order: usize) -> Evaluated<Jet<Quotient>> {
+        let [value, slope] = coefficients;
+        let jet = Jet::constant(value?, order);
+        if order == 0 {
+            return Ok(jet);
+        }
+        let slope = Jet::constant(slope?, order);
+        Ok(jet.plus(&slope.times(&Jet::variable(self.integer(0), order))))
+    }
+
+    fn knot(&self, window: &str, index: i64) -> Evaluated<&Quotient> {
+        let (first, knots) =
+            self.knots.get(window).ok_or_else(|| EvaluationError::Unknown(window.to_owned()))?;
+        let knot = usize::try_from(index - first).ok().and_then(|at| knots.get(at));
+        knot.ok_or_else(|| EvaluationError::OutsideWindow { window: window.to_owned(), index })
+    }
+
+    /// The factors of the two knots of the span in x − a, up to the common one: (1, u), (1, 0) or (0, 1).
+    fn shares_of_ends(&self, place: &Place) -> Evaluated<[Quotient; 2]> {
+        let gap = self.knot(&place.window, place.span + 1)?.minus(self.knot(&place.window, place.span)?);
+        if !self.is_positive(&gap) {
+            return Err(EvaluationError::EmptySpan { window: place.window.clone(), span: place.span });
+        }
+        Ok(match place.at {
+            Where::In => [self.integer(1), self.names["u"].clone()],
+            Where::From => [self.integer(1), self.integer(0)],
+            Where::To => [self.integer(0), self.integer(1)],
+        })
+    }
+
+    fn point(&self, place: &Place) -> Evaluated {
+        let [near, far] = self.shares_of_ends(place)?;
+        let (start, end) =
+            (self.knot(&place.window, place.span)?, self.knot(&place.window, place.span + 1)?);
+        let weighted = near.times(start).plus(&far.times(end));
+        weighted.over(&near.plus(&far)).ok_or_else(|| EvaluationError::Division("1 + u".into()))
+    }
+
+    /// The weights at a place, for a triangle that counts the knots from t_first.
+    fn weights(&self, place: &Place, first: i64, order: usize) -> Evaluated<PlaceWeights<'_, 'a>> {
+        let ends = self.shares_of_ends(place)?;
+        Ok(PlaceWeights {
+            evaluator: self,
+            place: place.clone(),
+            ends,
+            first,
+            order,
+            fault: RefCell::new(None),
+        })
+    }
+
+    fn unknown(&self, unknown: Unknown, class: Class) -> Evaluated {
+        let known =
+            self.variables.borrow().iter().position(|(known, _)| known.as_ref() == Some(&unknown));
+        match known {
+            Some(at) => Ok(Quotient::variable(at)),
+            None => self.fresh(Some(unknown), class),
+        }
+    }
+
+    /// p/(p + q) as an unknown, or 1 minus the unknown q/(p + q).
+    fn share(&self, p: &Quotient, q: &Quotient) -> Evaluated {
+        if self.unfolding.related && q.numerator() < p.numerator() {
+            return Ok(self.integer(1).minus(&self.share(q, p)?));
+        }
+        let class = match (self.class_of(p), self.class_of(q)) {
+            (Class::Positive, Class::Positive | Class::Nonnegative) => Class::Positive,
+            (Class::Real, _) | (_, Class::Real) => Class::Real,
+            _ => Class::Nonnegative,
+        };
+        self.unknown(Unknown::Share(p.clone(), q.clone()), class)
+    }
+
+    /// The sign of a polynomial as far as its coefficients show it.
+    #[must_use]
+    pub fn class_of(&self, value: &Quotient) -> Class {
+        let classes = self.classes();
+        sign(value.numerator(), &classes)
+    }
+
+    fn is_positive(&self, value: &Quotient) -> bool {
+        self.class_of(value) == Class::Positive
+    }
+
+    /// Is the polynomial never 0, as its coefficients show?
+    fn definite(&self, p: &Multivariate) -> Evaluated<()> {
+        let classes = self.classes();
+        if sign(p, &classes) == Class::Positive || sign(&p.negate(), &classes) == Class::Positive {
+            Ok(())
+        } else {
+            Err(EvaluationError::Division(format!("{p:?}")))
+        }
+    }
+}
+
+/// The sign of a polynomial as far as its coefficients and the signs of its variables show it.
+#[must_use]
+pub fn sign(p: &Multivariate, classes: &[Class]) -> Class {
+    let mut class = Class::Nonnegative;
+    for (monomial, coefficient) in p.terms() {
+        let occurring = || (0..classes.len()).filter(|&at| monomial.exponent(at) > 0);
+        if coefficient.is_negative() || occurring().any(|at| classes[at] == Class::Real) {
+            return Class::Real;
+        }
+        if occurring().all(|at| classes[at] == Class::Positive) {
+            class = Class::Positive;
+        }
+    }
+    class
+}
+
+fn to_i64(value: usize) -> i64 {
+    i64::try_from(value).unwrap_or(i64::MAX)
+}
+
+/// By the expansion along the first column.
+fn determinant(rows: &[Vec<Quotient>], one: &Quotient) -> Quotient {
+    let mut sum = one.zero();
+    if rows.is_empty() {
+        return one.clone();
+    }
+    for (at, row) in rows.iter().enumerate() {
+        let others = rows.iter().enumerate().filter(|(other, _)| *other != at);
+        let minor: Vec<_> = others.map(|(_, row)| row[1..].to_vec()).collect();
+        let summand = row[0].times(&determinant(&minor, one));
+        sum = if at % 2 == 0 { sum.plus(&summand) } else { sum.minus(&summand) };
+    }
+    sum
+}
+
+/// The weights at a place.
+struct PlaceWeights<'e, 'a> {
+    evaluator: &'e Evaluator<'a>,
+    place: Place,
+    ends: [Quotient; 2],
+    /// The index in the window of what the triangle counts as 0.
+    first: i64,
+    order: usize,
+    /// The first thing that went wrong: the triangle itself has no way to say so.
+    fault: RefCell<Option<EvaluationError>>,
+}
+
+impl PlaceWeights<'_, '_> {
+    fn fault(&self) -> Evaluated<()> {
+        self.fault.borrow().clone().map_or(Ok(()), Err)
+    }
+
+    /// w_i^d and 1 − w_i^d, by the index in the window.
+    fn pair_at(&self, i: i64, d: usize) -> Evaluated<(Jet<Quotient>, Jet<Quotient>)> {
+        let (evaluator, Place { window, span, .. }) = (self.evaluator, &self.place);
+        let knot = |index| evaluator.knot(window, index);
+        let outside = |index| EvaluationError::OutsideWindow { window: window.clone(), index };
+        if i > *span || i + to_i64(d) <= *span {
+            return Err(outside(i));
+        }
+        let (a, b, start, end) = (knot(i)?, knot(i + to_i64(d))?, knot(*span)?, knot(span + 1)?);
+        let ratio = &evaluator.names["r"];
+        let [near, far] = &self.ends;
+        let measure = near.plus(far);
+        let p = ratio.times(&near.times(&start.minus(a)).plus(&far.times(&end.minus(a))));
+        let q = near.times(&b.minus(start)).plus(&far.times(&b.minus(end)));
+        evaluator.definite(p.plus(&q).numerator())?;
+        let zero = p.is_zero() || q.is_zero();
+        if evaluator.unfolding.weights_from.is_some_and(|from| d >= from) && !zero {
+            let (p, q) = integral(&p, &q);
+            let slope = |sign: i64| {
+                let unknown = Unknown::Slope(p.clone(), q.clone(), b.minus(a));
+                Ok(evaluator.unknown(unknown, Class::Real)?.times(&evaluator.integer(sign)))
+            };
+            let slopes = if self.order == 0 { [Ok(measure.zero()), Ok(measure.zero())] } else { [slope(1), slope(-1)] };
+            let [rise, fall] = slopes;
+            let w = evaluator.jet([evaluator.share(&p, &q), rise], self.order)?;
+            let complement = evaluator.jet([evaluator.share(&q, &p), fall], self.order)?;
+            return Ok((w, complement));
+        }
+        let rise = evaluator.jet([Ok(p), Ok(ratio.times(&measure))], self.order)?;
+        let fall = evaluator.jet([Ok(q), Ok(measure.negate())], self.order)?;
+        rise.shares(&fall).ok_or_else(|| EvaluationError::Division("p + q".into()))
+    }
+}
+
+impl Weights for PlaceWeights<'_, '_> {
+    type Scalar = Jet<Quotient>;
+
+    fn one(&self) -> Jet<Quotient> {
+        Jet::constant(self.evaluator.integer(1), self.order)
+    }
+
+    fn pair(&self, i: usize, d: usize) -> (Jet<Quotient>, Jet<Quotient>) {
+        match self.pair_at(to_i64(i) + self.first, d) {
+            Ok(pair) => pair,
+            Err(error) => {
+                self.fault.borrow_mut().get_or_insert(error);
+                (self.one().zero(), self.one())
+            }
+        }
+    }
+}
+
+/// p and q, both multiplied by the denominators of the two.
+fn integral(p: &Quotient, q: &Quotient) -> (Quotient, Quotient) {
+    let clear = |value: &Quotient, by: &Quotient| {
+        let (own, other) =
+            (Quotient::from_polynomial(value.denominator()), Quotient::from_polynomial(by.denominator()));
+        if own == other {
+            Quotient::from_polynomial(value.numerator().clone())
+        } else {
+            value.times(&own).times(&other)
+        }
+    };
+    (clear(p, q), clear(q, p))
+}

@@ -1,0 +1,22 @@
+//! Floor 4: certificates, written (`proofs/FORMAT.md`).
+//!
+//! A claim's formal statement is unrolled into sections, every goal is decided by the library's own triangle over
+//! quotients of polynomials in all parameters, and the rule that shows it is written down. The checker, which shares no code
+//! with this, then reads both.
+
+mod certify;
+mod evaluate;
+mod expansion;
+mod proof;
+mod prove;
+mod sexp;
+mod statement;
+mod term;
+
+pub use certify::{Certificate, CertificateError, certify, statements};
+pub use evaluate::{EvaluationError, Evaluator, Unfolding};
+pub use proof::{Lemma, Rule, SectionProof};
+pub use prove::{GoalError, ProofError, prove};
+pub use sexp::{Sexp, SyntaxError};
+pub use statement::{Class, Form, Gap, Section, Statement, StatementError, Window};
+pub use term::{Formula, OfWeight, Place, Term, Where};

@@ -1,0 +1,254 @@
+//! The prover: finds a rule for every goal of a statement.
+//!
+//! It decides by its own arithmetic (the triangle over [`Quotient`]) and leaves the last word to the checker.
+
+use num_traits::Signed;
+use rayon::prelude::*;
+use thiserror::Error;
+
+use crate::analysis::in_span;
+use crate::scalar::{BigRational, Multivariate, Quotient, Ring, integer};
+
+use super::evaluate::{EvaluationError, Evaluator, Unfolding, sign};
+use super::proof::{Rule, SectionProof};
+use super::statement::{Class, Section, Statement, StatementError};
+use super::term::{Formula, OfWeight, Place, Term};
+
+/// Why a statement could not be proved.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum ProofError {
+    /// It makes no sense.
+    #[error(transparent)]
+    Statement(#[from] StatementError),
+    /// A goal for which no rule was found: it may be false.
+    #[error("section {section}, goal {goal}: {reason}")]
+    Goal {
+        /// Which section, as numbered after unrolling.
+        section: usize,
+        /// Which goal in it.
+        goal: usize,
+        /// What went wrong.
+        reason: GoalError,
+    },
+}
+
+/// Why one goal could not be proved.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum GoalError {
+    /// It has no value.
+    #[error(transparent)]
+    Evaluation(#[from] EvaluationError),
+    /// It is false at a point of the range of its parameters.
+    #[error("it is false")]
+    False,
+    /// No rule shows it.
+    #[error("no rule was found for it within the limits")]
+    NoRule,
+}
+
+/// Finds a proof.
+///
+/// # Errors
+/// [`ProofError`]: the first goal that resists.
+pub fn prove(statement: &Statement) -> Result<Vec<SectionProof>, ProofError> {
+    let sections = statement.expand()?;
+    let numbered: Vec<_> = (1..).zip(&sections).collect();
+    let proofs: Vec<_> = numbered.par_iter().map(|(number, section)| of_section(*number, section)).collect();
+    proofs.into_iter().collect()
+}
+
+fn of_section(number: usize, section: &Section) -> Result<SectionProof, ProofError> {
+    let rule = |(goal, formula)| {
+        let failed = |reason| ProofError::Goal { section: number, goal, reason };
+        rule_for(section, formula).map_err(failed)
+    };
+    let goals: Result<Vec<_>, _> = (1..).zip(&section.goals).map(rule).collect();
+    Ok(SectionProof { lemmas: Vec::new(), goals: goals? })
+}
+
+/// How far weights are left alone, the cheapest way first.
+const WEIGHTS: [Option<usize>; 4] = [Some(1), Some(2), Some(3), None];
+
+fn rule_for(section: &Section, formula: &Formula) -> Result<Rule, GoalError> {
+    match formula {
+        Formula::Equal(left, right) => {
+            for weights in WEIGHTS {
+                let unfolding = Unfolding { weights_from: weights, functions_to: None, related: true };
+                let evaluator = Evaluator::new(section, unfolding)?;
+                if evaluator.term(left)? == evaluator.term(right)? {
+                    return Ok(by(weights));
+                }
+            }
+            Err(GoalError::False)
+        }
+        Formula::Greater(large, small) => compare(section, large, small, Class::Positive),
+        Formula::AtLeast(large, small) => compare(section, large, small, Class::Nonnegative),
+        Formula::Defined(term) => {
+            let unfolding = Unfolding { weights_from: Some(1), ..Unfolding::default() };
+            Evaluator::new(section, unfolding)?.term(term)?;
+            Ok(by(Some(1)))
+        }
+        Formula::Order { i, degree, place, order } => {
+            let evaluator = Evaluator::new(section, Unfolding::default())?;
+            let found = evaluator.order(*i, *degree, place)?;
+            if found == Some(*order) { Ok(Rule::Orders) } else { Err(GoalError::False) }
+        }
+        Formula::Outside(_, term, others) => functional(section, term, others),
+        Formula::Pole(_, functions, u) => pole(section, functions, u),
+    }
+}
+
+fn by(weights: Option<usize>) -> Rule {
+    Rule::By { weights, functions: None, using: Vec::new() }
+}
+
+fn enough(found: Class, wanted: Class) -> bool {
+    found >= wanted
+}
+
+/// large > small, or ≥.
+fn compare(section: &Section, large: &Term, small: &Term, wanted: Class) -> Result<Rule, GoalError> {
+    for weights in WEIGHTS {
+        let unfolding = Unfolding { weights_from: weights, ..Unfolding::default() };
+        let evaluator = Evaluator::new(section, unfolding)?;
+        let difference = evaluator.term(large)?.minus(&evaluator.term(small)?);
+        if enough(evaluator.class_of(&difference), wanted) {
+            return Ok(by(weights));
+        }
+        if weights.is_none() {
+            let classes = evaluator.classes();
+            let names: Vec<_> = section
+                .parameters
+                .iter()
+                .filter_map(|(name, _)| Some((name.as_str(), evaluator.variable_of(name)?)))
+                .filter(|(_, at)| difference.numerator().degree_in(*at) > 0)
+                .collect();
+            return Splitting { names, wanted }.rule(difference.numerator(), &classes, 0);
+        }
+    }
+    Err(GoalError::NoRule)
+}
+
+/// The search for splits.
+struct Splitting<'a> {
+    /// The parameters that occur, with the numbers of their variables.
+    names: Vec<(&'a str, usize)>,
+    wanted: Class,
+}
+
+/// How often a range is halved.
+const DEPTH: usize = 24;
+
+impl Splitting<'_> {
+    fn rule(&self, p: &Multivariate, classes: &[Class], depth: usize) -> Result<Rule, GoalError> {
+        if enough(sign(p, classes), self.wanted) {
+            return Ok(by(None));
+        }
+        // All parameters 1: a point of every range.
+        let sample: num_bigint::BigInt = p.terms().map(|(_, coefficient)| coefficient).sum();
+        let falsified =
+            if self.wanted == Class::Positive { !sample.is_positive() } else { sample.is_negative() };
+        if falsified {
+            return Err(GoalError::False);
+        }
+        let usable: Vec<_> = self.names.iter().filter(|(_, at)| classes[*at] != Class::Real).collect();
+        if depth == DEPTH || usable.is_empty() {
+            return Err(GoalError::NoRule);
+        }
+        let (name, at) = *usable[depth % usable.len()];
+        let below = self.rule(&halved(p, at), classes, depth + 1)?;
+        let mut closed = classes.to_vec();
+        closed[at] = Class::Nonnegative;
+        let above = self.rule(&shifted(p, at), &closed, depth + 1)?;
+        let (below, above) = (Box::new(below), Box::new(above));
+        Ok(Rule::Split { parameter: name.to_owned(), at: integer(1), below, above })
+    }
+}
+
+/// p with the variable v replaced by v/(1 + v), times the power of 1 + v that clears it.
+fn halved(p: &Multivariate, variable: usize) -> Multivariate {
+    let (v, one) = (Multivariate::variable(variable), Multivariate::constant(1));
+    let below = v.plus(&one);
+    let coefficients = p.coefficients_in(variable);
+    let degree = coefficients.len().saturating_sub(1);
+    let summand = |(e, c): (usize, &Multivariate)| c.times(&v.power(e)).times(&below.power(degree - e));
+    let summands = coefficients.iter().enumerate().map(summand);
+    summands.fold(p.zero(), |sum, summand| sum.plus(&summand))
+}
+
+/// p with the variable v replaced by 1 + v.
+fn shifted(p: &Multivariate, variable: usize) -> Multivariate {
+    p.substitute(variable, &Multivariate::variable(variable).plus(&Multivariate::constant(1)))
+}
+
+/// A functional Σ c·f(u) that is 0 on the others and not on the term.
+fn functional(section: &Section, term: &Term, others: &[Term]) -> Result<Rule, GoalError> {
+    let evaluator = Evaluator::new(section, Unfolding::default())?;
+    let u = evaluator.variable_of("u").ok_or(GoalError::NoRule)?;
+    let at = |f: &Quotient, point: &BigRational| {
+        f.evaluate(point, |v| if v == u { point.clone() } else { integer(1) }).ok_or(GoalError::NoRule)
+    };
+    let f = evaluator.term(term)?;
+    let others: Vec<Quotient> = others.iter().map(|other| evaluator.term(other)).collect::<Result<_, _>>()?;
+    let points: Vec<BigRational> = (1..=others.len() + 1).map(integer).collect();
+    let column = |f: &Quotient| -> Result<Vec<BigRational>, GoalError> {
+        points.iter().map(|point| at(f, point)).collect()
+    };
+    let rows: Vec<_> = others.iter().map(column).collect::<Result<_, _>>()?;
+    let columns: Vec<Vec<BigRational>> =
+        (0..points.len()).map(|j| rows.iter().map(|row| row[j].clone()).collect()).collect();
+    let values = column(&f)?;
+    // A column that depends on those before it gives a functional that vanishes on all rows.
+    for j in 0..points.len() {
+        let Some(mut c) = in_span(&columns[..j], &columns[j]) else { continue };
+        c.push(-integer(1));
+        let value: BigRational = c.iter().zip(&values).map(|(c, value)| c * value).sum();
+        if value != integer(0) {
+            let terms = c.into_iter().zip(points).filter(|(c, _)| *c != integer(0)).collect();
+            return Ok(Rule::Functional(terms));
+        }
+    }
+    Err(GoalError::False)
+}
+
+/// Does one of the functions have a pole at u?
+fn pole(section: &Section, functions: &[Term], at: &BigRational) -> Result<Rule, GoalError> {
+    let evaluator = Evaluator::new(section, Unfolding::default())?;
+    let u = evaluator.variable_of("u").ok_or(GoalError::NoRule)?;
+    for function in functions {
+        let function = evaluator.term(function)?;
+        let value = |p: &Multivariate| p.evaluate(at, |v| if v == u { at.clone() } else { integer(1) });
+        if value(&function.denominator()) == integer(0) && value(function.numerator()) != integer(0) {
+            return Ok(Rule::Evaluate);
+        }
+    }
+    Err(GoalError::False)
+}
+
+impl Evaluator<'_> {
+    /// The order of G_i^d for u → 0, `None` if it is 0 or cannot be told; by the recursion with min and +.
+    fn order(&self, i: i64, d: usize, place: &Place) -> Result<Option<usize>, EvaluationError> {
+        let below = i64::try_from(d).unwrap_or(i64::MAX);
+        if i > place.span || i + below < place.span {
+            return Ok(None);
+        }
+        if d == 0 {
+            return Ok(Some(0));
+        }
+        let u = self.variable_of("u").unwrap_or_default();
+        let lowest = |value: &Quotient| {
+            let coefficients = value.numerator().coefficients_in(u);
+            let at = coefficients.iter().position(|c| !c.is_zero())?;
+            (sign(&coefficients[at], &self.classes()) == Class::Positive).then_some(at)
+        };
+        let mut orders = Vec::new();
+        for (of, i) in [(OfWeight::Weight, i), (OfWeight::Complement, i + 1)] {
+            if let Some(function) = self.order(i, d - 1, place)? {
+                let weight = self.term(&Term::Weight(of, i, d, place.clone()))?;
+                let Some(order) = lowest(&weight) else { return Ok(None) };
+                orders.push(function + order);
+            }
+        }
+        Ok(orders.into_iter().min())
+    }
+}

@@ -1,0 +1,238 @@
+//! Statements: what a certificate proves (`proofs/FORMAT.md`, "Statements").
+
+use std::fmt;
+
+use num_traits::Signed;
+use thiserror::Error;
+
+use crate::claims::Scope;
+use crate::scalar::BigRational;
+
+use super::expansion::Integers;
+use super::sexp::{Sexp, SyntaxError};
+use super::term::{self, Formula, Term};
+
+/// Why a text is no statement.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum StatementError {
+    /// Not even the syntax is right.
+    #[error("{0}")]
+    Syntax(#[from] SyntaxError),
+    /// A form that means nothing here.
+    #[error("`{0}` means nothing here")]
+    Form(String),
+    /// No integer, or one that is too large or too small here.
+    #[error("`{0}` is no integer that fits here")]
+    Integer(String),
+    /// A range that is too long.
+    #[error("the range of `{0}` is too long")]
+    Range(String),
+    /// A degree without a goal.
+    #[error("there is no goal for degree {0}")]
+    NoGoal(usize),
+}
+
+/// Which statement of a claim.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Form {
+    /// As the paper prints it.
+    Printed,
+    /// As amended.
+    Amended,
+    /// For one degree only.
+    Degree(usize),
+}
+
+impl fmt::Display for Form {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Printed => f.write_str("printed"),
+            Self::Amended => f.write_str("amended"),
+            Self::Degree(k) => write!(f, "degree {k}"),
+        }
+    }
+}
+
+/// A statement about a claim.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Statement {
+    /// The claim.
+    pub claim: String,
+    /// Which of its statements.
+    pub form: Form,
+    /// That it is false, rather than true.
+    pub refuted: bool,
+    /// How far it reaches.
+    pub scope: Scope,
+    /// The degrees, rising.
+    pub degrees: Vec<usize>,
+    /// The claim in words.
+    pub text: String,
+    /// Why the goals are the claim, or refute it.
+    pub because: String,
+    /// The sections, not yet unrolled.
+    pub sections: Vec<Sexp>,
+}
+
+/// The sign of a parameter.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Class {
+    /// Any real number.
+    Real,
+    /// ≥ 0.
+    Nonnegative,
+    /// > 0.
+    Positive,
+}
+
+/// A gap between two knots.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Gap {
+    /// A parameter of its own.
+    Parameter(Class),
+    /// Given by a term.
+    Term(Term),
+}
+
+/// A window on a knot vector.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Window {
+    /// Its name.
+    pub name: String,
+    /// The index of its first knot.
+    pub first: i64,
+    /// The gaps between its knots.
+    pub gaps: Vec<Gap>,
+}
+
+/// One section for certain values of its integers.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Section {
+    /// The parameters with their signs, but for those of gaps.
+    pub parameters: Vec<(String, Class)>,
+    /// The abbreviations.
+    pub lets: Vec<(String, Term)>,
+    /// The windows.
+    pub windows: Vec<Window>,
+    /// The goals.
+    pub goals: Vec<Formula>,
+    /// Its integers, for reading lemmas.
+    pub(super) integers: Integers,
+}
+
+impl PartialEq for Integers {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
+}
+
+impl Statement {
+    /// As an item of the language.
+    #[must_use]
+    pub fn to_sexp(&self) -> Sexp {
+        let degree = |k: usize| Sexp::Number(BigRational::from_integer(k.into()));
+        let form = match self.form {
+            Form::Printed => Sexp::name("printed"),
+            Form::Amended => Sexp::name("amended"),
+            Form::Degree(k) => Sexp::form("degree", [degree(k)]),
+        };
+        let parts = [
+            Sexp::form("claim", [Sexp::Text(self.claim.clone())]),
+            Sexp::form("form", [form]),
+            Sexp::form("verdict", [Sexp::name(if self.refuted { "refuted" } else { "proved" })]),
+            Sexp::form("scope", [Sexp::name(self.scope.name())]),
+            Sexp::form("degrees", self.degrees.iter().map(|k| degree(*k))),
+            Sexp::form("text", [Sexp::Text(self.text.clone())]),
+            Sexp::form("because", [Sexp::Text(self.because.clone())]),
+        ];
+        let parts = parts.into_iter().chain(self.sections.iter().cloned());
+        Sexp::form("statement", std::iter::once(Sexp::int(1)).chain(parts))
+    }
+
+    /// All sections, in the order in which a proof numbers them.
+    ///
+    /// # Errors
+    /// [`StatementError`], if the text of a section makes no sense.
+    pub fn expand(&self) -> Result<Vec<Section>, StatementError> {
+        let mut all = Vec::new();
+        for &k in &self.degrees {
+            let before = all.len();
+            let degree = i64::try_from(k).map_err(|_| StatementError::Integer(k.to_string()))?;
+            for section in &self.sections {
+                let Some(("section", parts)) = section.as_form() else {
+                    return Err(StatementError::Form(section.to_string()));
+                };
+                expand(parts, &Integers::default().with("k", degree), &mut all)?;
+            }
+            if all[before..].iter().all(|section| section.goals.is_empty()) {
+                return Err(StatementError::NoGoal(k));
+            }
+        }
+        Ok(all)
+    }
+}
+
+fn expand(parts: &[Sexp], ints: &Integers, all: &mut Vec<Section>) -> Result<(), StatementError> {
+    if let Some((first, rest)) = parts.split_first()
+        && let Some(("each", range)) = first.as_form()
+    {
+        let (name, range, []) =
+            ints.range(range)?.ok_or_else(|| StatementError::Form(first.to_string()))?
+        else {
+            return Err(StatementError::Form(first.to_string()));
+        };
+        return range.into_iter().try_for_each(|value| expand(rest, &ints.with(name, value), all));
+    }
+    let (parameters, lets) = (vec![("u".into(), Class::Positive), ("r".into(), Class::Positive)], Vec::new());
+    let mut section =
+        Section { parameters, lets, windows: Vec::new(), goals: Vec::new(), integers: ints.clone() };
+    for part in parts {
+        let unknown = || StatementError::Form(part.to_string());
+        let (head, items) = part.as_form().ok_or_else(unknown)?;
+        match (head, items) {
+            ("real", items) => section.declare(Class::Real, items, ints)?,
+            ("nonnegative", items) => section.declare(Class::Nonnegative, items, ints)?,
+            ("positive", items) => section.declare(Class::Positive, items, ints)?,
+            ("let", [Sexp::Name(name), value]) => {
+                section.lets.push((name.clone(), term::term(value, ints)?));
+            }
+            ("window", [Sexp::Name(name), first, gaps @ ..]) => {
+                let gaps = ints.items(gaps, &gap)?;
+                section.windows.push(Window { name: name.clone(), first: ints.value(first)?, gaps });
+            }
+            ("knots", [Sexp::Name(name), first, knots @ ..]) => {
+                let number = |sexp: &Sexp, _: &Integers| match sexp {
+                    Sexp::Number(value) => Ok(value.clone()),
+                    _ => Err(StatementError::Form(sexp.to_string())),
+                };
+                let knots = ints.items(knots, &number)?;
+                let gaps: Vec<_> = knots.windows(2).map(|pair| &pair[1] - &pair[0]).collect();
+                if gaps.iter().any(Signed::is_negative) {
+                    return Err(unknown());
+                }
+                let gaps = gaps.into_iter().map(|gap| Gap::Term(Term::Number(gap))).collect();
+                section.windows.push(Window { name: name.clone(), first: ints.value(first)?, gaps });
+            }
+            ("goals", goals) => section.goals = ints.items(goals, &term::formula)?,
+            _ => return Err(unknown()),
+        }
+    }
+    all.push(section);
+    Ok(())
+}
+
+fn gap(sexp: &Sexp, ints: &Integers) -> Result<Gap, StatementError> {
+    Ok(match sexp {
+        Sexp::Name(name) if name == "any" => Gap::Parameter(Class::Nonnegative),
+        Sexp::Name(name) if name == "some" => Gap::Parameter(Class::Positive),
+        _ => Gap::Term(term::term(sexp, ints)?),
+    })
+}
+
+impl Section {
+    fn declare(&mut self, class: Class, items: &[Sexp], ints: &Integers) -> Result<(), StatementError> {
+        let names = ints.items(items, &term::parameter)?;
+        self.parameters.extend(names.into_iter().map(|name| (name, class)));
+        Ok(())
+    }
+}

@@ -1,0 +1,256 @@
+//! Terms and formulas with all integers worked out (`proofs/FORMAT.md`, "Terms" and "Formulas").
+
+use crate::scalar::BigRational;
+
+use super::expansion::Integers;
+use super::sexp::Sexp;
+use super::statement::StatementError;
+
+/// Where on a span a function is looked at.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Where {
+    /// Every x of the open span, by its positive coordinate u.
+    In,
+    /// The first knot, as the limit from the right.
+    From,
+    /// The last knot, as the limit from the left.
+    To,
+}
+
+/// A place on the span [t_s, t_{s+1}) of a window.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Place {
+    /// Between the knots, or at one of them.
+    pub at: Where,
+    /// The window's name.
+    pub window: String,
+    /// s.
+    pub span: i64,
+}
+
+/// What is taken of the weight w_i^d.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum OfWeight {
+    /// w itself.
+    Weight,
+    /// 1 − w.
+    Complement,
+    /// Its derivative.
+    Derivative,
+}
+
+/// A term without integer variables.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Term {
+    /// A number.
+    Number(BigRational),
+    /// A parameter or an abbreviation, by its text.
+    Named(String),
+    /// A sum.
+    Sum(Vec<Term>),
+    /// The first minus the second.
+    Difference(Box<Term>, Box<Term>),
+    /// A product.
+    Product(Vec<Term>),
+    /// The first over the second.
+    Ratio(Box<Term>, Box<Term>),
+    /// A power.
+    Power(Box<Term>, usize),
+    /// The knot t_i of a window.
+    Knot(String, i64),
+    /// x at a place.
+    Point(Place),
+    /// w_i^d, 1 − w_i^d or Dw_i^d.
+    Weight(OfWeight, i64, usize, Place),
+    /// G_i^d, or DG_i^d.
+    Function {
+        /// DG rather than G.
+        derivative: bool,
+        /// i.
+        i: i64,
+        /// d.
+        degree: usize,
+        /// Where.
+        place: Place,
+    },
+    /// d_i^q of de Boor's algorithm for the given degree.
+    DeBoor {
+        /// i.
+        i: i64,
+        /// q.
+        level: usize,
+        /// The degree.
+        degree: usize,
+        /// Where.
+        place: Place,
+    },
+    /// The term with parameters replaced.
+    At(Vec<(String, Term)>, Box<Term>),
+    /// The determinant of these rows.
+    Determinant(Vec<Vec<Term>>),
+}
+
+/// A formula.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Formula {
+    /// Both are the same.
+    Equal(Term, Term),
+    /// The first is greater.
+    Greater(Term, Term),
+    /// The first is at least the second.
+    AtLeast(Term, Term),
+    /// No denominator ever vanishes.
+    Defined(Term),
+    /// The order of G_i^d at the first knot of the span.
+    Order {
+        /// i.
+        i: i64,
+        /// d.
+        degree: usize,
+        /// (in W s).
+        place: Place,
+        /// The order.
+        order: usize,
+    },
+    /// The term is no linear combination of the others.
+    Outside(Place, Term, Vec<Term>),
+    /// One of the functions has a pole there.
+    Pole(Place, Vec<Term>, BigRational),
+}
+
+/// What a form was expected to look like.
+fn shape<T>(sexp: &Sexp) -> Result<T, StatementError> {
+    Err(StatementError::Form(sexp.to_string()))
+}
+
+pub(super) fn place(sexp: &Sexp, ints: &Integers) -> Result<Place, StatementError> {
+    let at = match sexp.as_form() {
+        Some(("in", _)) => Where::In,
+        Some(("from", _)) => Where::From,
+        Some(("to", _)) => Where::To,
+        _ => return shape(sexp),
+    };
+    match sexp.as_form() {
+        Some((_, [Sexp::Name(window), span])) => {
+            Ok(Place { at, window: window.clone(), span: ints.value(span)? })
+        }
+        _ => shape(sexp),
+    }
+}
+
+/// The text by which a parameter is known: `NAME` or `(NAME INT…)` with the integers worked out.
+pub(super) fn parameter(sexp: &Sexp, ints: &Integers) -> Result<String, StatementError> {
+    match (sexp, sexp.as_form()) {
+        (Sexp::Name(name), _) => Ok(name.clone()),
+        (_, Some((head, indices))) if !indices.is_empty() => {
+            let indices: Result<Vec<_>, _> = indices.iter().map(|index| ints.value(index)).collect();
+            let indices: Vec<_> = indices?.into_iter().map(Sexp::int).collect();
+            Ok(Sexp::form(head, indices).to_string())
+        }
+        _ => shape(sexp),
+    }
+}
+
+/// Reads a term.
+pub(super) fn term(sexp: &Sexp, ints: &Integers) -> Result<Term, StatementError> {
+    let boxed = |sexp: &Sexp| term(sexp, ints).map(Box::new);
+    let all = |items: &[Sexp]| -> Result<Vec<Term>, StatementError> {
+        let items = ints.items(items, &|item, ints| term(item, ints))?;
+        if items.is_empty() { shape(sexp) } else { Ok(items) }
+    };
+    let natural = |sexp: &Sexp| ints.natural(sexp);
+    let (head, items) = match sexp {
+        Sexp::Number(value) => return Ok(Term::Number(value.clone())),
+        Sexp::Name(name) => return Ok(Term::Named(name.clone())),
+        _ => match sexp.as_form() {
+            Some(form) => form,
+            None => return shape(sexp),
+        },
+    };
+    Ok(match (head, items) {
+        ("+", items) => Term::Sum(all(items)?),
+        ("*", items) => Term::Product(all(items)?),
+        ("-", [a]) => {
+            let minus_one = Term::Number(BigRational::from_integer((-1).into()));
+            Term::Product(vec![minus_one, term(a, ints)?])
+        }
+        ("-", [a, b]) => Term::Difference(boxed(a)?, boxed(b)?),
+        ("/", [a, b]) => Term::Ratio(boxed(a)?, boxed(b)?),
+        ("^", [a, n]) => Term::Power(boxed(a)?, natural(n)?),
+        ("integer", [n]) => Term::Number(BigRational::from_integer(ints.value(n)?.into())),
+        ("t", [Sexp::Name(window), i]) => Term::Knot(window.clone(), ints.value(i)?),
+        ("x", [p]) => Term::Point(place(p, ints)?),
+        ("w" | "v" | "Dw", [i, d, p]) => {
+            let of = match head {
+                "w" => OfWeight::Weight,
+                "v" => OfWeight::Complement,
+                _ => OfWeight::Derivative,
+            };
+            Term::Weight(of, ints.value(i)?, natural(d)?, place(p, ints)?)
+        }
+        ("G" | "DG", [i, d, p]) => Term::Function {
+            derivative: head == "DG",
+            i: ints.value(i)?,
+            degree: natural(d)?,
+            place: place(p, ints)?,
+        },
+        ("de-boor", [i, q, k, p]) => Term::DeBoor {
+            i: ints.value(i)?,
+            level: natural(q)?,
+            degree: natural(k)?,
+            place: place(p, ints)?,
+        },
+        ("at", [Sexp::List(pairs), body]) => {
+            let pair = |pair: &Sexp| match pair {
+                Sexp::List(items) => match items.as_slice() {
+                    [Sexp::Name(name), value] => Ok((name.clone(), term(value, ints)?)),
+                    _ => shape(pair),
+                },
+                _ => shape(pair),
+            };
+            let pairs: Result<Vec<_>, _> = pairs.iter().map(pair).collect();
+            Term::At(pairs?, boxed(body)?)
+        }
+        ("det", rows) => {
+            let row = |row: &Sexp| match row {
+                Sexp::List(items) => items.iter().map(|item| term(item, ints)).collect(),
+                _ => shape(row),
+            };
+            let rows: Vec<Vec<Term>> = rows.iter().map(row).collect::<Result<_, _>>()?;
+            if rows.is_empty() || rows.iter().any(|row| row.len() != rows.len()) {
+                return shape(sexp);
+            }
+            Term::Determinant(rows)
+        }
+        _ => Term::Named(parameter(sexp, ints)?),
+    })
+}
+
+/// Reads a formula.
+pub(super) fn formula(sexp: &Sexp, ints: &Integers) -> Result<Formula, StatementError> {
+    let term = |sexp: &Sexp| term(sexp, ints);
+    let terms = |items: &Sexp| match items {
+        Sexp::List(items) if !items.is_empty() => items.iter().map(term).collect::<Result<Vec<_>, _>>(),
+        _ => shape(sexp),
+    };
+    Ok(match sexp.as_form() {
+        Some(("=", [a, b])) => Formula::Equal(term(a)?, term(b)?),
+        Some((">", [a, b])) => Formula::Greater(term(a)?, term(b)?),
+        Some(("<", [a, b])) => Formula::Greater(term(b)?, term(a)?),
+        Some((">=", [a, b])) => Formula::AtLeast(term(a)?, term(b)?),
+        Some(("defined", [a])) => Formula::Defined(term(a)?),
+        Some(("order", [i, d, p, e])) => Formula::Order {
+            i: ints.value(i)?,
+            degree: ints.natural(d)?,
+            place: place(p, ints)?,
+            order: ints.natural(e)?,
+        },
+        Some(("outside", [p, f, others])) => {
+            Formula::Outside(place(p, ints)?, term(f)?, terms(others)?)
+        }
+        Some(("pole", [p, functions, Sexp::Number(u)])) => {
+            Formula::Pole(place(p, ints)?, terms(functions)?, u.clone())
+        }
+        _ => return shape(sexp),
+    })
+}

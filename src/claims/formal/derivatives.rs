@@ -1,0 +1,112 @@
+//! Section 3: derivatives at the ends, smoothness, and what is lost at a knot.
+
+use std::ops::RangeInclusive;
+
+use super::Formal;
+use super::basis::CONTINUITY;
+
+const FIRST: &str = "(window A 0 (each s 1 k 0) some (each s 1 k any))";
+const LAST: &str = "(window A (- 0 k) (each s 1 k any) some (each s 1 k 0))";
+
+/// D⁺G at t_0 and, with index 0 for n, D⁻G at t_m.
+fn ends(first: &str, last: &str) -> String {
+    format!("(section {FIRST} (goals {first}))(section {LAST} (goals {last}))")
+}
+
+const AT_FIRST: &str = "(= (DG 0 k (from A k)) (- (/ (* (integer k) r) (A k)))) (= (DG 1 k (from A k)) (/ (* (integer k) r) (A k))) \
+    (each i 2 k (= (DG i k (from A k)) 0))";
+const AT_LAST: &str = "(= (DG 0 k (to A 0)) (/ (integer k) (* r (A 0)))) (= (DG -1 k (to A 0)) (- (/ (integer k) (* r (A 0))))) \
+    (each i (- 0 k) -2 (= (DG i k (to A 0)) 0))";
+
+/// r and its inverse in terms of α.
+const RATIO: &str = "(section (positive s) (let alpha (- s)) (let r (/ alpha (- alpha 1))) (goals \
+    (= r (/ alpha (- alpha 1))) (= (/ 1 r) (/ (- alpha 1) alpha)))) \
+    (section (positive s) (let alpha (+ 1 s)) (let r (/ alpha (- alpha 1))) (goals \
+    (= r (/ alpha (- alpha 1))) (= (/ 1 r) (/ (- alpha 1) alpha))))";
+
+/// The jump of DG_{−1} at the simple knot t_0, the second one of the function.
+const JUMP: &str = "(section (window A (- -1 k) (each s 1 k any) some some (each s 1 k any)) (goals \
+    (= (- (DG -1 k (from A 0)) (DG -1 k (to A -1))) \
+    (* (/ (- r 1) (+ (* r (A -1)) (A 0))) (each d 3 k (w -1 d (from A 0))))) \
+    (each d 3 k (> (w -1 d (from A 0)) 0))))";
+
+pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
+    let statement =
+        |degrees: RangeInclusive<usize>, because: &str, sections: &[&str]| Some(Formal::on_all_knots(degrees, because, sections));
+    let alpha = "The first two sections: r = α/(α − 1) and 1/r = (α − 1)/α, for α < 0 and for α > 1.";
+    match (claim, amended) {
+        ("L3.8", true) => statement(
+            1..=8,
+            "t_0 = … = t_k < t_{k+1}. Functions that do not live on the first span are 0 there.",
+            &[&format!(
+                "(section (each q 0 (- k 1)) {FIRST} (goals \
+                 (= (DG q (- k q) (from A k)) (- (DG (+ q 1) (- (- k q) 1) (from A k)) (Dw (+ q 1) (- k q) (from A k)))) \
+                 (= (DG (+ q 1) (- k q) (from A k)) (+ (DG (+ q 2) (- (- k q) 1) (from A k)) (Dw (+ q 1) (- k q) (from A k)))) \
+                 (each i 2 (+ k 1) (= (DG (+ q i) (- k q) (from A k)) (DG (+ q (+ i 1)) (- (- k q) 1) (from A k))))))"
+            )],
+        ),
+        ("L3.9", true) => statement(
+            1..=8,
+            "Index 0 stands for n; the last knot occurs k + 1 + e times. First section: e = 0. Second section: for e = 2 and 3 all derivatives in the equations are 0; the interval of w_n is empty, so that its derivative is 0 too; and for more copies the functions do not live on the last span any more.",
+            &[
+                &format!(
+                    "(section (each q 0 (- k 1)) {LAST} (goals \
+                     (= (DG 0 (- k q) (to A 0)) (+ (DG 0 (- (- k q) 1) (to A 0)) (Dw 0 (- k q) (to A 0)))) \
+                     (= (DG -1 (- k q) (to A 0)) (- (DG -1 (- (- k q) 1) (to A 0)) (Dw 0 (- k q) (to A 0))))))"
+                ),
+                "(section (each e 2 3) (each q 0 (- k 1)) (window A (- 0 (+ k e)) (each s 1 k any) some (each s 1 (+ k e) 0)) (goals \
+                 (each i -1 0 (= (DG i (- k q) (to A (- 0 e))) 0) (= (DG i (- (- k q) 1) (to A (- 0 e))) 0))))",
+            ],
+        ),
+        ("L3.10", true) => statement(
+            2..=8,
+            "Index 0 stands for n. Functions that do not live on the last span are 0 there.",
+            &[&format!("(section {LAST} (goals (each i (- 0 k) -2 (= (DG i k (to A 0)) 0))))")],
+        ),
+        ("T3.11.1", false) => statement(
+            0..=8,
+            "On the open span every function is a sum of products of weights, each of which is a quotient of polynomials whose denominator does not vanish there.",
+            &["(section (window A (- 0 k) (each s (- 0 k) -1 any) some (each s 1 k any)) (goals (each i (- 0 k) 0 (defined (G i k (in A 0))))))"],
+        ),
+        ("T3.11.2", true) => statement(
+            1..=8,
+            "On the closed span every function is a quotient of polynomials whose denominator does not vanish, so its derivative has limits at both ends. At a knot of multiplicity ≤ k the function is continuous (second section), at t_0 and t_m the limit is the value: there the limits are the one-sided derivatives.",
+            &[
+                "(section (window A (- 0 k) (each s (- 0 k) -1 any) some (each s 1 k any)) (goals (each i (- 0 k) 0 (defined (DG i k (from A 0))) (defined (DG i k (to A 0))))))",
+                CONTINUITY,
+            ],
+        ),
+        ("T3.11.3a", true) => statement(
+            1..=8,
+            &format!("{alpha} t_0 = … = t_k < t_{{k+1}}, and t_{{k+1}} − t_0 is the gap (A k). Functions that do not live on the first span are 0 there."),
+            &[RATIO, &format!("(section {FIRST} (goals {AT_FIRST}))")],
+        ),
+        ("T3.11.3b", true) => statement(
+            1..=8,
+            &format!("{alpha} Index 0 stands for n; t_m − t_n is the gap (A 0). Functions that do not live on the last span are 0 there."),
+            &[RATIO, &format!("(section {LAST} (goals {AT_LAST}))")],
+        ),
+        ("P4.2.2", true) => statement(
+            1..=8,
+            &format!("{alpha} First t_0 = … = t_k < t_{{k+1}}, then, with index 0 for n, t_n < t_{{n+1}} = … = t_m. The curve is Σ d_i G_i."),
+            &[
+                RATIO,
+                &format!(
+                    "(section (real (each i 0 k (d i))) {FIRST} (goals (= (+ (each i 0 k (* (d i) (DG i k (from A k))))) \
+                     (* (/ (* (integer k) r) (A k)) (- (d 1) (d 0))))))"
+                ),
+                &format!(
+                    "(section (real (each i (- 0 k) 0 (d i))) {LAST} (goals (= (+ (each i (- 0 k) 0 (* (d i) (DG i k (to A 0))))) \
+                     (* (/ (integer k) (* r (A 0))) (- (d 0) (d -1))))))"
+                ),
+                &ends(AT_FIRST, AT_LAST),
+            ],
+        ),
+        ("Rem3.1", false) => statement(
+            2..=8,
+            "Index −1 stands for i, so that t_0 is the second knot of G_i, simple and inside of its support; all other knots may be anywhere. The right minus the left derivative there is (r−1)/(r·h_0 + h_1) times a product of weights, with the gaps h_0 and h_1 left and right of the knot. The weights are positive, and r = 1 only for α = ∞.",
+            &[JUMP],
+        ),
+        _ => None,
+    }
+}

@@ -1,0 +1,58 @@
+//! The claims once more, in the formal language of certificates (`proofs/FORMAT.md`).
+//!
+//! A claim in words is judged by its conclusion on finitely many cases. Here is what is to be proved of it for every
+//! α, or for every knot vector and every α: goals about a window on a knot vector, and the reason why they are the
+//! claim. Nothing here proves anything: a prover looks for proofs of the goals, and a checker that knows neither
+//! reads them.
+
+use std::ops::RangeInclusive;
+
+mod basis;
+mod curve;
+mod derivatives;
+mod illustrations;
+mod questions;
+mod refutations;
+mod weight;
+
+use super::verdict::{Scope, Witness};
+
+/// A statement of the formal language about a claim.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Formal {
+    /// How far it reaches.
+    pub scope: Scope,
+    /// The degrees, rising.
+    pub degrees: Vec<usize>,
+    /// Why the goals are the claim.
+    pub because: String,
+    /// The sections: windows and goals.
+    pub sections: String,
+}
+
+impl Formal {
+    /// A statement about every knot vector and every α.
+    fn on_all_knots(degrees: RangeInclusive<usize>, because: &str, sections: &[&str]) -> Self {
+        let because = because.split_whitespace().collect::<Vec<_>>().join(" ");
+        Self { scope: Scope::Knots, degrees: degrees.collect(), because, sections: sections.concat() }
+    }
+}
+
+/// What is to be proved of a claim, as printed or as amended; `None` if that is not stated formally.
+#[must_use]
+pub fn formal(claim: &str, amended: bool) -> Option<Formal> {
+    let parts = [weight::formal, basis::formal, derivatives::formal, curve::formal, illustrations::formal];
+    parts.iter().find_map(|part| part(claim, amended))
+}
+
+/// What is to be proved of a question for one degree; `None` if that is not stated formally.
+#[must_use]
+pub fn formal_for_degree(question: &str, degree: usize) -> Option<Formal> {
+    questions::formal(question, degree)
+}
+
+/// What refutes a claim, with the witness that was found; `None` if that is not stated formally.
+#[must_use]
+pub fn refutation(claim: &str, witness: &Witness) -> Option<Formal> {
+    refutations::refutation(claim, witness)
+}
