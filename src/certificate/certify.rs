@@ -1,8 +1,8 @@
 //! From a judged claim to its certificates.
 
-use crate::claims::{Claim, Formal, Judged, Verdict, formal, formal_for_degree, refutation};
-
 use thiserror::Error;
+
+use crate::claims::{Claim, Formal, Judged, Verdict, Witness, formal, formal_for_degree, refutation};
 
 use super::proof::{SectionProof, to_sexp};
 use super::prove::{ProofError, prove};
@@ -18,17 +18,28 @@ pub struct Certificate {
     pub proof: Vec<SectionProof>,
 }
 
-/// Why a claim has no certificate although it is stated formally: the engine and the prover do not agree, or a
+/// Why a claim that is stated formally has no certificate: the engine, the prover and the checker do not agree, or the
 /// formal statement makes no sense. A bug of this program.
 #[derive(Debug, Clone, PartialEq, Error)]
-#[error("{claim}, {form}: {error}")]
+#[error("{claim} ({form}): {error}")]
 pub struct CertificateError {
     /// The claim.
     pub claim: String,
     /// Which of its statements.
     pub form: Form,
     /// What went wrong.
-    pub error: ProofError,
+    pub error: Uncertified,
+}
+
+/// What can go wrong on the way to a certificate.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum Uncertified {
+    /// The statement or the search for its proof.
+    #[error(transparent)]
+    Proof(#[from] ProofError),
+    /// The checker does not accept the proof.
+    #[error("the checker rejects the proof: {0}")]
+    Rejected(String),
 }
 
 impl Certificate {
@@ -53,53 +64,71 @@ impl Certificate {
     pub fn proof_text(&self) -> String {
         to_sexp(&self.proof).pretty()
     }
+
+    fn error(&self, error: Uncertified) -> CertificateError {
+        CertificateError { claim: self.statement.claim.clone(), form: self.statement.form, error }
+    }
+
+    /// Has the independent checker read both texts.
+    ///
+    /// # Errors
+    /// [`CertificateError`], if it rejects them.
+    pub fn check(&self) -> Result<knotproof_checker::Checked, CertificateError> {
+        knotproof_checker::check(&self.statement_text(), &self.proof_text())
+            .map_err(|rejected| self.error(Uncertified::Rejected(rejected.to_string())))
+    }
 }
 
-/// The formal statements of a claim that was judged: what is true of it as far as that is stated, and what is false,
-/// by the witness that was found.
+/// The formal statement of a claim: that it is true, or, with a witness, that it is false. `None` if it is not stated
+/// formally.
 ///
 /// # Errors
-/// [`StatementError`], if a statement is no text of the language: a bug of this program.
-pub fn statements(claim: &Claim, judged: &Judged) -> Result<Vec<Statement>, StatementError> {
-    let mut all = Vec::new();
-    let printed = claim.printed.text();
-    let mut add = |form: Form, text: &str, verdict: &Verdict| -> Result<(), StatementError> {
-        let (formal, refuted) = match (verdict, form) {
-            (Verdict::Refuted(witness), _) => (refutation(claim.id, witness), true),
-            // What no finite number of cases decides may have a proof all the same.
-            (Verdict::Proved { .. } | Verdict::Undecided(_), Form::Degree(k)) => {
-                (formal_for_degree(claim.id, k), false)
-            }
-            (Verdict::Proved { .. }, form) => (formal(claim.id, form == Form::Amended), false),
-            _ => (None, false),
-        };
-        if let Some(Formal { scope, degrees, because, sections }) = formal {
-            let (claim, text) = (claim.id.to_owned(), text.to_owned());
-            let sections = Sexp::parse_all(&sections)?;
-            all.push(Statement { claim, form, refuted, scope, degrees, text, because, sections });
-        }
-        Ok(())
+/// [`StatementError`], if the text is none of the language: a bug of this program.
+pub fn statement(
+    claim: &Claim,
+    form: Form,
+    witness: Option<&Witness>,
+) -> Result<Option<Statement>, StatementError> {
+    let formal = match (witness, form) {
+        (Some(witness), _) => refutation(claim.id, witness),
+        (None, Form::Degree(k)) => formal_for_degree(claim.id, k),
+        (None, form) => formal(claim.id, form == Form::Amended),
     };
-    add(Form::Printed, printed, &judged.printed)?;
-    if let (Some(amended), Some(verdict)) = (&claim.amended, &judged.amended) {
-        add(Form::Amended, amended.text(), verdict)?;
-    }
-    for (degree, verdict) in &judged.by_degree {
-        add(Form::Degree(*degree), printed, verdict)?;
-    }
-    Ok(all)
+    let text = match (form, &claim.amended) {
+        (Form::Amended, Some(amended)) => amended.text(),
+        _ => claim.printed.text(),
+    };
+    let stated = |Formal { scope, degrees, because, sections }| {
+        let sections = Sexp::parse_all(&sections)?;
+        let (claim, text, refuted) = (claim.id.to_owned(), text.to_owned(), witness.is_some());
+        Ok(Statement { claim, form, refuted, scope, degrees, text, because, sections })
+    };
+    formal.map(stated).transpose()
 }
 
-/// Proves all formal statements of a claim.
+/// Proves all formal statements about a claim that was judged: what is true of it, and what is false, by the witness that
+/// was found.
 ///
 /// # Errors
 /// [`CertificateError`]: the first statement that resists.
 pub fn certify(claim: &Claim, judged: &Judged) -> Result<Vec<Certificate>, CertificateError> {
-    let failed = |form, error| CertificateError { claim: claim.id.to_owned(), form, error };
-    let statements = statements(claim, judged).map_err(|error| failed(Form::Printed, error.into()))?;
-    let certificate = |statement: Statement| match prove(&statement) {
-        Ok(proof) => Ok(Certificate { statement, proof }),
-        Err(error) => Err(failed(statement.form, error)),
-    };
-    statements.into_iter().map(certificate).collect()
+    let mut verdicts = vec![(Form::Printed, &judged.printed)];
+    verdicts.extend(judged.amended.iter().map(|verdict| (Form::Amended, verdict)));
+    verdicts.extend(judged.by_degree.iter().map(|(degree, verdict)| (Form::Degree(*degree), verdict)));
+    let mut certificates = Vec::new();
+    for (form, verdict) in verdicts {
+        let witness = match (verdict, form) {
+            (Verdict::Refuted(witness), _) => Some(&**witness),
+            // What no finite number of cases decides may have a proof all the same.
+            (Verdict::Proved { .. }, _) | (Verdict::Undecided(_), Form::Degree(_)) => None,
+            _ => continue,
+        };
+        let failed = |error| CertificateError { claim: claim.id.to_owned(), form, error };
+        let stated = statement(claim, form, witness).map_err(|error| failed(ProofError::from(error).into()))?;
+        if let Some(statement) = stated {
+            let proof = prove(&statement).map_err(|error| failed(error.into()))?;
+            certificates.push(Certificate { statement, proof });
+        }
+    }
+    Ok(certificates)
 }

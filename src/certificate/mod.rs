@@ -13,7 +13,7 @@ mod sexp;
 mod statement;
 mod term;
 
-pub use certify::{Certificate, CertificateError, certify, statements};
+pub use certify::{Certificate, CertificateError, Uncertified, certify, statement};
 pub use evaluate::{EvaluationError, Evaluator, Unfolding};
 pub use proof::{Lemma, Rule, SectionProof};
 pub use prove::{GoalError, ProofError, prove};

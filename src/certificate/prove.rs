@@ -66,13 +66,16 @@ fn of_section(number: usize, section: &Section) -> Result<SectionProof, ProofErr
     Ok(SectionProof { lemmas: Vec::new(), goals: goals? })
 }
 
-/// How far weights are left alone, the cheapest way first.
-const WEIGHTS: [Option<usize>; 4] = [Some(1), Some(2), Some(3), None];
+/// The degrees from which on weights are left alone, the cheapest way first; at last none.
+fn ways() -> impl Iterator<Item = Option<usize>> {
+    const HIGHEST: usize = 8;
+    (1..=HIGHEST).map(Some).chain([None])
+}
 
 fn rule_for(section: &Section, formula: &Formula) -> Result<Rule, GoalError> {
     match formula {
         Formula::Equal(left, right) => {
-            for weights in WEIGHTS {
+            for weights in ways() {
                 let unfolding = Unfolding { weights_from: weights, functions_to: None, related: true };
                 let evaluator = Evaluator::new(section, unfolding)?;
                 if evaluator.term(left)? == evaluator.term(right)? {
@@ -108,7 +111,7 @@ fn enough(found: Class, wanted: Class) -> bool {
 
 /// large > small, or ≥.
 fn compare(section: &Section, large: &Term, small: &Term, wanted: Class) -> Result<Rule, GoalError> {
-    for weights in WEIGHTS {
+    for weights in ways() {
         let unfolding = Unfolding { weights_from: weights, ..Unfolding::default() };
         let evaluator = Evaluator::new(section, unfolding)?;
         let difference = evaluator.term(large)?.minus(&evaluator.term(small)?);

@@ -6,8 +6,9 @@ use std::path::PathBuf;
 use num_rational::BigRational;
 use thiserror::Error;
 
+use crate::certificate::CertificateError;
 use crate::claims::Fault;
-use crate::report::{BaselineError, END, START};
+use crate::report::{BaselineError, END, ReportError, START};
 use crate::scalar::NumberError;
 use crate::spline::{BasisError, CurveError, KnotError};
 
@@ -196,12 +197,30 @@ pub enum CliError {
         /// Where.
         x: BigRational,
     },
+    /// Neither a certificate nor a folder of certificates.
+    #[error("PATH: {} is no certificate: give files NAME.statement, with NAME.proof beside them, or a folder of such", path.display())]
+    NoCertificate {
+        /// What was given.
+        path: PathBuf,
+    },
+    /// A claim could not be certified: this program has a bug.
+    #[error("internal error: {0}; please report this bug with the command line")]
+    Certificate(#[from] CertificateError),
     /// This program has a bug.
     #[error(transparent)]
     Fault(#[from] Fault),
     /// A result could not be written.
     #[error("cannot write the result: {0}")]
     Output(#[from] io::Error),
+}
+
+impl From<ReportError> for CliError {
+    fn from(error: ReportError) -> Self {
+        match error {
+            ReportError::Fault(fault) => fault.into(),
+            ReportError::Certificate(error) => error.into(),
+        }
+    }
 }
 
 fn list(items: &[impl ToString]) -> String {
@@ -229,7 +248,12 @@ impl CliError {
             Self::NotGeneral { .. } => Some("--property"),
             Self::Baseline { .. } => Some("--baseline"),
             Self::NoTable => Some("--record"),
-            Self::Recorded(_) | Self::Conversion { .. } | Self::Fault(_) | Self::Output(_) => None,
+            Self::Recorded(_)
+            | Self::Conversion { .. }
+            | Self::Certificate(_)
+            | Self::Fault(_)
+            | Self::Output(_) => None,
+            Self::NoCertificate { .. } => Some("PATH"),
         }
     }
 
@@ -247,7 +271,11 @@ impl CliError {
     #[must_use]
     pub fn exit(&self) -> Exit {
         match self {
-            Self::Output(_) | Self::Fault(_) | Self::Conversion { .. } | Self::Recorded(_) => Exit::Internal,
+            Self::Output(_)
+            | Self::Fault(_)
+            | Self::Certificate(_)
+            | Self::Conversion { .. }
+            | Self::Recorded(_) => Exit::Internal,
             _ => Exit::Usage,
         }
     }

@@ -9,6 +9,7 @@ mod check;
 mod error;
 mod eval;
 mod exact;
+mod explain;
 mod exit;
 mod file;
 mod instance;
@@ -16,11 +17,13 @@ mod lists;
 mod output;
 mod place;
 mod progress;
+mod prove;
 mod report;
 mod schema;
 mod table;
 mod usage;
 mod verdict;
+mod verify;
 
 use std::ffi::OsString;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -57,6 +60,9 @@ enum Command {
     Bezier(Box<bezier::Args>),
     Check(Box<check::Args>),
     Report(report::Args),
+    Explain(explain::Args),
+    Prove(prove::Args),
+    Verify(verify::Args),
     Schema(schema::Args),
 }
 
@@ -67,6 +73,9 @@ impl Command {
             Self::Bezier(args) => bezier::run(args, output),
             Self::Check(args) => check::run(args, output),
             Self::Report(args) => report::run(args, output),
+            Self::Explain(args) => explain::run(args, output),
+            Self::Prove(args) => prove::run(args, output),
+            Self::Verify(args) => verify::run(args, output),
             Self::Schema(args) => schema::run(args, output),
         }
     }

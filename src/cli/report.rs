@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 
-use crate::claims::claims;
+use crate::claims::{Claim, claims};
 use crate::report::{Baseline, Difference, Report, markdown, with_verdict_table};
 
 use super::error::CliError;
@@ -61,13 +61,8 @@ struct Outcome {
 
 /// Judges, writes the files, compares and prints.
 pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
-    let mut chosen = claims();
-    let ids: Vec<_> = chosen.iter().map(|claim| claim.id).collect();
-    if let Some(name) = args.claim.iter().find(|name| !ids.contains(&name.as_str())) {
-        return Err(CliError::unknown_claim("--claim", name, &ids));
-    }
+    let chosen = choose(claims(), &args.claim)?;
     let partial = !args.claim.is_empty();
-    chosen.retain(|claim| !partial || args.claim.iter().any(|name| name == claim.id));
     // Whatever can be wrong with the files is found out before the work begins.
     let baseline = match &args.baseline {
         Some(path) => Some(read_baseline(path)?),
@@ -103,6 +98,16 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     }
     output.result(&outcome)?;
     Ok(if outcome.differences.is_empty() { Exit::Holds } else { Exit::Refuted })
+}
+
+/// The claims of these identifiers, or all if there are none.
+pub(super) fn choose(mut all: Vec<Claim>, names: &[String]) -> Result<Vec<Claim>, CliError> {
+    let ids: Vec<_> = all.iter().map(|claim| claim.id).collect();
+    if let Some(name) = names.iter().find(|name| !ids.contains(&name.as_str())) {
+        return Err(CliError::unknown_claim("--claim", name, &ids));
+    }
+    all.retain(|claim| names.is_empty() || names.iter().any(|name| name == claim.id));
+    Ok(all)
 }
 
 fn read_baseline(path: &Path) -> Result<Baseline, CliError> {

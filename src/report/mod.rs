@@ -8,7 +8,9 @@ use std::collections::{HashMap, HashSet};
 
 use rayon::prelude::*;
 use serde::Serialize;
+use thiserror::Error;
 
+use crate::certificate::{CertificateError, certify};
 use crate::claims::{Cases, Claim, Fault, instances};
 use crate::float::{Discrepancy, discrepancy};
 use crate::spline::Basis;
@@ -42,17 +44,31 @@ pub struct Drift {
     pub discrepancy: Discrepancy,
 }
 
+/// Why there is no report: a bug of this program.
+#[derive(Debug, Error)]
+pub enum ReportError {
+    /// The engine found two computations that disagree.
+    #[error(transparent)]
+    Fault(#[from] Fault),
+    /// The engine, the prover and the checker disagree.
+    #[error(transparent)]
+    Certificate(#[from] CertificateError),
+}
+
 impl Report {
     /// Judges the claims one after the other; `progress` hears the name of what comes next.
     ///
     /// # Errors
-    /// [`Fault`], if two computations of the same thing disagree: then there is no report.
-    pub fn of(claims: &[Claim], mut progress: impl FnMut(&str)) -> Result<Self, Fault> {
+    /// [`ReportError`], if two computations of the same thing disagree: then there is no report.
+    pub fn of(claims: &[Claim], mut progress: impl FnMut(&str)) -> Result<Self, ReportError> {
         let cases = Cases::all();
         let mut records = Vec::with_capacity(claims.len());
         for claim in claims {
             progress(claim.id);
-            records.push(Record::new(claim, &claim.judge(&cases)?));
+            let judged = claim.judge(&cases)?;
+            let certificates = certify(claim, &judged)?;
+            certificates.par_iter().try_for_each(|certificate| certificate.check().map(drop))?;
+            records.push(Record::new(claim, &judged, &certificates));
         }
         progress("f64 against exact");
         Ok(Self { schema: "knotproof.report/1", claims: records, float: drifts() })

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::certificate::{Certificate, Form as CertificateForm, Statement};
 use crate::claims::{Claim, Form, Judged, Sharpness, Verdict, Witness};
 
 /// One status with all that belongs to it.
@@ -24,6 +25,37 @@ pub struct Finding {
     /// Figures that were computed on the way.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub remarks: Vec<String>,
+    /// The name of the certificate, for files in proofs/certs.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub certificate: Option<String>,
+    /// Which parts of the program came to this verdict, each by its own way: `engine`, `prover`, `checker`.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub checked_by: Vec<String>,
+}
+
+/// The engine that judges cases, and the two that a certificate takes.
+const PROVED: &str = "proved";
+const ENGINE: &str = "engine";
+const CERTIFIED: [&str; 2] = ["prover", "checker"];
+
+impl Finding {
+    /// What a certificate adds that the checker has accepted: it may reach further, and settle what the cases left open.
+    fn certified(mut self, certificate: Option<&Certificate>) -> Self {
+        let Some(certificate) = certificate else { return self };
+        let Statement { scope, degrees, refuted, .. } = &certificate.statement;
+        self.certificate = Some(certificate.name());
+        self.checked_by.extend(CERTIFIED.map(str::to_owned));
+        if !refuted {
+            self.status = PROVED.to_owned();
+            self.scope = Some(scope.name().to_owned());
+            self.reason = None;
+            // A claim about the weight has no degree.
+            if !self.degrees.is_empty() || self.checked_by.len() == CERTIFIED.len() {
+                self.degrees.clone_from(degrees);
+            }
+        }
+        self
+    }
 }
 
 /// On how much a proof rests. Kept apart from the finding: it may grow without the verdict changing.
@@ -116,7 +148,12 @@ impl From<&Verdict> for Finding {
             witness: None,
             reason: None,
             remarks: Vec::new(),
+            certificate: None,
+            checked_by: Vec::new(),
         };
+        if matches!(verdict, Verdict::Proved { .. } | Verdict::Refuted(_)) {
+            finding.checked_by.push(ENGINE.to_owned());
+        }
         match verdict {
             Verdict::Proved { reach, .. } => {
                 finding.degrees.clone_from(&reach.degrees);
@@ -134,11 +171,11 @@ impl From<&Verdict> for Finding {
 impl Stated {
     /// A statement and the verdict on it.
     #[must_use]
-    pub fn new(form: &Form, verdict: &Verdict) -> Self {
+    pub fn new(form: &Form, verdict: &Verdict, certificate: Option<&Certificate>) -> Self {
         Self {
             statement: form.text().to_owned(),
             hypotheses: form.hypotheses(),
-            finding: verdict.into(),
+            finding: Finding::from(verdict).certified(certificate),
             rests_on: Grounds::of(verdict),
             sharpness: None,
         }
@@ -148,9 +185,10 @@ impl Stated {
 impl Record {
     /// The record of a claim that was judged.
     #[must_use]
-    pub fn new(claim: &Claim, judged: &Judged) -> Self {
+    pub fn new(claim: &Claim, judged: &Judged, certificates: &[Certificate]) -> Self {
+        let of = |form: CertificateForm| certificates.iter().find(|found| found.statement.form == form);
         let amended = claim.amended.as_ref().zip(judged.amended.as_ref()).map(|(form, verdict)| {
-            let mut stated = Stated::new(form, verdict);
+            let mut stated = Stated::new(form, verdict, of(CertificateForm::Amended));
             stated.sharpness = judged.sharpness;
             stated
         });
@@ -161,12 +199,12 @@ impl Record {
             id: claim.id.to_owned(),
             locator: claim.locator.to_owned(),
             statement: claim.printed.text().to_owned(),
-            as_printed: Stated::new(&claim.printed, &judged.printed),
+            as_printed: Stated::new(&claim.printed, &judged.printed, of(CertificateForm::Printed)),
             amended,
             by_degree: said
                 .map(|(degree, verdict)| DegreeFinding {
                     degree: *degree,
-                    finding: verdict.into(),
+                    finding: Finding::from(verdict).certified(of(CertificateForm::Degree(*degree))),
                     rests_on: Grounds::of(verdict),
                 })
                 .collect(),

@@ -1,0 +1,157 @@
+//! The command `explain`: one claim, its verdict, and why.
+
+use std::fmt;
+
+use serde::Serialize;
+
+use crate::claims::{Claim, Form, claims, formal, formal_for_degree, refutation};
+use crate::report::{Baseline, DegreeFinding, Finding};
+
+use super::error::CliError;
+use super::exit::Exit;
+use super::output::Output;
+use super::verdict::styled;
+
+/// Explains a claim: what it says, what is known of it, and the idea of the proof or the counterexample.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLE)]
+pub(super) struct Args {
+    /// The claim, such as T3.5.3.
+    #[arg(value_name = "CLAIM")]
+    claim: String,
+    /// Shows the formal goals too.
+    #[arg(long)]
+    goals: bool,
+}
+
+const EXAMPLE: &str = "\
+Examples:
+  knotproof explain T3.5.3
+  knotproof explain X.totalpositivity --goals
+The verdicts are the recorded ones; `knotproof report --claim CLAIM` judges it again.";
+
+/// One statement of the claim.
+#[derive(Debug, Serialize)]
+struct Part {
+    /// `as printed`, `as amended` or `degree K`.
+    of: String,
+    statement: String,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    hypotheses: Vec<String>,
+    #[serde(flatten)]
+    finding: Finding,
+    /// Why it is true or false.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    idea: Option<String>,
+    /// What is proved, in the language of proofs/FORMAT.md.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    goals: Option<String>,
+}
+
+/// The result: its fields are the JSON.
+#[derive(Debug, Serialize)]
+struct Explanation {
+    schema: &'static str,
+    id: &'static str,
+    locator: &'static str,
+    parts: Vec<Part>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    note: Option<&'static str>,
+}
+
+/// Looks up and prints.
+pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
+    let all = claims();
+    let ids: Vec<_> = all.iter().map(|claim| claim.id).collect();
+    let Some(claim) = all.iter().find(|claim| claim.id == args.claim) else {
+        return Err(CliError::unknown_claim("CLAIM", &args.claim, &ids));
+    };
+    let recorded = Baseline::recorded().map_err(CliError::Recorded)?;
+    let Some(entry) = recorded.claims.iter().find(|entry| entry.id == claim.id) else {
+        return Err(CliError::unknown_claim("CLAIM", &args.claim, &ids));
+    };
+    let mut parts = vec![part(claim, "as printed".into(), &claim.printed, &entry.as_printed, args.goals)];
+    if let (Some(form), Some(finding)) = (&claim.amended, &entry.amended) {
+        parts.push(part(claim, "as amended".into(), form, finding, args.goals));
+    }
+    for DegreeFinding { degree, finding, .. } in &entry.by_degree {
+        parts.push(part(claim, format!("degree {degree}"), &claim.printed, finding, args.goals));
+    }
+    let explanation = Explanation {
+        schema: "knotproof.explain/1",
+        id: claim.id,
+        locator: claim.locator,
+        parts,
+        note: claim.note,
+    };
+    output.result(&explanation)?;
+    Ok(Exit::Holds)
+}
+
+fn part(claim: &Claim, of: String, form: &Form, finding: &Finding, goals: bool) -> Part {
+    let stated = match (&finding.witness, of.strip_prefix("degree ").and_then(|k| k.parse().ok())) {
+        (Some(witness), _) => refutation(claim.id, witness),
+        (None, Some(k)) => formal_for_degree(claim.id, k),
+        (None, None) => formal(claim.id, of == "as amended"),
+    };
+    let stated = stated.filter(|_| finding.certificate.is_some());
+    Part {
+        of,
+        statement: form.text().to_owned(),
+        hypotheses: form.hypotheses(),
+        finding: finding.clone(),
+        idea: stated.as_ref().map(|formal| formal.because.clone()),
+        goals: stated.filter(|_| goals).map(|formal| formal.sections),
+    }
+}
+
+impl fmt::Display for Explanation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "{} ({})", self.id, self.locator)?;
+        let mut said = "";
+        for part in &self.parts {
+            let finding = &part.finding;
+            let degrees: Vec<_> = finding.degrees.iter().map(ToString::to_string).collect();
+            let degrees =
+                if degrees.is_empty() { String::new() } else { format!(", degrees {}", degrees.join(", ")) };
+            writeln!(f, "\n{}: {}{degrees}", capitalised(&part.of), styled(finding))?;
+            if part.statement != said {
+                writeln!(f, "  {}", part.statement)?;
+                said = &part.statement;
+            }
+            if !part.hypotheses.is_empty() {
+                writeln!(f, "  assuming: {}", part.hypotheses.join("; "))?;
+            }
+            if let Some(witness) = &finding.witness {
+                writeln!(f, "  witness: {witness}")?;
+                if let Some(command) = &witness.reproduce {
+                    writeln!(f, "  again: {command}")?;
+                }
+            }
+            if let Some(reason) = &finding.reason {
+                writeln!(f, "  {reason}")?;
+            }
+            if let Some(idea) = &part.idea {
+                writeln!(f, "  why: {idea}")?;
+            }
+            for remark in &finding.remarks {
+                writeln!(f, "  {remark}")?;
+            }
+            if let Some(goals) = &part.goals {
+                writeln!(f, "  goals: {goals}")?;
+            }
+            if let Some(certificate) = &finding.certificate {
+                writeln!(f, "  certificate: proofs/certs/{certificate}.statement and .proof; checked by {}", finding.checked_by.join(", "))?;
+            }
+        }
+        if let Some(note) = self.note {
+            writeln!(f, "\nNote: {note}")?;
+        }
+        Ok(())
+    }
+}
+
+fn capitalised(text: &str) -> String {
+    let mut chars = text.chars();
+    chars.next().map_or_else(String::new, |first| first.to_uppercase().chain(chars).collect())
+}

@@ -1,0 +1,114 @@
+//! The command `prove`: writes the certificates.
+
+use std::fmt;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use serde::Serialize;
+
+use crate::certificate::{Certificate, certify};
+use crate::claims::{Cases, claims};
+
+use super::error::CliError;
+use super::exit::Exit;
+use super::output::Output;
+use super::progress::Progress;
+use super::report::choose;
+use super::table::{plain, right_aligned};
+use super::verify::Checked;
+
+/// Proves what the claims say in the formal language of proofs/FORMAT.md, has every proof checked, and writes the
+/// certificates.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLE)]
+pub(super) struct Args {
+    /// The folder for the certificates, which is made if it is not there.
+    #[arg(long, value_name = "DIR", default_value = "proofs/certs")]
+    out: PathBuf,
+    /// Proves only this claim; may be repeated.
+    #[arg(long, value_name = "CLAIM")]
+    claim: Vec<String>,
+}
+
+const EXAMPLE: &str = "\
+Examples:
+  knotproof prove --out my-certificates
+  knotproof prove --claim T3.5.2 --claim X.totalpositivity --out my-certificates --format json
+The claims are judged first: a certificate of a refutation rests on the witness that was found.";
+
+/// The result: its fields are the JSON.
+#[derive(Debug, Serialize)]
+struct Proved {
+    schema: &'static str,
+    checked: Vec<Checked>,
+    /// The folder.
+    written: PathBuf,
+    /// Certificates in the folder that no claim has any more.
+    stale: Vec<String>,
+}
+
+/// Proves, checks, writes and prints.
+pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
+    let chosen = choose(claims(), &args.claim)?;
+    fs::create_dir_all(&args.out).map_err(|error| unwritable(&args.out, error))?;
+    let progress = Progress::new(chosen.len());
+    let cases = Cases::all();
+    let (mut checked, mut names) = (Vec::new(), Vec::new());
+    for claim in &chosen {
+        progress.step(claim.id);
+        for certificate in certify(claim, &claim.judge(&cases)?)? {
+            checked.push(Checked::certificate(&certificate)?);
+            write(&args.out, &certificate)?;
+            names.push(certificate.name());
+        }
+    }
+    drop(progress);
+    let stale = if args.claim.is_empty() { stale(&args.out, &names)? } else { Vec::new() };
+    let proved = Proved { schema: "knotproof.prove/1", checked, written: args.out.clone(), stale };
+    output.result(&proved)?;
+    Ok(if proved.stale.is_empty() { Exit::Holds } else { Exit::Refuted })
+}
+
+fn write(folder: &Path, certificate: &Certificate) -> Result<(), CliError> {
+    let files =
+        [("statement", certificate.statement_text()), ("proof", certificate.proof_text())];
+    for (extension, text) in files {
+        let path = folder.join(format!("{}.{extension}", certificate.name()));
+        fs::write(&path, text).map_err(|error| unwritable(&path, error))?;
+    }
+    Ok(())
+}
+
+/// The certificates in the folder that are none of these.
+fn stale(folder: &Path, names: &[String]) -> Result<Vec<String>, CliError> {
+    let entries = fs::read_dir(folder).map_err(|error| unwritable(folder, error))?;
+    let mut stale: Vec<String> = entries
+        .filter_map(|entry| {
+            let name = entry.ok()?.file_name().into_string().ok()?;
+            let stem = name.strip_suffix(".statement").or_else(|| name.strip_suffix(".proof"))?;
+            (!names.iter().any(|known| known == stem)).then_some(name)
+        })
+        .collect();
+    stale.sort();
+    Ok(stale)
+}
+
+fn unwritable(path: &Path, error: std::io::Error) -> CliError {
+    CliError::File { argument: "--out", action: "write", path: path.to_owned(), error }
+}
+
+impl fmt::Display for Proved {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut table = plain(["claim", "", "verdict", "scope", "degrees", "goals"].map(str::to_owned).to_vec());
+        for checked in &self.checked {
+            table.add_row(checked.row());
+        }
+        right_aligned(&mut table, 5);
+        writeln!(f, "{table}\n")?;
+        writeln!(f, "Proved and checked: {} certificates, in {}", self.checked.len(), self.written.display())?;
+        for name in &self.stale {
+            writeln!(f, "Not a certificate of any claim any more: {name}")?;
+        }
+        Ok(())
+    }
+}
