@@ -1,0 +1,400 @@
+//! Certificates that do not hold are rejected, and for the reason that is theirs.
+
+use knotproof_checker::{canonical, check};
+
+/// A statement for k = 1 and 2 with the sections given.
+fn statement(sections: &str) -> String {
+    format!(
+        r#"(statement 1 (claim "test") (form printed) (verdict proved) (scope knots) (degrees 1 2)
+            (text "A test.") (because "It says so.") {sections})"#
+    )
+}
+
+/// One section that both degrees read, with one goal and its rule.
+fn reason(declarations: &str, goal: &str, rule: &str) -> String {
+    let sections = format!("(section {declarations} (goals {goal}))");
+    let proof = format!("(proof 1 (section 1 (goal 1 {rule})) (section 2 (goal 1 {rule})))");
+    match check(&statement(&sections), &proof) {
+        Ok(checked) => format!("accepted: {checked}"),
+        Err(rejected) => rejected.to_string(),
+    }
+}
+
+/// Five knots around the span 0: t_{-2} to t_3.
+const W: &str = "(window W -2 any any some any any)";
+
+#[test]
+fn the_frame_of_this_test_accepts_what_holds() {
+    let good = [
+        ("(real a)", "(= (+ a a) (* 2 a))", "(by)"),
+        (W, "(> (G 0 k (in W 0)) 0)", "(by)"),
+        (W, "(= (G 1 k (in W 0)) 0)", "(by)"),
+        // A function that vanishes at the place does not need the knots beyond.
+        ("(window W 0 some some)", "(= (G 0 1 (to W 1)) 0)", "(by)"),
+        (
+            "(window W 0 some some)",
+            "(= (+ (G 0 2 (in W 0)) (G 0 2 (in W 1))) (G 0 2 (in W 0)))",
+            "(by (functions 2))",
+        ),
+    ];
+    for (declarations, goal, rule) in good.iter().take(4) {
+        assert!(
+            reason(declarations, goal, rule).starts_with("accepted"),
+            "{goal}: {}",
+            reason(declarations, goal, rule)
+        );
+    }
+    let (declarations, goal, rule) = good[4];
+    assert!(reason(declarations, goal, rule).contains("the two sides differ"));
+}
+
+#[test]
+fn goals_that_are_not_shown() {
+    let table = [
+        // False, or true but not shown by this rule.
+        ("(real a)", "(= (^ a 2) a)", "(by)", "the two sides differ"),
+        (W, "(= (G 0 k (in W 0)) 1)", "(by)", "the two sides differ"),
+        (W, "(= (+ (G -1 1 (in W 0)) (G 0 1 (in W 0))) 2)", "(by (weights 1))", "the two sides differ"),
+        (W, "(= (w 0 1 (in W 0)) (v 0 1 (in W 0)))", "(by (weights 1))", "the two sides differ"),
+        (W, "(= (DG 0 1 (in W 0)) 0)", "(by)", "the two sides differ"),
+        (W, "(= (Dw 0 1 (in W 0)) (at ((u (* 2 u))) (Dw 0 1 (in W 0))))", "(by)", "the two sides differ"),
+        (W, "(> 0 (G 0 1 (in W 0)))", "(by)", "a coefficient below 0"),
+        (W, "(> (G 1 1 (in W 0)) 0)", "(by)", "no monomial in positive parameters"),
+        (W, "(> (G -1 2 (from W 0)) 0)", "(by (functions 2))", "or a real parameter"),
+        ("(nonnegative a)", "(> a 0)", "(by)", "no monomial in positive parameters"),
+        ("(real a)", "(>= a 0)", "(by)", "or a real parameter"),
+        ("(real a)", "(> (+ a 1) 0)", "(by)", "or a real parameter"),
+        ("(positive a)", "(< a 0)", "(by)", "a coefficient below 0"),
+        ("(positive a b)", "(>= a b)", "(by)", "a coefficient below 0"),
+        (W, "(>= (Dw 0 2 (in W 0)) 0)", "(by (weights 1))", "or a real parameter"),
+        // A weight's unknown is bound to its two ends: with the same knots but another u it is another one.
+        (
+            W,
+            "(= (w 0 2 (in W 0)) (at ((u (* 2 u))) (w 0 2 (in W 0))))",
+            "(by (weights 1))",
+            "the two sides differ",
+        ),
+        (
+            W,
+            "(= (G 0 2 (in W 0)) (at ((r 1)) (G 0 2 (in W 0))))",
+            "(by (functions 2))",
+            "the two sides differ",
+        ),
+        (
+            "(positive a) (window W 0 a)",
+            "(= (G 0 2 (in W 0)) (at ((a 1)) (G 0 2 (in W 0))))",
+            "(by (functions 2))",
+            "the two sides differ",
+        ),
+        (
+            "(window W 0 some) (window V 0 some)",
+            "(= (G 0 2 (in W 0)) (G 0 2 (in V 0)))",
+            "(by (functions 2))",
+            "the two sides differ",
+        ),
+        // With p = 2u·h and q = 2·h in both, the interval the same, and yet another x and another derivative.
+        (
+            "(knots W 0 0 1)",
+            "(= (at ((u (/ u 2)) (r 2)) (Dw 0 1 (in W 0))) (at ((u (/ (* 2 u) 2)) (r 1)) (Dw 0 1 (in W 0))))",
+            "(by (weights 1))",
+            "the two sides differ",
+        ),
+        // The wrong rule.
+        ("(real a)", "(= a a)", "(orders)", "the rule is none for this formula"),
+        ("(positive a)", "(= a a)", "(split a 1 (by) (by))", "the rule is none for this formula"),
+        ("(positive a)", "(> a 0)", "(by (using (1 1)))", "the rule is none for this formula"),
+        ("(positive a)", "(> a 0)", "(split a 1 (by (weights 1)) (by))", "the rule is none for this formula"),
+        ("(positive a)", "(> a 0)", "(split a 1 (by) (evaluate))", "the rule is none for this formula"),
+        (W, "(defined (G 0 1 (in W 0)))", "(by (functions 1))", "the rule is none for this formula"),
+        (W, "(order 0 1 (in W 0) 1)", "(by)", "the rule is none for this formula"),
+        ("(positive a)", "(> a 0)", "(functional (1 1))", "the rule is none for this formula"),
+        // Lemmas that are not there.
+        ("(real a)", "(= a 0)", "(by (using (1 1)))", "no lemma 1 so far"),
+        // Splits.
+        ("(positive a)", "(> (- a 1) 0)", "(split a 1 (by) (by))", "a coefficient below 0"),
+        ("(positive a)", "(> (- a 1) 0)", "(split a 1/2 (by) (by))", "a coefficient below 0"),
+        ("(positive a)", "(> (- 1 a) 0)", "(split a 1 (by) (by))", "a coefficient below 0"),
+        // a = 1 belongs to the second half: there nothing but a − 1 ≥ 0 is known.
+        (
+            "(positive a)",
+            "(> (^ (- a 1) 2) 0)",
+            "(split a 1 (by) (by))",
+            "no monomial in positive parameters",
+        ),
+        ("(real a)", "(> (+ 1 (^ a 2)) 0)", "(split a 1 (by) (by))", "a is no parameter with a sign"),
+        ("(positive a)", "(> a 0)", "(split b 1 (by) (by))", "unknown name b"),
+        // Divisors.
+        ("(real a)", "(= (/ a a) 1)", "(by)", "a divisor without a sign"),
+        ("(nonnegative a)", "(= (/ a a) 1)", "(by)", "a divisor without a sign"),
+        ("(positive a)", "(= (/ a 0) (/ a 0))", "(by)", "a divisor without a sign"),
+        ("(positive a b)", "(defined (/ 1 (- a b)))", "(by)", "a divisor without a sign"),
+        ("(real a)", "(defined (/ 1 (+ 1 a)))", "(by)", "a divisor without a sign"),
+        // Orders.
+        (W, "(order 0 1 (in W 0) 0)", "(orders)", "the order is 1"),
+        (W, "(order 1 1 (in W 0) 0)", "(orders)", "the function is 0"),
+        (W, "(order 0 1 (from W 0) 1)", "(orders)", "not the inside of a span"),
+        (W, "(order -2 2 (in W 0) 1)", "(orders)", "the order is 0"),
+        (W, "(order -1 2 (in W 0) 0)", "(orders)", "a lowest coefficient in u without a sign"),
+        (W, "(order 0 -1 (in W 0) 0)", "(orders)", "a degree is negative"),
+        // Functionals and poles.
+        (W, "(outside (in W 0) u (1))", "(functional (1 1))", "not 0 for function 1"),
+        (W, "(outside (in W 0) u (1))", "(functional (1 1) (-1 1))", "0 for the first function"),
+        (
+            W,
+            "(outside (in W 0) (* 2 u) (1 u))",
+            "(functional (1 0) (-2 1) (1 2))",
+            "0 for the first function",
+        ),
+        (W, "(outside (in W 0) (/ 1 u) (1))", "(functional (1 0) (-1 1))", "function 0 has no value"),
+        (W, "(outside (in W 0) (* r u) (1))", "(functional (1 0) (-1 1))", "a parameter besides u"),
+        (W, "(outside (to W 0) u (1))", "(functional (1 0) (-1 1))", "not the inside of a span"),
+        (W, "(outside (in W 0) u (1))", "(functional)", "expected a number and a point"),
+        (W, "(outside (in W 0) u (1))", "(functional (1 1) (-1 -1))", "expected a point u ≥ 0"),
+        (W, "(pole (in W 0) ((/ 1 (+ u 1)) u) -2)", "(evaluate)", "no pole there"),
+        (W, "(pole (in W 0) ((/ (+ u 1) (+ u 1))) -1)", "(evaluate)", "no pole there"),
+        (W, "(pole (in W 0) ((/ 1 (+ u r))) -1)", "(evaluate)", "a parameter besides u"),
+        (W, "(pole (in W 0) () -1)", "(evaluate)", "expected a term"),
+    ];
+    for (declarations, goal, rule, want) in table {
+        let found = reason(declarations, goal, rule);
+        assert!(found.contains(want), "{declarations} {goal} {rule}\n  found: {found}\n  wanted: {want}");
+    }
+}
+
+#[test]
+fn declarations_and_terms_that_mean_nothing() {
+    let goal = "(= 0 0)";
+    let table = [
+        // Windows and places.
+        ("(window W 0 some)", "(= (G -1 2 (in W 0)) 1)", "not determined by the window W: t_-1"),
+        ("(window W 0 some)", "(= (t W 2) 1)", "not determined by the window W: t_2"),
+        ("(window W 0 some)", "(= (t W -1) 1)", "not determined by the window W: t_-1"),
+        ("(window W 0 some)", "(= (x (in W 1)) 1)", "not determined by the window W: t_2"),
+        ("(window W 0 any)", "(= (x (in W 0)) 1)", "span 0 of W is not positive"),
+        ("(knots W 0 1 1 2)", "(= (x (in W 0)) 1)", "span 0 of W is not positive"),
+        (
+            "(window W 0 some some)",
+            "(= (w 0 1 (in W 1)) 1)",
+            "not determined by the window W: w_0^1 on span 1",
+        ),
+        ("(window W 0 some some)", "(= (w 1 1 (in W 0)) 1)", "w_1^1 on span 0"),
+        ("(window W 0 some some)", "(= (w 0 0 (in W 0)) 1)", "w_0^0 on span 0"),
+        ("(window W 0 some)", "(= (x (in V 0)) 1)", "unknown name V"),
+        ("(window W 0 some)", "(= (G 0 -1 (in W 0)) 1)", "a degree is negative"),
+        ("(window W 0 some)", "(= (G 0 101 (in W 0)) 1)", "a degree is beyond the limits"),
+        ("(real a) (window W 0 a)", goal, "gap 0 of window W"),
+        ("(positive a b) (window W 0 (- a b))", goal, "gap 0 of window W"),
+        ("(positive a) (window W 0 (/ 1 a))", goal, "gap 0 of window W"),
+        ("(window W 0 some u)", goal, "gap 1 of window W"),
+        ("(window W 0 -1)", goal, "gap 0 of window W"),
+        ("(nonnegative a) (window W 0 a)", "(= (at ((a -1)) 0) 0)", "gap 0 of window W"),
+        ("(nonnegative a) (window W 0 a)", "(= (at ((a u)) 0) 0)", "gap 0 of window W"),
+        ("(window W 0 V) (window V 0 some)", goal, "unknown name V"),
+        ("(knots W 0 1 0)", goal, "the knots of W fall"),
+        ("(knots W 0 1)", goal, "expected two knots"),
+        ("(knots W 0 0 k)", goal, "expected a number"),
+        ("(window W 0)", goal, "expected a gap"),
+        ("(window t 0 some)", goal, "expected a name that is no word"),
+        // Names.
+        ("(real a a)", goal, "the name a is taken"),
+        ("(real a) (positive a)", goal, "the name a is taken"),
+        ("(real u)", goal, "the name u is taken"),
+        ("(positive k)", goal, "the name k is taken"),
+        ("(positive any)", goal, "the name any is taken"),
+        ("(real (d 0) (d 0))", goal, "the name d is taken"),
+        ("(real d (d 0))", goal, "the name d is taken"),
+        ("(real W) (window W 0 some)", goal, "the name W is taken"),
+        ("(window W 0 some) (window W 0 some)", goal, "the name W is taken"),
+        ("(let u 1)", goal, "the name u is taken"),
+        ("(let a 1) (let r 2)", goal, "r is not the first"),
+        ("(let r 0)", goal, "r is not positive"),
+        ("(real a) (let r a)", goal, "r is not positive"),
+        ("(let a b) (let b 1)", goal, "unknown name b"),
+        ("(let a (x (in W 0))) (window W 0 some)", goal, "unknown name W"),
+        ("(each k 1 2)", goal, "the name k is taken"),
+        ("(real i)", "(each i 1 1 (= 0 0))", "the name i is taken"),
+        ("", "(each i 1 1 (each i 1 1 (= 0 0)))", "the name i is taken"),
+        ("", "(= k k)", "unknown name k"),
+        ("", "(= (integer n) 0)", "unknown name n"),
+        ("(real (d 0))", "(= (d 1) (d 1))", "unknown name d"),
+        ("(real (d 0))", "(= d d)", "unknown name d"),
+        ("(window W 0 some some some)", "(= (de-boor 1 1 1 (in W 1)) 0)", "unknown name d"),
+        ("", "(= (at ((a 1)) 1) 1)", "unknown name a"),
+        ("", "(= (at ((u 1) (u 1)) 1) 1)", "the name u is taken"),
+        ("(let a 1)", "(= (at ((a 2)) a) 2)", "unknown name a"),
+        ("", "(= (at ((u -1)) 1) 1)", "u is not positive"),
+        ("", "(= (at ((r 0)) 1) 1)", "r is not positive"),
+        ("", "(= (at () 1) 1)", "expected a replacement"),
+        // Numbers that are not allowed, or too large.
+        ("", "(= (^ 2 -1) 1)", "an exponent is negative"),
+        ("", "(= (^ 2 1000000) 1)", "an exponent is beyond the limits"),
+        ("", "(= (^ (^ u 1000) 1000) 1)", "an exponent is beyond the limits"),
+        ("", "(= (^ (^ (^ 3 1000) 1000) 1000) 1)", "a number is beyond the limits"),
+        ("", "(= (integer (* 1000 1001 k)) 1)", "an integer is beyond the limits"),
+        ("", "(= (integer 9223372036854775807) 1)", "an integer is beyond the limits"),
+        ("", "(= (integer -9223372036854775808) 1)", "an integer is beyond the limits"),
+        ("", "(= (integer 9223372036854775808) 1)", "expected a whole number"),
+        ("", "(= (integer (binomial -1 0)) 1)", "binomial of a negative number"),
+        ("", "(= (+ (each i 1 1000000 (each j 1 1000000 1))) 1)", "the expansion is beyond the limits"),
+        ("", "(each i 1 1000000 (= 0 0))", "the number of goals is beyond the limits"),
+        ("", "(= (det (1 2) (3)) 0)", "not square"),
+        ("", "(= (det (1) (3)) 0)", "not square"),
+    ];
+    for (declarations, goal, want) in table {
+        let found = reason(declarations, goal, "(by)");
+        assert!(found.contains(want), "{declarations} {goal}\n  found: {found}\n  wanted: {want}");
+    }
+}
+
+#[test]
+fn texts_that_are_not_the_format() {
+    let table = [
+        ("(real a)", "(= 0 0) (= 1 1)", "(by)) (goal 2 (by)) (goal 3 (by)", "a proof of a goal that"),
+        ("(real a)", "(= 0 0) (= 1 1)", "(by)", "goal 2: a goal without a proof"),
+        ("(real a)", "(= 0 0)", "(by)) (goal 3 (by)", "a proof of a goal that"),
+        ("(real a)", "(= 0 0) (= 1 1)", "(by)) (goal 3 (by)", "goal 3 where 2 has to be"),
+        ("", "(= 0 0)", "", "expected a rule"),
+        ("", "(= 0 0)", "by", "expected a rule"),
+        ("", "(= 0 0)", "()", "expected a rule"),
+        ("", "(= 0 0)", "(sorry)", "expected a rule"),
+        ("", "(= 0 0)", "(by) (by)", "expected a closing bracket"),
+        ("", "(= 0 0)", "(by (weights 1) (weights 1))", "expected a closing bracket"),
+        ("", "(= 0 0)", "(by (functions 1) (weights 1))", "expected a closing bracket"),
+        ("", "(= 0 0)", "(by (weights))", "expected a number"),
+        ("", "(= 0 0)", "(by (weights k))", "expected a number"),
+        ("", "(= 0 0)", "(by (weights -1))", "expected a degree"),
+        ("", "(= 0 0)", "(by (weights 1/2))", "expected a whole number"),
+        ("", "(= 0 0)", "(by (using))", "expected a lemma"),
+        ("", "(= 0 0)", "(by (trust 1))", "expected a closing bracket"),
+        ("", "(> u 0)", "(split u 0 (by) (by))", "expected a positive number"),
+        ("", "(> u 0)", "(split u -1 (by) (by))", "expected a positive number"),
+        ("", "(> u 0)", "(split u 1 (by))", "expected a rule"),
+        ("", "(= 0 0) extra", "(by)", "expected a formula"),
+        ("", "", "(by)", "expected a formula"),
+        ("", "(= 0)", "(by)", "expected a term"),
+        ("", "(= 0 0 0)", "(by)", "expected a closing bracket"),
+        ("", "(<= 0 0)", "(by)", "expected a name or a number"),
+        ("", "(true)", "(by)", "expected a formula"),
+        ("", "(= (+) 0)", "(by)", "expected a term"),
+        ("", "(= (f) 0)", "(by)", "expected an index"),
+        ("", "(= () 0)", "(by)", "expected a term"),
+        ("", "(= \"0\" 0)", "(by)", "expected a term"),
+        ("", "(= 01 1)", "(by)", "expected a name or a number in lowest terms"),
+        ("", "(= 2/4 1/2)", "(by)", "expected a name or a number in lowest terms"),
+        ("", "(= -0 0)", "(by)", "expected a name or a number in lowest terms"),
+        ("", "(= 0.5 1/2)", "(by)", "expected a name or a number in lowest terms"),
+        ("", "(= (each i 1 2 0) 0)", "(by)", "expected a name that is no word"),
+        ("", "(= (+ (each i 1 2)) 0)", "(by)", "expected a term"),
+        ("", "(= (- 1 2 3) 0)", "(by)", "expected a closing bracket"),
+        ("", "(= (x (at W 0)) 0)", "(by)", "expected in, from or to"),
+        ("", "(= (det) 0)", "(by)", "expected a row"),
+        ("(positive a) (real b)", "(= 0 0)", "(by)", "expected goals"),
+        ("(real)", "(= 0 0)", "(by)", "expected a parameter"),
+        ("(real 1)", "(= 0 0)", "(by)", "expected a parameter"),
+        ("(real (a))", "(= 0 0)", "(by)", "expected an index"),
+        ("(real a) (real b)", "(= 0 0)", "(by)", "expected goals"),
+        ("(complex a)", "(= 0 0)", "(by)", "expected goals"),
+        ("(knots W 0 0 1) (window V 0 some)", "(= 0 0)", "(by)", "expected goals"),
+        ("(each i 1 2 3)", "(= 0 0)", "(by)", "expected a closing bracket"),
+    ];
+    for (declarations, goal, rule, want) in table {
+        let found = reason(declarations, goal, rule);
+        assert!(found.contains(want), "{declarations} {goal} {rule}\n  found: {found}\n  wanted: {want}");
+    }
+    let deep = "(- ".repeat(200) + "1" + &")".repeat(200);
+    assert!(reason("", &format!("(= {deep} 1)"), "(by)").contains("the nesting is beyond the limits"));
+}
+
+#[test]
+fn every_degree_has_a_goal_and_every_section_a_proof() {
+    let proved = |count: usize, goals: &str| {
+        let sections: String = (1..=count).map(|n| format!(" (section {n} {goals})")).collect();
+        format!("(proof 1{sections})")
+    };
+    let table = [
+        (
+            "(section (goals (each i 2 k (= 0 0))))",
+            "(proof 1 (section 1) (section 2 (goal 1 (by))))".into(),
+            "no goal for k = 1",
+        ),
+        ("(section (each i 5 k) (goals (= 0 0)))", proved(2, "(goal 1 (by))"), "no goal for k = 1"),
+        ("(section (goals (= 0 0)))", proved(1, "(goal 1 (by))"), "section 2: a section without a proof"),
+        ("(section (goals (= 0 0)))", proved(3, "(goal 1 (by))"), "a proof of a section that"),
+        (
+            "(section (goals (= 0 0)))",
+            "(proof 1 (section 2 (goal 1 (by))))".into(),
+            "section 2 where 1 has to be",
+        ),
+        ("(section (goals (= 0 0)))", "(proof 1)".into(), "proof: line 1: expected a section"),
+        (
+            "(section (goals (= 0 0)))",
+            "(proof 2 (section 1 (goal 1 (by))))".into(),
+            "proof: line 1: expected format 1",
+        ),
+        ("(section (goals (= 0 0)))", proved(2, "(goal 1 (by))") + " x", "expected the end of the file"),
+        ("(section (goals (= 0 0)))", proved(2, ""), "goal 1: a goal without a proof"),
+        (
+            "(section (goals (= 0 1)))",
+            proved(2, "(lemma 1 (= 0 1) (by)) (goal 1 (by (using (1 1))))"),
+            "section 1, lemma 1, rule by: the two sides differ",
+        ),
+        (
+            "(section (goals (= 0 1)))",
+            proved(2, "(lemma 1 (= 0 1) (by (using (1 1)))) (goal 1 (by (using (1 1))))"),
+            "no lemma 1 so far",
+        ),
+        (
+            "(section (goals (= 0 1)))",
+            proved(2, "(lemma 2 (= 0 0) (by)) (goal 1 (by))"),
+            "lemma 2 where 1 has to be",
+        ),
+        (
+            "(section (goals (= 0 1)))",
+            proved(2, "(lemma 1 (> 1 0) (by)) (goal 1 (by (using (1 1))))"),
+            "lemma 1 is no equation",
+        ),
+        (
+            "(section (goals (= 0 1)))",
+            proved(2, "(goal 1 (by)) (lemma 1 (> 1 0) (by))"),
+            "expected a closing bracket",
+        ),
+        ("", proved(2, "(goal 1 (by))"), "expected a section"),
+    ];
+    for (sections, proof, want) in table {
+        let found =
+            check(&statement(sections), &proof).map_or_else(|e| e.to_string(), |c| format!("accepted: {c}"));
+        assert!(found.contains(want), "{sections} {proof}\n  found: {found}\n  wanted: {want}");
+    }
+}
+
+#[test]
+fn headers_have_every_part_once_and_in_order() {
+    let good = statement("(section (goals (= 0 0)))");
+    assert!(canonical(&good).is_ok());
+    for (part, instead) in [
+        ("(statement 1", "(statement 2"),
+        ("(statement 1", "(proof 1"),
+        ("(claim \"test\")", ""),
+        ("(claim \"test\")", "(claim \" \")"),
+        ("(claim \"test\")", "(claim test)"),
+        ("(claim \"test\")", "(claim \"a\" \"b\")"),
+        ("(form printed)", "(form printed) (form printed)"),
+        ("(form printed)", "(form other)"),
+        ("(form printed)", "(form (degree 1))"),
+        ("(form printed)", "(form (degree 1 2))"),
+        ("(form printed) (verdict proved)", "(verdict proved) (form printed)"),
+        ("proved", "evidence"),
+        ("knots", "degree"),
+        ("(degrees 1 2)", "(degrees 2 1)"),
+        ("(degrees 1 2)", "(degrees -1 2)"),
+        ("(degrees 1 2)", "(degrees 1 101)"),
+        ("(degrees 1 2)", "(degrees 1)"),
+        ("(text \"A test.\")", "(text \"\")"),
+        ("(because \"It says so.\")", ""),
+        ("(section (goals (= 0 0)))", "(section)"),
+        ("(section (goals (= 0 0)))", "(section (goals (= 0 0)) (note 1))"),
+    ] {
+        assert!(good.contains(part), "{part}");
+        assert!(canonical(&good.replacen(part, instead, 1)).is_err(), "{part} -> {instead}");
+    }
+}
