@@ -83,7 +83,7 @@ impl Fraction {
         }
         let left = self.num.times(&missing(&den, &self.den)?)?;
         let right = other.num.times(&missing(&den, &other.den)?)?;
-        Ok(Fraction { num: left.plus(&right), den })
+        Ok(Fraction { num: left.plus(&right).fitting()?, den })
     }
 
     pub(crate) fn negated(&self) -> Self {

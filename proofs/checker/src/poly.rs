@@ -105,9 +105,9 @@ impl Poly {
         for (a, left) in &self.terms {
             for (b, right) in &other.terms {
                 let value = multiply(left, right)?;
-                let before = product.terms.len();
-                let size = value.bit_len() / 64 + a.len().max(b.len()) / 4 + 8;
-                product.insert(monomial_product(a, b)?, value);
+                let (before, monomial) = (product.terms.len(), monomial_product(a, b)?);
+                let size = words_of(&monomial, &value);
+                product.insert(monomial, value);
                 words += if product.terms.len() > before { size } else { 0 };
                 if words > WORDS {
                     return Err(Reason::TooLarge("a polynomial"));
@@ -115,6 +115,12 @@ impl Poly {
             }
         }
         Ok(product)
+    }
+
+    /// The polynomial, if it is within the limits: sums may have grown beyond them.
+    pub(crate) fn fitting(self) -> Result<Self, Reason> {
+        let words: usize = self.terms.iter().map(|(monomial, value)| words_of(monomial, value)).sum();
+        if words > WORDS { Err(Reason::TooLarge("a polynomial")) } else { Ok(self) }
     }
 
     pub(crate) fn to_power(&self, exponent: u16) -> Result<Self, Reason> {
@@ -200,6 +206,11 @@ impl Poly {
         }
         Ok(Ratio { num: sum, den: power(&point.den, degree)? })
     }
+}
+
+/// About what a term takes in memory.
+fn words_of(monomial: &Monomial, value: &IBig) -> usize {
+    value.bit_len() / 64 + monomial.len() / 4 + 8
 }
 
 fn trimmed(mut monomial: Monomial) -> Monomial {

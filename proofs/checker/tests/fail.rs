@@ -62,6 +62,7 @@ fn goals_that_are_not_shown() {
         (W, "(> (G 1 1 (in W 0)) 0)", "(by)", "no monomial in positive parameters"),
         (W, "(> (G -1 2 (from W 0)) 0)", "(by (functions 2))", "or a real parameter"),
         ("(nonnegative a)", "(> a 0)", "(by)", "no monomial in positive parameters"),
+        (W, "(> (w -1 2 (from W 0)) 0)", "(by (weights 1))", "no monomial in positive parameters"),
         ("(real a)", "(>= a 0)", "(by)", "or a real parameter"),
         ("(real a)", "(> (+ a 1) 0)", "(by)", "or a real parameter"),
         ("(positive a)", "(< a 0)", "(by)", "a coefficient below 0"),
