@@ -58,8 +58,8 @@ pub struct Unfolding {
 enum Unknown {
     /// p/(p + q).
     Share(Quotient, Quotient),
-    /// The derivative of p/(p + q), for an interval of the given length.
-    Slope(Quotient, Quotient, Quotient),
+    /// A derivative of a weight, by its value.
+    Slope(Quotient),
     /// G_i^d, or DG_i^d.
     Function(bool, i64, usize, Place),
 }
@@ -420,13 +420,16 @@ impl PlaceWeights<'_, '_> {
         let measure = near.plus(far);
         let p = ratio.times(&near.times(&start.minus(a)).plus(&far.times(&end.minus(a))));
         let q = near.times(&b.minus(start)).plus(&far.times(&b.minus(end)));
-        evaluator.definite(p.plus(&q).numerator())?;
+        let whole = p.plus(&q);
+        evaluator.definite(whole.numerator())?;
         let zero = p.is_zero() || q.is_zero();
         if evaluator.unfolding.weights_from.is_some_and(|from| d >= from) && !zero {
             let (p, q) = integral(&p, &q);
             let slope = |sign: i64| {
-                let unknown = Unknown::Slope(p.clone(), q.clone(), b.minus(a));
-                Ok(evaluator.unknown(unknown, Class::Real)?.times(&evaluator.integer(sign)))
+                let length = b.minus(a).times(&measure).times(&measure);
+                let value = ratio.times(&length).over(&whole).and_then(|value| value.over(&whole));
+                let value = value.ok_or_else(|| EvaluationError::Division("(p + q)²".into()))?;
+                Ok(evaluator.unknown(Unknown::Slope(value), Class::Real)?.times(&evaluator.integer(sign)))
             };
             let slopes = if self.order == 0 { [Ok(measure.zero()), Ok(measure.zero())] } else { [slope(1), slope(-1)] };
             let [rise, fall] = slopes;

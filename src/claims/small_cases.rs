@@ -69,7 +69,7 @@ struct Family {
 
 /// What is enumerated: everything for the smallest sizes; open vectors, which most claims are about, further; and
 /// short vectors of degree 3 with many indices, for the conjecture.
-const FAMILIES: [Family; 8] = [
+const FAMILIES: [Family; 10] = [
     Family { degree: 1, sizes: 3..=4, greatest_gap: 2, greatest_length: 8, indices: 4, open: false },
     Family { degree: 1, sizes: 5..=5, greatest_gap: 2, greatest_length: 10, indices: 2, open: false },
     Family { degree: 2, sizes: 5..=5, greatest_gap: 2, greatest_length: 10, indices: 4, open: false },
@@ -78,6 +78,8 @@ const FAMILIES: [Family; 8] = [
     Family { degree: 3, sizes: 7..=7, greatest_gap: 2, greatest_length: 4, indices: 14, open: false },
     Family { degree: 3, sizes: 8..=10, greatest_gap: 2, greatest_length: 8, indices: 1, open: true },
     Family { degree: 4, sizes: 9..=12, greatest_gap: 1, greatest_length: 4, indices: 1, open: true },
+    Family { degree: 5, sizes: 11..=13, greatest_gap: 1, greatest_length: 3, indices: 1, open: true },
+    Family { degree: 6, sizes: 13..=15, greatest_gap: 1, greatest_length: 3, indices: 1, open: true },
 ];
 
 impl Family {

@@ -30,6 +30,19 @@ const JUMP: &str = "(section (window A (- -1 k) (each s 1 k any) some some (each
     (* (/ (- r 1) (+ (* r (A -1)) (A 0))) (each d 3 k (w -1 d (from A 0))))) \
     (each d 3 k (> (w -1 d (from A 0)) 0))))";
 
+/// The jumps of DG at a knot t_0 = … = t_{p−1}, for the two functions that have one more knot on one side.
+const JUMPS_AT_MULTIPLE_KNOT: &str = "(section (each p 1 (- k 1)) (window A (- -1 k) (each s 1 k any) some (each s 1 (- p 1) 0) some \
+    (each s 1 k any)) (goals \
+    (= (- (DG -1 k (from A (- p 1))) (DG -1 k (to A -1))) \
+    (* (/ (* (integer p) (- r 1)) (+ (* r (A -1)) (A (- p 1)))) (each d (+ p 2) k (w -1 d (from A (- p 1)))))) \
+    (= (- (DG (- (- p 1) k) k (from A (- p 1))) (DG (- (- p 1) k) k (to A -1))) \
+    (* (/ (* (integer p) (- 1 r)) (+ (* r (A -1)) (A (- p 1)))) (each d (+ p 2) k (v (- p d) d (from A (- p 1)))))) \
+    (each d (+ p 2) k (> (w -1 d (from A (- p 1))) 0) (> (v (- p d) d (from A (- p 1))) 0))))";
+
+/// For r = 1 the weights are affine.
+const CLASSICAL: &str = "(section (window A (- 0 k) (each s (- 0 k) -1 any) some (each s 1 k any)) (goals (each d 1 k (each i (- 1 d) 0 \
+    (= (at ((r 1)) (w i d (in A 0))) (/ (- (x (in A 0)) (t A i)) (- (t A (+ i d)) (t A i))))))))";
+
 pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
     let statement =
         |degrees: RangeInclusive<usize>, because: &str, sections: &[&str]| Some(Formal::on_all_knots(degrees, because, sections));
@@ -101,6 +114,11 @@ pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
                 ),
                 &ends(AT_FIRST, AT_LAST),
             ],
+        ),
+        ("abstract.regularity", true) => statement(
+            1..=6,
+            "t_0 = … = t_{p−1} is a knot of multiplicity p < k with the gaps h_0 before it and h_1 after it. First section: for the function that begins at the knot before it, the right minus the left derivative is p(r−1)/(r·h_0 + h_1) times a product of weights, which are positive; for the function that ends at the knot after it, −p(r−1)/(r·h_0 + h_1) times a product of complements. One of the two functions exists on every knot vector with m ≥ 2k. So for r ≠ 1 a derivative of order 1 ≤ k − p jumps. Second section: for p ≤ k nothing jumps itself, and for p = k that is all that is claimed. Third section: at r = 1 the weights are those of the polynomial B-splines, whose derivatives of order ≤ k − p are continuous there (Curry and Schoenberg, 1966); the jumps are quotients in r without a pole at 1, so they tend to 0.",
+            &[JUMPS_AT_MULTIPLE_KNOT, CONTINUITY, CLASSICAL],
         ),
         ("Rem3.1", false) => statement(
             2..=8,

@@ -8,7 +8,7 @@ use crate::claims::verdict::Scope;
 use crate::scalar::{BigRational, integer};
 use crate::spline::Point;
 
-use super::Formal;
+use super::{Formal, traces};
 
 const BASES: [&str; 4] = ["U0", "U1", "U2", "U3"];
 const SYMMETRIC: [&str; 7] = ["S1", "S2", "S3", "S4", "S5", "S6", "S7"];
@@ -23,26 +23,26 @@ fn all(names: &[&str]) -> Vec<Instance> {
     names.iter().flat_map(|name| instances_named(name)).collect()
 }
 
-fn of_degree(names: &[&str], degrees: &[usize]) -> Vec<Instance> {
+pub(super) fn of_degree(names: &[&str], degrees: &[usize]) -> Vec<Instance> {
     let mut instances = all(names);
     instances.retain(|instance| degrees.contains(&instance.degree));
     instances
 }
 
 /// An instance with what its goals are made of.
-struct On<'a> {
+pub(super) struct On<'a> {
     instance: &'a Instance,
     k: usize,
     n: usize,
 }
 
 impl<'a> On<'a> {
-    fn new(instance: &'a Instance) -> Self {
+    pub(super) fn new(instance: &'a Instance) -> Self {
         Self { instance, k: instance.degree, n: instance.knots.m() - instance.degree - 1 }
     }
 
     /// The indices of the spans that are not empty.
-    fn spans(&self) -> Vec<usize> {
+    pub(super) fn spans(&self) -> Vec<usize> {
         self.instance.knots.spans().map(|span| span.index()).collect()
     }
 
@@ -57,7 +57,7 @@ impl<'a> On<'a> {
     }
 
     /// One coordinate of the curve, or of its derivative.
-    fn coordinate(&self, c: usize, of: &str, at: &str, span: usize) -> String {
+    pub(super) fn coordinate(&self, c: usize, of: &str, at: &str, span: usize) -> String {
         let points = self.instance.points.as_deref().unwrap_or_default();
         let term = |i: usize| {
             let number = points.get(i).and_then(|point| point.get(c)).cloned().unwrap_or_default();
@@ -68,7 +68,7 @@ impl<'a> On<'a> {
     }
 
     /// A section with these goals on the knots of the instance, α unrestricted or as said.
-    fn section(&self, alpha: &str, goals: &str) -> String {
+    pub(super) fn section(&self, alpha: &str, goals: &str) -> String {
         if goals.is_empty() {
             return String::new();
         }
@@ -269,6 +269,54 @@ fn symmetric_functions(on: &On<'_>) -> String {
     spans.iter().zip(spans.iter().rev()).map(goal).collect()
 }
 
+/// The squared distance between two points given by terms.
+fn squared(differences: [String; 2]) -> String {
+    format!("(+ (^ {} 2) (^ {} 2))", differences[0], differences[1])
+}
+
+/// The squared distance from the curve for ∞ at a place.
+fn from_classical(on: &On<'_>, at: &str, span: usize) -> String {
+    squared([0, 1].map(|c| {
+        let coordinate = on.coordinate(c, "G", at, span);
+        format!("(- {coordinate} (at ((r 1)) {coordinate}))")
+    }))
+}
+
+/// It is less than 1/16 everywhere.
+fn near_classical(on: &On<'_>) -> String {
+    let goal = |span: usize, at: &str| format!("(< {} 1/16)", from_classical(on, at, span));
+    on.spans().into_iter().flat_map(|span| ["in", "from", "to"].map(|at| goal(span, at))).collect()
+}
+
+/// At x = 3 of C5 it is the same for r and 1/r, grows with r = 1 + s, and tends to 8.
+fn separation(on: &On<'_>) -> String {
+    const KNOT: usize = 6;
+    let square = from_classical(on, "from", KNOT);
+    let with = |r: &str| format!("(at ((r {r})) {square})");
+    let (near, far) = (with("(+ 1 s)"), with("(+ 1 s q)"));
+    let rest = "(/ (* 4 (+ 1 s) (+ (* 60 (^ s 4)) (* 401 (^ s 3)) (* 1049 (^ s 2)) (* 1296 s) 648)) \
+        (* (^ (+ s 2) 2) (^ (+ s 3) 2) (^ (+ (* 2 s) 3) 2)))";
+    format!("(> {far} {near}) (= {} {near}) (= (- 8 {near}) {rest})", with("(/ 1 (+ 1 s))"))
+}
+
+/// The coordinate c of the double point is greater than that of the curve everywhere; and on the span, at u, the squared
+/// distance is less than 1/16.
+fn misses(on: &On<'_>, c: usize, span: usize, u: &str) -> String {
+    let Some(points) = &on.instance.points else { return String::new() };
+    let Some(double) = points.windows(2).find(|pair| pair[0] == pair[1]).map(|pair| &pair[0]) else {
+        return String::new();
+    };
+    let mut goals = String::new();
+    for s in on.spans() {
+        for at in ["in", "from", "to"] {
+            let _ = write!(goals, "(> {} {})", double[c], on.coordinate(c, "G", at, s));
+        }
+    }
+    let square = squared([0, 1].map(|c| format!("(- {} {})", on.coordinate(c, "G", "in", span), double[c])));
+    let _ = write!(goals, "(< (at ((u {u})) {square}) 1/16)");
+    goals
+}
+
 /// The control points of an instance of a degree.
 pub(super) fn points(name: &str, degree: usize) -> Option<Vec<Point>> {
     instances_named(name).into_iter().find(|instance| instance.degree == degree)?.points
@@ -343,6 +391,28 @@ pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
             &format!("{alpha} On the only span the curve for α at u is the curve for ∞ at r·u, and u ↦ r·u maps (0, ∞) onto itself."),
             sections(&of_degree(&["C6a"], &[3]), "", on_spans(reparametrised))
                 + &sections(&of_degree(&["C6b"], &[5]), "", on_spans(reparametrised)),
+        ),
+        ("Ill5.5.1", false) => statement(
+            &[3],
+            "α ≤ −4 and α ≥ 5 are 4/5 ≤ r < 1 and 1 < r ≤ 5/4, that is r = (4/5 + 5/4·v)/(1 + v) with v ≥ 0, or v → ∞, where the distance is a limit; the last section is r = 5/4. On every span the squared distance from the curve for ∞ is less than 1/16; at the knots the curves are continuous, and there it is less than 1/16 too.",
+            sections(&all(&["C5"]), "(nonnegative v) (let r (/ (+ 4/5 (* 5/4 v)) (+ 1 v)))", near_classical)
+                + &sections(&all(&["C5"]), "(let r 5/4)", near_classical),
+        ),
+        ("Ill5.5.2", false) => statement(
+            &[3],
+            "At x = 3 the squared distance from the curve for ∞ is the same for r = 1 + s and for r = 1/(1 + s). It grows strictly with s and tends to 8: with α → 0 from below, r → 0, and with α → 1 from above, r → ∞, the curves separate by more than any number below the square root of 8.",
+            sections(&all(&["C5"]), "(positive s q)", separation),
+        ),
+        ("Ill5.6.between", false) => statement(
+            &[2, 3, 4],
+            "For every finite α the point of the curve at one knot is no point of the curve for ∞. Every span of the latter lies on an algebraic curve f = 0, given in the goals; and f is not 0 at the point, for r = 1 + s and for r = 1/(1 + s).",
+            traces::differ(),
+        ),
+        ("Ill5.8.double", true) => statement(
+            &[3],
+            &format!("{alpha} S2: the double point has the ordinate 14, and the curve a smaller one everywhere. S5: it has the abscissa 5, and the curve a smaller one everywhere. At one point of every curve, whose coordinate u depends on r, the squared distance is less than 1/16."),
+            sections(&all(&["S2"]), "", |on| misses(on, 1, 4, "(/ (+ r 2) (* r (+ (* 2 r) 1)))"))
+                + &sections(&all(&["S5"]), "", |on| misses(on, 0, 8, "(/ 1 r)")),
         ),
         ("Ill5.7.local", true) => statement(
             &[3],

@@ -1,5 +1,9 @@
 //! The questions that are ours: what is true of them, degree by degree.
 
+use std::fmt::Write as _;
+
+use crate::scalar::{BigRational, rational};
+
 use super::Formal;
 use super::basis::SUM_IS_ONE;
 
@@ -54,6 +58,52 @@ const LINEAR_FACTORS: &str = "(section (window A (- 0 k) (each s (- 0 k) -1 any)
     (* r (+ (- (t A 0) (t A i)) (* u (- (t A 1) (t A i)))))) \
     (> (+ (* r (- (t A 0) (t A i))) (- (t A (+ i d)) (t A 0))) 0) (> (+ (* r (- (t A 1) (t A i))) (- (t A (+ i d)) (t A 1))) 0)))))";
 
+/// Knots around one span for which all factors of the denominator are different and none cancels.
+const GENERIC: [&[i64]; 6] = [
+    &[0, 1],
+    &[0, 1, 2, 3],
+    &[0, 1, 2, 3, 5, 6],
+    &[0, 1, 2, 3, 4, 6, 8, 9],
+    &[0, 1, 2, 3, 4, 5, 8, 10, 12, 13],
+    &[0, 1, 2, 3, 4, 5, 6, 9, 12, 14, 16, 17],
+];
+
+/// For α = −1 and those knots: a pole of one of the functions at the zero of every factor.
+fn poles(k: usize) -> String {
+    let (knots, ratio) = (GENERIC[k - 1], rational(1, 2));
+    let (start, end) = (integer_of(knots[k - 1]), integer_of(knots[k]));
+    let functions: String = (0..=k).map(|i| format!(" (G {} {k} (in A 0))", to_i64(i) - to_i64(k))).collect();
+    let mut goals = String::new();
+    for d in 1..=k {
+        for a in k - d..k {
+            let (a, b) = (integer_of(knots[a]), integer_of(knots[a + d]));
+            // The factor is r(start − a) + (b − start) + u·(r(end − a) + (b − end)).
+            let constant = &ratio * (&start - &a) + (&b - &start);
+            let slope = &ratio * (&end - &a) + (&b - &end);
+            let _ = write!(goals, "(pole (in A 0) ({}) {})", functions.trim(), -constant / slope);
+        }
+    }
+    let list: String = knots.iter().map(|t| format!(" {t}")).collect();
+    format!("(section (each a {k} k) (each b k {k}) (let r {ratio}) (knots A {}{list}) (goals {goals}))", 1 - to_i64(k))
+}
+
+fn integer_of(value: i64) -> BigRational {
+    rational(value, 1)
+}
+
+fn to_i64(value: usize) -> i64 {
+    i64::try_from(value).unwrap_or(i64::MAX)
+}
+
+const NURBS: &str = "On a span every weight of degree d is a quotient of polynomials of degree 1 in u with coefficients ≥ 0, and that of the denominator has positive coefficients. There are d such weights for each d ≤ k, so that all functions have numerators and a common denominator of degree at most 1 + 2 + … + k, the latter with positive coefficients, which are positive multiples of the Bézier weights. On the knots of the second section, with α = −1, the functions have poles at that many different points, so that in general no lower degree does.";
+
+/// What is proved of a question for all degrees at once.
+pub(super) fn formal_for_all(question: &str, amended: bool) -> Option<Formal> {
+    let sections: String = (1..=GENERIC.len()).map(poles).collect();
+    (question == "X.nurbs" && !amended)
+        .then(|| Formal::on_all_knots(1..=GENERIC.len(), NURBS, &[LINEAR_FACTORS, &sections]))
+}
+
 /// For a degree: what is proved of the question for every knot vector and every α.
 pub(super) fn formal(question: &str, k: usize) -> Option<Formal> {
     let statement = |because: &str, sections: &[&str]| Some(Formal::on_all_knots(k..=k, because, sections));
@@ -69,10 +119,7 @@ pub(super) fn formal(question: &str, k: usize) -> Option<Formal> {
         ("X.totalpositivity", 2) => statement(BLOCKS_2, &[&minors_2()]),
         ("X.variation", 1) => statement(&(VARIATION.to_owned() + BLOCKS_1), &[MINORS_1, SUM_IS_ONE]),
         ("X.variation", 2) => statement(&(VARIATION.to_owned() + BLOCKS_2), &[&minors_2(), SUM_IS_ONE]),
-        ("X.nurbs", 1..=8) => statement(
-            "On a span every weight of degree d is a quotient of polynomials of degree 1 in u with coefficients ≥ 0, and that of the denominator has positive coefficients. There are d such weights for each d ≤ k, so that all functions have numerators and a common denominator of degree at most 1 + 2 + … + k, the latter with positive coefficients, which are positive multiples of the Bézier weights.",
-            &[LINEAR_FACTORS],
-        ),
+        ("X.nurbs", 1..=6) => statement(NURBS, &[LINEAR_FACTORS, &poles(k)]),
         _ => None,
     }
 }
