@@ -1,9 +1,6 @@
 //! The way through a certificate: every section for every degree, every goal with its rule, nothing left over.
 
-use std::collections::BTreeMap;
 use std::fmt;
-
-use dashu_int::IBig;
 
 use crate::error::{Place, Reason, Rejected, Step};
 use crate::grammar;
@@ -28,8 +25,8 @@ pub struct Checked {
     pub verdict: String,
     /// `points`, `instance`, `alpha` or `knots`.
     pub scope: String,
-    /// The lowest and the highest degree.
-    pub degrees: (i64, i64),
+    /// The degrees, rising.
+    pub degrees: Vec<usize>,
     /// Expanded sections.
     pub sections: usize,
     /// Goals proved, at least one for every degree.
@@ -41,8 +38,9 @@ pub struct Checked {
 impl fmt::Display for Checked {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Checked { claim, form, verdict, scope, degrees, sections, goals, lemmas } = self;
-        write!(f, "{claim} ({form}): {verdict}, scope {scope}, degrees {} to {}; ", degrees.0, degrees.1)?;
-        write!(f, "sections {sections}, goals {goals}, lemmas {lemmas}")
+        write!(f, "{claim} ({form}): {verdict}, scope {scope}, degrees")?;
+        degrees.iter().try_for_each(|degree| write!(f, " {degree}"))?;
+        write!(f, "; sections {sections}, goals {goals}, lemmas {lemmas}")
     }
 }
 
@@ -67,11 +65,10 @@ pub fn check(statement: &str, proof: &str) -> Result<Checked, Rejected> {
         .and_then(|tree| grammar::proof(&tree))
         .map_err(|reason| Rejected { place: Place::Proof, reason })?;
     let mut run = Run { proofs: sections.iter(), sections: 0, goals: 0, lemmas: 0 };
-    let (low, high) = statement.degrees;
-    for degree in low..=high {
+    for &degree in &statement.degrees {
         let before = run.goals;
         let mut scope = Scope::default();
-        scope.push("k", degree).map_err(|reason| Rejected { place: Place::Statement, reason })?;
+        scope.push_degree(degree).map_err(|reason| Rejected { place: Place::Statement, reason })?;
         for section in &statement.sections {
             run.ranges(section, &section.ranges, &mut scope)?;
         }
@@ -132,7 +129,7 @@ impl Run<'_> {
         let proof = self.proofs.next().ok_or(Reason::Missing("a section")).map_err(at(None, None))?;
         expect("section", proof.number, number).map_err(at(None, None))?;
         let section = Section::new(text, scope).map_err(at(None, None))?;
-        let values = section.values(BTreeMap::new(), IBig::ONE).map_err(at(None, None))?;
+        let values = section.values().map_err(at(None, None))?;
         let mut lemmas: Vec<(i64, &Formula)> = Vec::new();
         let prove = |lemmas: &[_], formula: &Formula, scope: &mut Scope, step, rule: &Rule| {
             let context = Context { section: &section, values: &values, lemmas };

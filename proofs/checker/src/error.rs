@@ -59,16 +59,14 @@ pub enum Reason {
     Syntax { line: usize, expected: &'static str },
     #[error("{0} is beyond the limits of the checker")]
     TooLarge(&'static str),
-    #[error("the form and the range of degrees differ")]
+    #[error("the form and the degrees differ")]
     Degrees,
     #[error("there is no goal for k = {0}")]
-    NoGoal(i64),
+    NoGoal(usize),
     #[error("unknown name {0}")]
     Unknown(String),
     #[error("the name {0} is taken")]
     Taken(String),
-    #[error("r is not the first abbreviation")]
-    LateR,
     #[error("binomial of a negative number")]
     Binomial,
     #[error("{0} is negative")]
@@ -87,6 +85,8 @@ pub enum Reason {
     Divisor,
     #[error("{0} is not positive")]
     NotPositive(String),
+    #[error("{0} is not u or r")]
+    Fixed(String),
     #[error("a matrix that is not square")]
     NotSquare,
     #[error("{what} {found} where {expected} has to be")]

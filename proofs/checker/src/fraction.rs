@@ -63,9 +63,18 @@ impl Fraction {
         self.num.sign(signs)
     }
 
+    /// The value itself, if it is positive.
+    pub(crate) fn positive(self, name: &str, signs: &[Sign]) -> Result<Self, Reason> {
+        if self.sign(signs) == Sign::Positive { Ok(self) } else { Err(Reason::NotPositive(name.to_owned())) }
+    }
+
     /// The denominator, multiplied out.
     pub(crate) fn denominator(&self) -> Result<Poly, Reason> {
         missing(&self.den, &Factors::new())
+    }
+
+    pub(crate) fn num_and_den(&self) -> Result<(Poly, Poly), Reason> {
+        Ok((self.num.clone(), self.denominator()?))
     }
 
     pub(crate) fn plus(&self, other: &Self) -> Result<Self, Reason> {

@@ -227,13 +227,17 @@ pub(crate) fn statement(node: &Node) -> Result<Statement, Reason> {
     let verdict = one_of("verdict", "proved or refuted", &["proved", "refuted"])?;
     let scope =
         one_of("scope", "points, instance, alpha or knots", &["points", "instance", "alpha", "knots"])?;
-    let mut part = fields.need("degrees")?;
-    let (line, degrees) = (part.line, (part.integer()?, part.integer()?));
-    part.end()?;
-    if degrees.0 < 0 || degrees.0 > degrees.1 || degrees.1 > 100 {
-        return wrong(line, "degrees from 0 to 100, the lower one first");
+    let part = fields.need("degrees")?;
+    let expected = "degrees from 0 to 100, rising";
+    let line = part.line;
+    let degrees = part.all(expected, |node| match number(node)?.integer().map(usize::try_from) {
+        Some(Ok(degree @ 0..=100)) => Ok(degree),
+        _ => wrong(node.line, expected),
+    })?;
+    if !degrees.is_sorted_by(|a, b| a < b) {
+        return wrong(line, expected);
     }
-    if fixed.is_some_and(|degree| degrees != (degree, degree)) {
+    if fixed.is_some_and(|fixed| !degrees.iter().all(|degree| i64::try_from(*degree) == Ok(fixed))) {
         return Err(Reason::Degrees);
     }
     for head in ["text", "because"] {

@@ -43,6 +43,11 @@ impl Scope {
         Ok(())
     }
 
+    /// The integer `k`.
+    pub(crate) fn push_degree(&mut self, degree: usize) -> Result<(), Reason> {
+        self.push("k", i64::try_from(degree).map_err(|_| Reason::TooLarge("a degree"))?)
+    }
+
     pub(crate) fn pop(&mut self) {
         if let Some((name, _)) = self.integers.pop() {
             self.taken.remove(&name);

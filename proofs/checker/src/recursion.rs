@@ -85,7 +85,7 @@ impl Evaluator<'_> {
         if gap.sign(&self.signs) != Sign::Positive {
             return Err(Reason::Span(place.window.clone(), span));
         }
-        let [u, r] = self.section.u_and_r(values)?;
+        let (u, r) = (values.u.num_and_den()?, values.r.num_and_den()?);
         let u = match place.kind {
             PlaceKind::In => u,
             PlaceKind::From => (Poly::zero(), Poly::one()),
@@ -200,9 +200,8 @@ impl Evaluator<'_> {
     }
 
     fn function(&mut self, i: i64, d: i64, spot: &Spot<'_>, derivative: bool) -> Fraction {
-        let (name, knots) = spot.window.contents();
         let at = [spot.u.clone(), spot.r.clone()];
-        let key = Unknown::Function([i, d, spot.span], derivative, name.to_owned(), knots.to_vec(), at);
+        let key = Unknown::Function([i, d, spot.span], derivative, spot.window.name.clone(), at);
         self.unknown(key, Sign::Real).into()
     }
 

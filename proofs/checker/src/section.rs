@@ -1,6 +1,7 @@
 //! One expanded section: its parameters as variables with signs, its abbreviations and knot vectors.
 
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 use dashu_int::IBig;
 
@@ -37,18 +38,19 @@ enum Gap<'a> {
     Number(Ratio),
 }
 
-/// What the names stand for: other things inside of `at` than outside of it.
+/// What the names stand for. `at` changes `u` and `r` and nothing else.
+#[derive(Clone)]
 pub(crate) struct Values {
-    /// What `at` has replaced so far.
-    pub(crate) replaced: BTreeMap<String, Fraction>,
-    /// That, and the abbreviations.
-    names: BTreeMap<String, Fraction>,
-    windows: Vec<Window>,
+    pub(crate) u: Fraction,
+    pub(crate) r: Fraction,
+    lets: Rc<BTreeMap<String, Fraction>>,
+    windows: Rc<Vec<Window>>,
     /// One for all windows, so that equal weights in two windows are the same polynomials.
     pub(crate) scale: IBig,
 }
 
 /// The known part of a knot vector.
+#[derive(Clone)]
 pub(crate) struct Window {
     pub(crate) name: String,
     first: i64,
@@ -60,11 +62,6 @@ impl Window {
     pub(crate) fn knot(&self, index: i64) -> Result<&Poly, Reason> {
         let outside = || Reason::NotDetermined(self.name.clone(), index);
         usize::try_from(index - self.first).ok().and_then(|at| self.knots.get(at)).ok_or_else(outside)
-    }
-
-    /// All that the window knows, for a key.
-    pub(crate) fn contents(&self) -> (&str, &[Poly]) {
-        (&self.name, &self.knots)
     }
 }
 
@@ -80,12 +77,10 @@ impl<'a> Section<'a> {
         section.parameters(&text.real, Sign::Real)?;
         section.parameters(&text.nonnegative, Sign::Nonnegative)?;
         section.parameters(&text.positive, Sign::Positive)?;
-        for (position, (name, _)) in text.lets.iter().enumerate() {
-            // Earlier abbreviations would still mean the other r.
-            match (name.as_str(), position) {
-                ("r", 0) => {}
-                ("r", _) => return Err(Reason::LateR),
-                _ => section.scope.take(name)?,
+        for (name, _) in &text.lets {
+            // r is there already, and gets another value.
+            if name != "r" {
+                section.scope.take(name)?;
             }
         }
         for window in &text.windows {
@@ -173,25 +168,22 @@ impl<'a> Section<'a> {
         self.variables.get(&key).copied().ok_or(Reason::Unknown(key.0))
     }
 
-    /// Whether `at` may replace this name.
-    pub(crate) fn is_parameter(&self, name: &str) -> bool {
-        self.variables.contains_key(&(name.to_owned(), Vec::new()))
-    }
-
-    /// Abbreviations and windows once more, with some parameters replaced. All conditions on them are checked anew.
-    pub(crate) fn values(&self, replaced: BTreeMap<String, Fraction>, scale: IBig) -> Result<Values, Reason> {
+    /// What the abbreviations and windows are.
+    pub(crate) fn values(&self) -> Result<Values, Reason> {
         let mut evaluator = Evaluator::new(self, Mode::default());
-        let mut values = Values { names: replaced.clone(), replaced, windows: Vec::new(), scale };
+        let mut values = Values {
+            u: Poly::variable(U).into(),
+            r: Poly::variable(R).into(),
+            lets: Rc::default(),
+            windows: Rc::default(),
+            scale: IBig::ONE,
+        };
         for (name, term) in self.lets {
-            // Only r can have been replaced, and then it no longer stands for its abbreviation.
-            if !values.names.contains_key(name) {
-                let value = evaluator.term(term, &mut self.scope.clone(), &values)?;
-                values.names.insert(name.clone(), value);
-            }
-        }
-        for name in ["u", "r"] {
-            if values.names.get(name).is_some_and(|value| value.sign(&self.signs) != Sign::Positive) {
-                return Err(Reason::NotPositive(name.to_owned()));
+            let value = evaluator.term(term, &mut self.scope.clone(), &values)?;
+            if name == "r" {
+                values.r = value.positive(name, &self.signs)?;
+            } else {
+                Rc::make_mut(&mut values.lets).insert(name.clone(), value);
             }
         }
         for Declared { name, first, gaps } in &self.windows {
@@ -214,26 +206,19 @@ impl<'a> Section<'a> {
                 let last = knots.last().cloned().unwrap_or_default();
                 knots.push(last.plus(&size.num.scaled(&(&values.scale / &den))?));
             }
-            values.windows.push(Window { name: name.clone(), first: *first, knots });
+            Rc::make_mut(&mut values.windows).push(Window { name: name.clone(), first: *first, knots });
         }
         Ok(values)
     }
 
     /// What a name without an index stands for.
     pub(crate) fn name(&self, name: &str, values: &Values) -> Result<Fraction, Reason> {
-        match values.names.get(name) {
-            Some(value) => Ok(value.clone()),
-            None => Ok(Poly::variable(self.index(name, Vec::new())?).into()),
+        match (name, values.lets.get(name)) {
+            ("u", _) => Ok(values.u.clone()),
+            ("r", _) => Ok(values.r.clone()),
+            (_, Some(value)) => Ok(value.clone()),
+            (_, None) => Ok(Poly::variable(self.index(name, Vec::new())?).into()),
         }
-    }
-
-    /// Numerator and denominator of u and of r.
-    pub(crate) fn u_and_r(&self, values: &Values) -> Result<[(Poly, Poly); 2], Reason> {
-        let of = |name, variable| match values.names.get(name) {
-            Some(value) => Ok((value.num.clone(), value.denominator()?)),
-            None => Ok((Poly::variable(variable), Poly::one())),
-        };
-        Ok([of("u", U)?, of("r", R)?])
     }
 }
 
@@ -242,9 +227,18 @@ impl Values {
         self.windows.iter().find(|window| window.name == name).ok_or_else(|| Reason::Unknown(name.to_owned()))
     }
 
+    /// What `at` may replace.
+    pub(crate) fn replaceable(&mut self, name: &str) -> Result<&mut Fraction, Reason> {
+        match name {
+            "u" => Ok(&mut self.u),
+            "r" => Ok(&mut self.r),
+            _ => Err(Reason::Fixed(name.to_owned())),
+        }
+    }
+
     fn rescale(&mut self, by: &IBig, unfinished: &mut [Poly]) -> Result<(), Reason> {
         self.scale = multiply(&self.scale, by)?;
-        let finished = self.windows.iter_mut().flat_map(|window| window.knots.iter_mut());
+        let finished = Rc::make_mut(&mut self.windows).iter_mut().flat_map(|window| window.knots.iter_mut());
         for knot in finished.chain(unfinished) {
             *knot = knot.scaled(by)?;
         }

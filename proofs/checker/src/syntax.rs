@@ -8,7 +8,7 @@ pub(crate) struct Statement {
     pub(crate) form: String,
     pub(crate) verdict: String,
     pub(crate) scope: String,
-    pub(crate) degrees: (i64, i64),
+    pub(crate) degrees: Vec<usize>,
     pub(crate) sections: Vec<SectionText>,
 }
 

@@ -34,8 +34,8 @@ pub(crate) enum Unknown {
     Weight(Poly, Poly),
     /// Rise, fall, and the numerator over the square of their sum.
     Slope(Poly, Poly, Poly),
-    /// Index, degree, span, whether it is the derivative; the window's name and knots; u and r.
-    Function([i64; 3], bool, String, Vec<Poly>, [(Poly, Poly); 2]),
+    /// Index, degree, span, whether it is the derivative; the window; u and r.
+    Function([i64; 3], bool, String, [(Poly, Poly); 2]),
 }
 
 pub(crate) struct Evaluator<'a> {
@@ -124,17 +124,16 @@ impl<'a> Evaluator<'a> {
                 self.de_boor(i, level, degree, &spot)
             }
             Term::At(pairs, inner) => {
-                let mut replaced = values.replaced.clone();
+                let mut inside = values.clone();
                 for (position, (name, value)) in pairs.iter().enumerate() {
                     if pairs.iter().take(position).any(|(before, _)| before == name) {
                         return Err(Reason::Taken(name.clone()));
                     }
-                    if !self.section.is_parameter(name) {
-                        return Err(Reason::Unknown(name.clone()));
-                    }
-                    replaced.insert(name.clone(), self.term(value, scope, values)?);
+                    // Evaluated outside of `at`: all are replaced at once.
+                    let value = self.term(value, scope, values)?;
+                    *inside.replaceable(name)? = value.positive(name, &self.signs)?;
                 }
-                self.term(inner, scope, &self.section.values(replaced, values.scale.clone())?)
+                self.term(inner, scope, &inside)
             }
             Term::Determinant(rows) => {
                 let mut matrix = Vec::new();

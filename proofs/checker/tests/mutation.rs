@@ -121,7 +121,10 @@ fn a_false_goal_is_not_proved_by_a_proof_of_the_true_one() {
         ("values", "4/9", "5/9"),
         ("values", "72/49", "73/49"),
         ("values", "(= (at ((r 3)) (- r s))", "(= (at ((r 4)) (- r s))"),
-        ("gaps", "(at ((a (* s a)) (b (* s b))) (x", "(at ((a a) (b (* s b))) (x"),
+        ("values", "(u 2)) (- b a)) (- b a)", "(u 2)) (- b a)) (- 6 a)"),
+        ("values", "(* a (v 0 1", "(* b (v 0 1"),
+        ("gaps", "(/ (* s b) 2)", "(/ (* s b) 3)"),
+        ("gaps", "(* s (x (in W 2)))", "(x (in W 2))"),
     ] {
         let all = common::certificates();
         let certificate = all.iter().find(|certificate| certificate.name == name).unwrap();
