@@ -4,10 +4,11 @@ use thiserror::Error;
 
 use crate::claims::{Claim, Formal, Judged, Verdict, Witness, formal, formal_for_degree, refutation};
 
+use super::error::StatementError;
 use super::proof::{SectionProof, to_sexp};
 use super::prove::{ProofError, prove};
 use super::sexp::Sexp;
-use super::statement::{Form, Statement, StatementError};
+use super::statement::{Form, Statement};
 
 /// A statement with its proof.
 #[derive(Debug, Clone, PartialEq)]
@@ -124,7 +125,8 @@ pub fn certify(claim: &Claim, judged: &Judged) -> Result<Vec<Certificate>, Certi
             _ => continue,
         };
         let failed = |error| CertificateError { claim: claim.id.to_owned(), form, error };
-        let stated = statement(claim, form, witness).map_err(|error| failed(ProofError::from(error).into()))?;
+        let stated =
+            statement(claim, form, witness).map_err(|error| failed(ProofError::from(error).into()))?;
         if let Some(statement) = stated {
             let proof = prove(&statement).map_err(|error| failed(error.into()))?;
             certificates.push(Certificate { statement, proof });

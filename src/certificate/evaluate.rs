@@ -74,7 +74,7 @@ pub struct Evaluator<'a> {
 }
 
 /// A failed evaluation, or a value.
-pub type Evaluated<T = Quotient> = Result<T, EvaluationError>;
+pub(super) type Evaluated<T = Quotient> = Result<T, EvaluationError>;
 
 impl<'a> Evaluator<'a> {
     /// Prepares a section.
@@ -138,8 +138,7 @@ impl<'a> Evaluator<'a> {
         let at = self.section.parameters.iter().position(|(name, _)| name == parameter);
         at.or_else(|| {
             let value = self.names.get(parameter)?;
-            (0..self.variables.borrow().len())
-                .find(|&at| *value == Quotient::variable(at))
+            (0..self.variables.borrow().len()).find(|&at| *value == Quotient::variable(at))
         })
     }
 
@@ -162,9 +161,7 @@ impl<'a> Evaluator<'a> {
             Term::Named(name) => {
                 self.names.get(name).cloned().ok_or_else(|| EvaluationError::Unknown(name.clone()))
             }
-            Term::Sum(items) => {
-                Ok(terms(items)?.iter().fold(self.integer(0), |sum, item| sum.plus(item)))
-            }
+            Term::Sum(items) => Ok(terms(items)?.iter().fold(self.integer(0), |sum, item| sum.plus(item))),
             Term::Product(items) => {
                 Ok(terms(items)?.iter().fold(self.integer(1), |product, item| product.times(item)))
             }
@@ -291,8 +288,7 @@ impl<'a> Evaluator<'a> {
 
     fn point(&self, place: &Place) -> Evaluated {
         let [near, far] = self.shares_of_ends(place)?;
-        let (start, end) =
-            (self.knot(&place.window, place.span)?, self.knot(&place.window, place.span + 1)?);
+        let (start, end) = (self.knot(&place.window, place.span)?, self.knot(&place.window, place.span + 1)?);
         let weighted = near.times(start).plus(&far.times(end));
         weighted.over(&near.plus(&far)).ok_or_else(|| EvaluationError::Division("1 + u".into()))
     }
@@ -311,8 +307,7 @@ impl<'a> Evaluator<'a> {
     }
 
     fn unknown(&self, unknown: Unknown, class: Class) -> Evaluated {
-        let known =
-            self.variables.borrow().iter().position(|(known, _)| known.as_ref() == Some(&unknown));
+        let known = self.variables.borrow().iter().position(|(known, _)| known.as_ref() == Some(&unknown));
         match known {
             Some(at) => Ok(Quotient::variable(at)),
             None => self.fresh(Some(unknown), class),
@@ -355,8 +350,7 @@ impl<'a> Evaluator<'a> {
 }
 
 /// The sign of a polynomial as far as its coefficients and the signs of its variables show it.
-#[must_use]
-pub fn sign(p: &Multivariate, classes: &[Class]) -> Class {
+pub(super) fn sign(p: &Multivariate, classes: &[Class]) -> Class {
     let mut class = Class::Nonnegative;
     for (monomial, coefficient) in p.terms() {
         let occurring = || (0..classes.len()).filter(|&at| monomial.exponent(at) > 0);
@@ -431,7 +425,11 @@ impl PlaceWeights<'_, '_> {
                 let value = value.ok_or_else(|| EvaluationError::Division("(p + q)²".into()))?;
                 Ok(evaluator.unknown(Unknown::Slope(value), Class::Real)?.times(&evaluator.integer(sign)))
             };
-            let slopes = if self.order == 0 { [Ok(measure.zero()), Ok(measure.zero())] } else { [slope(1), slope(-1)] };
+            let slopes = if self.order == 0 {
+                [Ok(measure.zero()), Ok(measure.zero())]
+            } else {
+                [slope(1), slope(-1)]
+            };
             let [rise, fall] = slopes;
             let w = evaluator.jet([evaluator.share(&p, &q), rise], self.order)?;
             let complement = evaluator.jet([evaluator.share(&q, &p), fall], self.order)?;

@@ -1,14 +1,23 @@
 //! Integer expressions, and lists that say `each`.
 
+use std::ops::RangeInclusive;
+
 use num_traits::ToPrimitive;
 
+use super::error::StatementError;
 use super::sexp::Sexp;
-use super::statement::StatementError;
 
 /// The integers that have a name at some place of a statement.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Integers {
     known: Vec<(String, i64)>,
+}
+
+/// `NAME LO HI ITEM…`.
+pub(super) struct Range<'a> {
+    pub(super) name: &'a str,
+    pub(super) values: RangeInclusive<i64>,
+    pub(super) items: &'a [Sexp],
 }
 
 /// The largest number of items that one list may expand to.
@@ -51,17 +60,14 @@ impl Integers {
         usize::try_from(value).map_err(|_| StatementError::Integer(sexp.to_string()))
     }
 
-    /// The name and the values of a range `NAME LO HI`.
-    pub(super) fn range<'a>(
-        &self,
-        items: &'a [Sexp],
-    ) -> Result<Option<(&'a str, std::ops::RangeInclusive<i64>, &'a [Sexp])>, StatementError> {
+    /// Reads what stands in an `each`.
+    pub(super) fn range<'a>(&self, items: &'a [Sexp]) -> Result<Option<Range<'a>>, StatementError> {
         let [Sexp::Name(name), low, high, rest @ ..] = items else { return Ok(None) };
         let (low, high) = (self.value(low)?, self.value(high)?);
         if high.saturating_sub(low) > LARGEST {
             return Err(StatementError::Range(name.clone()));
         }
-        Ok(Some((name, low..=high, rest)))
+        Ok(Some(Range { name, values: low..=high, items: rest }))
     }
 
     /// The items of a list, `each` unrolled, read by `read`.
@@ -75,10 +81,9 @@ impl Integers {
             match item.as_form() {
                 Some(("each", each)) => {
                     let range = self.range(each)?;
-                    let (name, range, inner) =
-                        range.ok_or_else(|| StatementError::Form(item.to_string()))?;
-                    for value in range {
-                        all.extend(self.with(name, value).items(inner, read)?);
+                    let range = range.ok_or_else(|| StatementError::Form(item.to_string()))?;
+                    for value in range.values {
+                        all.extend(self.with(range.name, value).items(range.items, read)?);
                     }
                 }
                 _ => all.push(read(item, self)?),

@@ -5,6 +5,7 @@
 //! with this, then reads both.
 
 mod certify;
+mod error;
 mod evaluate;
 mod expansion;
 mod proof;
@@ -14,9 +15,10 @@ mod statement;
 mod term;
 
 pub use certify::{Certificate, CertificateError, Uncertified, certify, statement};
+pub use error::StatementError;
 pub use evaluate::{EvaluationError, Evaluator, Unfolding};
 pub use proof::{Lemma, Rule, SectionProof};
 pub use prove::{GoalError, ProofError, prove};
 pub use sexp::{Sexp, SyntaxError};
-pub use statement::{Class, Form, Gap, Section, Statement, StatementError, Window};
+pub use statement::{Class, Form, Gap, Section, Statement, Window};
 pub use term::{Formula, OfWeight, Place, Term, Where};

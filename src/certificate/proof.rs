@@ -41,7 +41,8 @@ impl Rule {
         match self {
             Self::By { weights, functions, using } => {
                 let option = |name, value: &Option<usize>| value.map(|d| Sexp::form(name, [natural(d)]));
-                let uses = using.iter().map(|(label, factor)| Sexp::List(vec![natural(*label), factor.clone()]));
+                let uses =
+                    using.iter().map(|(label, factor)| Sexp::List(vec![natural(*label), factor.clone()]));
                 let using = (!using.is_empty()).then(|| Sexp::form("using", uses));
                 let options = [option("weights", weights), option("functions", functions), using];
                 Sexp::form("by", options.into_iter().flatten())

@@ -9,9 +9,10 @@ use thiserror::Error;
 use crate::analysis::in_span;
 use crate::scalar::{BigRational, Multivariate, Quotient, Ring, integer};
 
+use super::error::StatementError;
 use super::evaluate::{EvaluationError, Evaluator, Unfolding, sign};
 use super::proof::{Rule, SectionProof};
-use super::statement::{Class, Section, Statement, StatementError};
+use super::statement::{Class, Section, Statement};
 use super::term::{Formula, OfWeight, Place, Term};
 
 /// Why a statement could not be proved.

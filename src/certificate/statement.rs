@@ -3,34 +3,14 @@
 use std::fmt;
 
 use num_traits::Signed;
-use thiserror::Error;
 
 use crate::claims::Scope;
 use crate::scalar::BigRational;
 
-use super::expansion::Integers;
-use super::sexp::{Sexp, SyntaxError};
+use super::error::StatementError;
+use super::expansion::{Integers, Range};
+use super::sexp::Sexp;
 use super::term::{self, Formula, Term};
-
-/// Why a text is no statement.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
-pub enum StatementError {
-    /// Not even the syntax is right.
-    #[error("{0}")]
-    Syntax(#[from] SyntaxError),
-    /// A form that means nothing here.
-    #[error("`{0}` means nothing here")]
-    Form(String),
-    /// No integer, or one that is too large or too small here.
-    #[error("`{0}` is no integer that fits here")]
-    Integer(String),
-    /// A range that is too long.
-    #[error("the range of `{0}` is too long")]
-    Range(String),
-    /// A degree without a goal.
-    #[error("there is no goal for degree {0}")]
-    NoGoal(usize),
-}
 
 /// Which statement of a claim.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -176,12 +156,11 @@ fn expand(parts: &[Sexp], ints: &Integers, all: &mut Vec<Section>) -> Result<(),
     if let Some((first, rest)) = parts.split_first()
         && let Some(("each", range)) = first.as_form()
     {
-        let (name, range, []) =
-            ints.range(range)?.ok_or_else(|| StatementError::Form(first.to_string()))?
-        else {
-            return Err(StatementError::Form(first.to_string()));
+        let unknown = || StatementError::Form(first.to_string());
+        let Range { name, mut values, items: [] } = ints.range(range)?.ok_or_else(unknown)? else {
+            return Err(unknown());
         };
-        return range.into_iter().try_for_each(|value| expand(rest, &ints.with(name, value), all));
+        return values.try_for_each(|value| expand(rest, &ints.with(name, value), all));
     }
     let (parameters, lets) = (vec![("u".into(), Class::Positive), ("r".into(), Class::Positive)], Vec::new());
     let mut section =

@@ -2,9 +2,9 @@
 
 use crate::scalar::BigRational;
 
+use super::error::StatementError;
 use super::expansion::Integers;
 use super::sexp::Sexp;
-use super::statement::StatementError;
 
 /// Where on a span a function is looked at.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -245,9 +245,7 @@ pub(super) fn formula(sexp: &Sexp, ints: &Integers) -> Result<Formula, Statement
             place: place(p, ints)?,
             order: ints.natural(e)?,
         },
-        Some(("outside", [p, f, others])) => {
-            Formula::Outside(place(p, ints)?, term(f)?, terms(others)?)
-        }
+        Some(("outside", [p, f, others])) => Formula::Outside(place(p, ints)?, term(f)?, terms(others)?),
         Some(("pole", [p, functions, Sexp::Number(u)])) => {
             Formula::Pole(place(p, ints)?, terms(functions)?, u.clone())
         }

@@ -289,7 +289,7 @@ pub(super) fn claims() -> Vec<Claim> {
             ),
         )
         .amended(Form::illustrated(
-            "U0, degree 3: every G_i^3 is another function for each of the indices −1, 2, 5, ∞.",
+            "U0, degree 3: for any two different indices every G_i^3 is another function.",
             of_degree(each(&["U0"]), &[3]),
             influence(true),
         ))
@@ -326,7 +326,7 @@ pub(super) fn claims() -> Vec<Claim> {
             "Ill5.3.symmetry",
             "Illustration 5.3",
             Form::illustrated(
-                "U4, U5, degree 2, α in {−1, 2, ∞}: ^αG_i²(t_0+t_7−x) = ^{1−α}G_{4−i}²(x) for all x in [t_0, t_7].",
+                "U4, U5, degree 2, for α = −1, 2, ∞, and any other α as well: ^αG_i²(t_0+t_7−x) = ^{1−α}G_{4−i}²(x) for all x in [t_0, t_7].",
                 with_indices(each(&["U4", "U5"]), &["-1", "2", "inf"]),
                 every_basis(symmetry(true, |n, i| n - i)),
             ),
@@ -378,7 +378,7 @@ pub(super) fn claims() -> Vec<Claim> {
             "C6.larger",
             "Conclusion",
             Form::illustrated(
-                "The family contains the polynomial B-splines (α = ∞) and is strictly larger: on U4 no other index shown gives polynomials only.",
+                "The family contains the polynomial B-splines, of every knot vector, for α = ∞; and it is strictly larger: on U4 the functions for α = −1 are no piecewise polynomials.",
                 each(&["U4"]),
                 every_basis(strictly_larger),
             ),

@@ -348,12 +348,13 @@ pub(super) fn claims() -> Vec<Claim> {
             "not in the paper",
             Form::Basis(
                 Statement::new(
-                    "On every span the curve is a rational Bézier curve of degree at most k(k+1)/2 with positive weights.",
+                    "On every span the curve is a rational Bézier curve of degree at most k(k+1)/2 with positive weights, and in general of no lower degree.",
                     rational_bezier(|k| k * (k + 1) / 2),
                 )
                 .given([FiniteIndex, DegreeAtLeast(1)]),
             ),
-        ),
+        )
+        .note("The engine decides the bound and the weights in each case; the certificate also gives, for each degree, knots on which no lower degree does."),
     ]
 }
 

@@ -141,7 +141,11 @@ impl fmt::Display for Explanation {
                 writeln!(f, "  goals: {goals}")?;
             }
             if let Some(certificate) = &finding.certificate {
-                writeln!(f, "  certificate: proofs/certs/{certificate}.statement and .proof; checked by {}", finding.checked_by.join(", "))?;
+                writeln!(
+                    f,
+                    "  certificate: proofs/certs/{certificate}.statement and .proof; checked by {}",
+                    finding.checked_by.join(", ")
+                )?;
             }
         }
         if let Some(note) = self.note {

@@ -70,8 +70,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
 }
 
 fn write(folder: &Path, certificate: &Certificate) -> Result<(), CliError> {
-    let files =
-        [("statement", certificate.statement_text()), ("proof", certificate.proof_text())];
+    let files = [("statement", certificate.statement_text()), ("proof", certificate.proof_text())];
     for (extension, text) in files {
         let path = folder.join(format!("{}.{extension}", certificate.name()));
         fs::write(&path, text).map_err(|error| unwritable(&path, error))?;
@@ -99,13 +98,19 @@ fn unwritable(path: &Path, error: std::io::Error) -> CliError {
 
 impl fmt::Display for Proved {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut table = plain(["claim", "", "verdict", "scope", "degrees", "goals"].map(str::to_owned).to_vec());
+        let mut table =
+            plain(["claim", "", "verdict", "scope", "degrees", "goals"].map(str::to_owned).to_vec());
         for checked in &self.checked {
             table.add_row(checked.row());
         }
         right_aligned(&mut table, 5);
         writeln!(f, "{table}\n")?;
-        writeln!(f, "Proved and checked: {} certificates, in {}", self.checked.len(), self.written.display())?;
+        writeln!(
+            f,
+            "Proved and checked: {} certificates, in {}",
+            self.checked.len(),
+            self.written.display()
+        )?;
         for name in &self.stale {
             writeln!(f, "Not a certificate of any claim any more: {name}")?;
         }

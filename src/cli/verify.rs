@@ -39,7 +39,7 @@ pub(super) struct Checked {
     form: String,
     verdict: String,
     scope: String,
-    degrees: Vec<u64>,
+    degrees: Vec<usize>,
     sections: usize,
     /// Goals and lemmas.
     steps: usize,
@@ -71,7 +71,7 @@ impl From<knotproof_checker::Checked> for Checked {
             form: checked.form,
             verdict: checked.verdict,
             scope: checked.scope,
-            degrees: Vec::new(),
+            degrees: checked.degrees,
             sections: checked.sections,
             steps: checked.goals + checked.lemmas,
         }
@@ -112,12 +112,17 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     let results: Vec<_> = read?
         .into_par_iter()
         .map(|(statement, proof, path)| {
-            let known = Sexp::parse_all(&statement).is_ok_and(|items| own.iter().any(|own| items == [own.clone()]));
+            let known =
+                Sexp::parse_all(&statement).is_ok_and(|items| own.iter().any(|own| items == [own.clone()]));
             (knotproof_checker::check(&statement, &proof), known, path)
         })
         .collect();
-    let mut verified =
-        Verified { schema: "knotproof.verify/1", checked: Vec::new(), rejected: Vec::new(), unknown: Vec::new() };
+    let mut verified = Verified {
+        schema: "knotproof.verify/1",
+        checked: Vec::new(),
+        rejected: Vec::new(),
+        unknown: Vec::new(),
+    };
     for (result, known, file) in results {
         match result {
             Ok(checked) => {
@@ -172,7 +177,8 @@ fn statements(path: &Path) -> Result<Vec<PathBuf>, CliError> {
 
 impl fmt::Display for Verified {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut table = plain(["claim", "", "verdict", "scope", "degrees", "steps"].map(str::to_owned).to_vec());
+        let mut table =
+            plain(["claim", "", "verdict", "scope", "degrees", "steps"].map(str::to_owned).to_vec());
         for checked in &self.checked {
             table.add_row(checked.row());
         }

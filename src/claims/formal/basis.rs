@@ -93,16 +93,20 @@ pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
         ("L3.6", false) => statement(
             1..=8,
             "The first knot occurs k + 1 + e times. For e = 0, 1, 2 the equations are shown; for e ≥ 3 all functions in them are 0 on the first span, which is [t_{k+e}, t_{k+e+1}).",
-            &["(section (each e 0 2) (each q 0 (- k 1)) (window A 0 (each s 1 (+ k e) 0) some (each s 1 k any)) (goals \
+            &[
+                "(section (each e 0 2) (each q 0 (- k 1)) (window A 0 (each s 1 (+ k e) 0) some (each s 1 k any)) (goals \
                (= (G q (- k q) (from A (+ k e))) (G (+ q 1) (- (- k q) 1) (from A (+ k e)))) \
-               (= (G (+ q 1) (- k q) (from A (+ k e))) (G (+ q 2) (- (- k q) 1) (from A (+ k e))))))"],
+               (= (G (+ q 1) (- k q) (from A (+ k e))) (G (+ q 2) (- (- k q) 1) (from A (+ k e))))))",
+            ],
         ),
         ("L3.7", false) => statement(
             1..=8,
             "Index 0 stands for n. The last knot occurs k + 1 + e times. For e = 0, 1, 2 the equations are shown; for e ≥ 3 all functions in them are 0 on the last span, which is [t_{n−e}, t_{n−e+1}).",
-            &["(section (each e 0 2) (each q 0 (- k 1)) (window A (- 0 (+ k e)) (each s 1 k any) some (each s 1 (+ k e) 0)) (goals \
+            &[
+                "(section (each e 0 2) (each q 0 (- k 1)) (window A (- 0 (+ k e)) (each s 1 k any) some (each s 1 (+ k e) 0)) (goals \
                (= (G 0 (- k q) (to A (- 0 e))) (G 0 (- (- k q) 1) (to A (- 0 e)))) \
-               (= (G -1 (- k q) (to A (- 0 e))) (G -1 (- (- k q) 1) (to A (- 0 e))))))"],
+               (= (G -1 (- k q) (to A (- 0 e))) (G -1 (- (- k q) 1) (to A (- 0 e))))))",
+            ],
         ),
         ("P3.1.1", false) => statement(
             0..=8,
@@ -127,10 +131,12 @@ pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
         ("P3.3.1", false) => statement(
             1..=8,
             "A has the knots of degree k, B those of degree k − 1, on the same interval; w is the weight of the whole interval, and functions that do not exist are 0.",
-            &["(section (positive h) (window A 0 (each s 1 k 0) h (each s 1 k 0)) (window B 0 (each s 2 k 0) h (each s 2 k 0)) (goals \
+            &[
+                "(section (positive h) (window A 0 (each s 1 k 0) h (each s 1 k 0)) (window B 0 (each s 2 k 0) h (each s 2 k 0)) (goals \
                (each i 0 k (= (G i k (in A k)) (+ (* (w k 1 (in A k)) (G (- i 1) (- k 1) (in B (- k 1)))) \
                (* (v k 1 (in A k)) (G i (- k 1) (in B (- k 1)))))) (= (G i k (from A k)) (+ (* (w k 1 (from A k)) \
-               (G (- i 1) (- k 1) (from B (- k 1)))) (* (v k 1 (from A k)) (G i (- k 1) (from B (- k 1)))))))))"],
+               (G (- i 1) (- k 1) (from B (- k 1)))) (* (v k 1 (from A k)) (G i (- k 1) (from B (- k 1)))))))))",
+            ],
         ),
         ("P3.3.2", false) => statement(
             0..=8,
@@ -152,8 +158,10 @@ pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
         ("proof.T3.5.2.cover", true) => statement(
             1..=8,
             "Index 0 stands for i. If t_1 < t_k, every x of (t_0, t_{k+1}) is less than t_k or greater than t_1. If t_1 = t_k, the two intervals are (t_0, t_1) and (t_1, t_{k+1}); these are all of (t_0, t_{k+1}) but t_1, unless one of them is empty, and then the other is all of it.",
-            &["(section (each j 1 (- k 1)) (window A 0 any (each s 2 j any) some (each s (+ j 1) (- k 1) any) any) (goals (> (t A k) (t A 1))))\
-               (section (window A 0 any (each s 2 k 0) any) (goals (= (t A k) (t A 1))))"],
+            &[
+                "(section (each j 1 (- k 1)) (window A 0 any (each s 2 j any) some (each s (+ j 1) (- k 1) any) any) (goals (> (t A k) (t A 1))))\
+               (section (window A 0 any (each s 2 k 0) any) (goals (= (t A k) (t A 1))))",
+            ],
         ),
         _ => None,
     }

@@ -6,8 +6,9 @@ use super::Formal;
 use super::basis::{AT_LAST_KNOT, OFF_SUPPORT, SPAN, SUM_IS_ONE};
 
 pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
-    let statement =
-        |degrees: RangeInclusive<usize>, because: &str, sections: &[&str]| Some(Formal::on_all_knots(degrees, because, sections));
+    let statement = |degrees: RangeInclusive<usize>, because: &str, sections: &[&str]| {
+        Some(Formal::on_all_knots(degrees, because, sections))
+    };
     match (claim, amended) {
         ("P4.1.1", true) => statement(
             0..=8,

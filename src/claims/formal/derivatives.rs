@@ -44,8 +44,9 @@ const CLASSICAL: &str = "(section (window A (- 0 k) (each s (- 0 k) -1 any) some
     (= (at ((r 1)) (w i d (in A 0))) (/ (- (x (in A 0)) (t A i)) (- (t A (+ i d)) (t A i))))))))";
 
 pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
-    let statement =
-        |degrees: RangeInclusive<usize>, because: &str, sections: &[&str]| Some(Formal::on_all_knots(degrees, because, sections));
+    let statement = |degrees: RangeInclusive<usize>, because: &str, sections: &[&str]| {
+        Some(Formal::on_all_knots(degrees, because, sections))
+    };
     let alpha = "The first two sections: r = α/(α − 1) and 1/r = (α − 1)/α, for α < 0 and for α > 1.";
     match (claim, amended) {
         ("L3.8", true) => statement(
@@ -79,7 +80,9 @@ pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
         ("T3.11.1", false) => statement(
             0..=8,
             "On the open span every function is a sum of products of weights, each of which is a quotient of polynomials whose denominator does not vanish there.",
-            &["(section (window A (- 0 k) (each s (- 0 k) -1 any) some (each s 1 k any)) (goals (each i (- 0 k) 0 (defined (G i k (in A 0))))))"],
+            &[
+                "(section (window A (- 0 k) (each s (- 0 k) -1 any) some (each s 1 k any)) (goals (each i (- 0 k) 0 (defined (G i k (in A 0))))))",
+            ],
         ),
         ("T3.11.2", true) => statement(
             1..=8,
@@ -91,17 +94,23 @@ pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
         ),
         ("T3.11.3a", true) => statement(
             1..=8,
-            &format!("{alpha} t_0 = … = t_k < t_{{k+1}}, and t_{{k+1}} − t_0 is the gap (A k). Functions that do not live on the first span are 0 there."),
+            &format!(
+                "{alpha} t_0 = … = t_k < t_{{k+1}}, and t_{{k+1}} − t_0 is the gap (A k). Functions that do not live on the first span are 0 there."
+            ),
             &[RATIO, &format!("(section {FIRST} (goals {AT_FIRST}))")],
         ),
         ("T3.11.3b", true) => statement(
             1..=8,
-            &format!("{alpha} Index 0 stands for n; t_m − t_n is the gap (A 0). Functions that do not live on the last span are 0 there."),
+            &format!(
+                "{alpha} Index 0 stands for n; t_m − t_n is the gap (A 0). Functions that do not live on the last span are 0 there."
+            ),
             &[RATIO, &format!("(section {LAST} (goals {AT_LAST}))")],
         ),
         ("P4.2.2", true) => statement(
             1..=8,
-            &format!("{alpha} First t_0 = … = t_k < t_{{k+1}}, then, with index 0 for n, t_n < t_{{n+1}} = … = t_m. The curve is Σ d_i G_i."),
+            &format!(
+                "{alpha} First t_0 = … = t_k < t_{{k+1}}, then, with index 0 for n, t_n < t_{{n+1}} = … = t_m. The curve is Σ d_i G_i."
+            ),
             &[
                 RATIO,
                 &format!(

@@ -8,7 +8,7 @@ use crate::claims::verdict::Scope;
 use crate::scalar::{BigRational, integer};
 use crate::spline::Point;
 
-use super::{Formal, traces};
+use super::Formal;
 
 const BASES: [&str; 4] = ["U0", "U1", "U2", "U3"];
 const SYMMETRIC: [&str; 7] = ["S1", "S2", "S3", "S4", "S5", "S6", "S7"];
@@ -74,7 +74,11 @@ impl<'a> On<'a> {
         }
         let knots: Vec<_> = self.instance.knots.knots().iter().map(ToString::to_string).collect();
         // The section belongs to one degree of the statement: for any other it is not there.
-        format!("(section (each a {0} k) (each b k {0}) {alpha} (knots A 0 {1}) (goals {goals}))", self.k, knots.join(" "))
+        format!(
+            "(section (each a {0} k) (each b k {0}) {alpha} (knots A 0 {1}) (goals {goals}))",
+            self.k,
+            knots.join(" ")
+        )
     }
 }
 
@@ -86,11 +90,6 @@ fn sections(instances: &[Instance], alpha: &str, goals: impl Fn(&On<'_>) -> Stri
 /// A goal for every span.
 fn on_spans(goal: impl Fn(&On<'_>, usize) -> String) -> impl Fn(&On<'_>) -> String {
     move |on| on.spans().into_iter().map(|span| goal(on, span)).collect()
-}
-
-/// A goal for every function that lives on a span, for every span.
-fn on_pieces(goal: impl Fn(&On<'_>, usize, usize) -> String) -> impl Fn(&On<'_>) -> String {
-    on_spans(move |on, span| on.living(span).map(|i| goal(on, i, span)).collect())
 }
 
 /// 0 ≤ G with sum 1 on every span, at the knots too.
@@ -196,27 +195,28 @@ fn tangents_at_double_point(on: &On<'_>) -> String {
         points[to].iter().zip(&points[left]).map(|(to, p)| to - p).collect()
     };
     // On a span: the neighbour of P, the control point beyond it, the weight that makes the latter's function the smaller one.
-    let goals = |span: usize, [near, far]: [usize; 2], i: usize, [small, large]: [&str; 2], end: &str| -> String {
-        let g = |i: usize| on.function(i, "in", span);
-        let mut goals: String = (0..2)
-            .map(|c| {
-                let (p, near_p, far_p) = (&points[left][c], &from_p(near)[c], &from_p(far)[c]);
-                let sum = format!("(+ (* {near_p} {}) (* {far_p} {}))", g(near), g(far));
-                format!("(= (- {} {p}) {sum})", on.coordinate(c, "G", "in", span))
-            })
-            .collect();
-        let weight = |of: &str, at: &str| format!("({of} {i} {k} ({at} A {span}))");
-        let (small_in, large_in) = (weight(small, "in"), weight(large, "in"));
-        let _ = write!(
-            goals,
-            "(> {} 0) (>= (* {small_in} {}) (* {large_in} {})) (= {} 0)",
-            g(near),
-            g(near),
-            g(far),
-            weight(small, end)
-        );
-        goals
-    };
+    let goals =
+        |span: usize, [near, far]: [usize; 2], i: usize, [small, large]: [&str; 2], end: &str| -> String {
+            let g = |i: usize| on.function(i, "in", span);
+            let mut goals: String = (0..2)
+                .map(|c| {
+                    let (p, near_p, far_p) = (&points[left][c], &from_p(near)[c], &from_p(far)[c]);
+                    let sum = format!("(+ (* {near_p} {}) (* {far_p} {}))", g(near), g(far));
+                    format!("(= (- {} {p}) {sum})", on.coordinate(c, "G", "in", span))
+                })
+                .collect();
+            let weight = |of: &str, at: &str| format!("({of} {i} {k} ({at} A {span}))");
+            let (small_in, large_in) = (weight(small, "in"), weight(large, "in"));
+            let _ = write!(
+                goals,
+                "(> {} 0) (>= (* {small_in} {}) (* {large_in} {})) (= {} 0)",
+                g(near),
+                g(near),
+                g(far),
+                weight(small, end)
+            );
+            goals
+        };
     let (before, after) = (left - k + 1, right - 1);
     let (arrives, leaves) = (from_p(before), from_p(after));
     let cross = format!("(> (det ({} {}) ({} {})) 0)", arrives[0], arrives[1], leaves[0], leaves[1]);
@@ -235,15 +235,15 @@ fn mirrored(on: &On<'_>) -> String {
         // The reflection is affine: its matrix and its constant, from the images of three points.
         let zero = vec![integer(0), integer(0)];
         let constant = axis.apply(&zero);
-        for c in 0..2 {
+        for (c, constant) in constant.iter().enumerate() {
             let unit = |d: usize| -> BigRational {
                 let mut point = zero.clone();
                 point[d] = integer(1);
-                &axis.apply(&point)[c] - &constant[c]
+                &axis.apply(&point)[c] - constant
             };
             let image = format!(
                 "(+ {} (* {} {}) (* {} {}))",
-                constant[c],
+                constant,
                 unit(0),
                 on.coordinate(0, "G", "in", *span),
                 unit(1),
@@ -402,11 +402,6 @@ pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
             &[3],
             "At x = 3 the squared distance from the curve for ∞ is the same for r = 1 + s and for r = 1/(1 + s). It grows strictly with s and tends to 8: with α → 0 from below, r → 0, and with α → 1 from above, r → ∞, the curves separate by more than any number below the square root of 8.",
             sections(&all(&["C5"]), "(positive s q)", separation),
-        ),
-        ("Ill5.6.between", false) => statement(
-            &[2, 3, 4],
-            "For every finite α the point of the curve at one knot is no point of the curve for ∞. Every span of the latter lies on an algebraic curve f = 0, given in the goals; and f is not 0 at the point, for r = 1 + s and for r = 1/(1 + s).",
-            traces::differ(),
         ),
         ("Ill5.8.double", true) => statement(
             &[3],

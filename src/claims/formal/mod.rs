@@ -42,7 +42,15 @@ impl Formal {
 /// What is to be proved of a claim, as printed or as amended; `None` if that is not stated formally.
 #[must_use]
 pub fn formal(claim: &str, amended: bool) -> Option<Formal> {
-    let parts = [weight::formal, basis::formal, derivatives::formal, curve::formal, illustrations::formal, questions::formal_for_all];
+    let parts = [
+        weight::formal,
+        basis::formal,
+        derivatives::formal,
+        curve::formal,
+        illustrations::formal,
+        traces::formal,
+        questions::formal_for_all,
+    ];
     parts.iter().find_map(|part| part(claim, amended))
 }
 

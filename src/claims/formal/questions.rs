@@ -38,7 +38,8 @@ fn minors_2() -> String {
         let entries: Vec<_> = columns.iter().map(|j| beta(*j, point)).collect();
         format!("({})", entries.join(" "))
     };
-    let pairs = [[0, 1], [0, 2], [1, 2]].map(|pair| format!("(> (det {} {}) 0)", row(&pair, 0), row(&pair, 1)));
+    let pairs =
+        [[0, 1], [0, 2], [1, 2]].map(|pair| format!("(> (det {} {}) 0)", row(&pair, 0), row(&pair, 1)));
     let all = [0, 1, 2];
     let triple = format!("(> (det {} {} {}) 0)", row(&all, 0), row(&all, 1), row(&all, 2));
     let at_ends = "(> (G -2 2 (from A 0)) 0) (>= (G -1 2 (from A 0)) 0) (= (+ (G -2 2 (from A 0)) (G -1 2 (from A 0))) 1) \
@@ -84,7 +85,10 @@ fn poles(k: usize) -> String {
         }
     }
     let list: String = knots.iter().map(|t| format!(" {t}")).collect();
-    format!("(section (each a {k} k) (each b k {k}) (let r {ratio}) (knots A {}{list}) (goals {goals}))", 1 - to_i64(k))
+    format!(
+        "(section (each a {k} k) (each b k {k}) (let r {ratio}) (knots A {}{list}) (goals {goals}))",
+        1 - to_i64(k)
+    )
 }
 
 fn integer_of(value: i64) -> BigRational {

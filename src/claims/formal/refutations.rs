@@ -83,9 +83,7 @@ impl<'a> Found<'a> {
     }
 
     fn section_with(&self, more: &str, goals: &str) -> String {
-        let list = |knots: &KnotVector| -> String {
-            knots.knots().iter().map(|t| format!(" {t}")).collect()
-        };
+        let list = |knots: &KnotVector| -> String { knots.knots().iter().map(|t| format!(" {t}")).collect() };
         let (ratio, knots) = (self.basis.index().ratio(), list(self.knots()));
         format!("(section (let r {ratio}) (knots A 0{knots}) {more} (goals {goals}))")
     }
@@ -154,32 +152,44 @@ fn weight(claim: &str, witness: &Witness) -> Refuted {
 
 fn of_basis(claim: &str, found: &Found<'_>) -> Refuted {
     let (k, knots, n) = (found.k(), found.knots(), found.basis.n());
-    let (t_0, t_m) = (knots.first(), knots.last());
+    let t_0 = knots.first();
     let x = || found.number("x");
     let i = || found.natural("i").or_else(|| found.natural("j"));
     Some(match claim {
         "T3.5.1" | "proof.P4.1.1.iff" | "P4.1.1" => {
             let value = found.at(&x()?, Side::Right, &found.function(i()?))?;
-            ("x is not in the interval of the claim, and the function is positive there.", found.section(&format!("(> {value} 0)")))
+            (
+                "x is not in the interval of the claim, and the function is positive there.",
+                found.section(&format!("(> {value} 0)")),
+            )
         }
         "T3.5.3" => {
             let span = knots.span_at(&x()?, Side::Right)?.index();
             let functions: Vec<_> = found.living(span, k).map(|i| found.function(i)).collect();
             let sum = found.at(&x()?, Side::Right, &format!("(+ {})", functions.join(" ")))?;
-            ("All functions that exist and live on the span of x have a sum less than 1.", found.section(&format!("(< {sum} 1)")))
+            (
+                "All functions that exist and live on the span of x have a sum less than 1.",
+                found.section(&format!("(< {sum} 1)")),
+            )
         }
         "T3.5.4" | "P4.3" => {
             let (x, i) = (x()?, i()?);
             let left = found.at(&knots.mirror(&x), Side::Right, &found.function(i))?;
             let right = found.at(&x, Side::Right, &found.function(n - i))?;
             let right = format!("(at ((r (/ 1 r))) {right})");
-            ("Left and right side of the claim for i at x, with 1/r for the index 1 − α.", found.section(&Found::differ(&left, &right)))
+            (
+                "Left and right side of the claim for i at x, with 1/r for the index 1 − α.",
+                found.section(&Found::differ(&left, &right)),
+            )
         }
         "P3.1.3" | "P4.2.1" => {
             let (x, i) = (x()?, i()?);
             let wanted = usize::from(if x == *t_0 { i == 0 } else { i == n });
             let value = found.at(&x, Side::Right, &found.function(i))?;
-            ("The value of the function at the end of the knots is not the one of the claim.", found.section(&Found::differ(&value, &wanted.to_string())))
+            (
+                "The value of the function at the end of the knots is not the one of the claim.",
+                found.section(&Found::differ(&value, &wanted.to_string())),
+            )
         }
         "abstract.regularity" => {
             let goal = |i| {
@@ -190,7 +200,10 @@ fn of_basis(claim: &str, found: &Found<'_>) -> Refuted {
                 return None;
             }
             let goals: Option<String> = (0..=n).map(goal).collect();
-            ("The knot has multiplicity k, so that derivatives of order ≤ 0 are meant: and no function jumps there.", found.section(&goals?))
+            (
+                "The knot has multiplicity k, so that derivatives of order ≤ 0 are meant: and no function jumps there.",
+                found.section(&goals?),
+            )
         }
         "L3.8" | "L3.9" => end_relations(claim, found)?,
         "L3.10" | "T3.11.3a" | "T3.11.3b" => {
@@ -200,11 +213,17 @@ fn of_basis(claim: &str, found: &Found<'_>) -> Refuted {
         }
         "T3.11.2" => {
             let value = |side| found.at(&x()?, side, &found.function(i()?));
-            ("The limit from the left is not the value: the difference quotients from the left diverge.", found.section(&Found::differ(&value(Side::Left)?, &value(Side::Right)?)))
+            (
+                "The limit from the left is not the value: the difference quotients from the left diverge.",
+                found.section(&Found::differ(&value(Side::Left)?, &value(Side::Right)?)),
+            )
         }
         "P4.2.2" => {
             let (low, high) = if x()? == *t_0 { (0, k + 1) } else { (n, knots.m()) };
-            ("The formula of the claim divides by the difference of these two knots, which is 0.", found.section(&format!("(= (t A {low}) (t A {high}))")))
+            (
+                "The formula of the claim divides by the difference of these two knots, which is 0.",
+                found.section(&format!("(= (t A {low}) (t A {high}))")),
+            )
         }
         "Conj3.1.strong" | "Conj3.1.weak" | "Rem5.1.conj" => rises_and_drops(found, i()?)?,
         "Conj3.1.strong.continuous" => two_maxima(found, i()?)?,
@@ -212,41 +231,68 @@ fn of_basis(claim: &str, found: &Found<'_>) -> Refuted {
             let value = found.at(&x()?, Side::Right, &found.function(i()?))?;
             let other: Index = found.witness.claimed.rsplit_once("α = ")?.1.parse().ok()?;
             let other = format!("(at ((r {})) {value})", other.ratio());
-            ("The function has another value at x for the other index.", found.section(&Found::differ(&value, &other)))
+            (
+                "The function has another value at x for the other index.",
+                found.section(&Found::differ(&value, &other)),
+            )
         }
         "Ill5.7.local" => {
             let last = knots.spans().next_back()?.index();
-            ("The moved control point is d_4: its factor is positive on the whole last span, so nothing unmoved follows.", found.section(&format!("(> (G 4 {k} (in A {last})) 0)")))
+            (
+                "The moved control point is d_4: its factor is positive on the whole last span, so nothing unmoved follows.",
+                found.section(&format!("(> (G 4 {k} (in A {last})) 0)")),
+            )
         }
         "Ill5.8.symmetry" => {
             let points = illustrations::points(found.text("instance")?, k)?;
-            let goals: String = points.first()?.iter().zip(points.last()?).map(|(a, b)| format!("(= {a} {b})")).collect();
-            ("The coordinates of the first and of the last control point are the same: they have no perpendicular bisector.", format!("(section (goals {goals}))"))
+            let goals: String =
+                points.first()?.iter().zip(points.last()?).map(|(a, b)| format!("(= {a} {b})")).collect();
+            (
+                "The coordinates of the first and of the last control point are the same: they have no perpendicular bisector.",
+                format!("(section (goals {goals}))"),
+            )
         }
         "Ill5.8.double" => {
             let goals = illustrations::off_double_point(found.text("instance")?, k)?;
-            ("The squared distance of the curve from its double control point is positive everywhere.", found.section(&goals))
+            (
+                "The squared distance of the curve from its double control point is positive everywhere.",
+                found.section(&goals),
+            )
         }
         "proof.T3.5.2.cover" => {
             let (i, x) = (i()?, x()?);
             let moved = &x - t_0;
-            ("x is the end of the one interval and the beginning of the other, and lies between t_i and t_{i+k+1}.", found.section(&format!(
-                "(= (t A {}) {moved}) (= (t A {}) {moved}) (< (t A {i}) {moved}) (> (t A {}) {moved})", i + k, i + 1, i + k + 1)))
+            (
+                "x is the end of the one interval and the beginning of the other, and lies between t_i and t_{i+k+1}.",
+                found.section(&format!(
+                    "(= (t A {}) {moved}) (= (t A {}) {moved}) (< (t A {i}) {moved}) (> (t A {}) {moved})",
+                    i + k,
+                    i + 1,
+                    i + k + 1
+                )),
+            )
         }
         "proof.P3.2.induction" => {
             let span = knots.spans().next()?.index();
             let (g, h) = (format!("(G 0 {k} (in A {span}))"), format!("(G 1 {k} (in A {span}))"));
-            let orders: String = found.living(span, k).map(|i| format!("(order {i} {k} (in A {span}) {i})")).collect();
-            ("On the only span the functions have the orders 0, 1, … at its first knot, and so are independent; with c_0 = G_1 and c_1 = −G_0 the sum is 0, and c_0 is positive where G_0 is.", found.section(&format!(
-                "{orders} (= (+ (* {h} {g}) (* (- {g}) {h})) 0) (> {h} 0) (> {g} 0)")))
+            let orders: String =
+                found.living(span, k).map(|i| format!("(order {i} {k} (in A {span}) {i})")).collect();
+            (
+                "On the only span the functions have the orders 0, 1, … at its first knot, and so are independent; with c_0 = G_1 and c_1 = −G_0 the sum is 0, and c_0 is positive where G_0 is.",
+                found.section(&format!("{orders} (= (+ (* {h} {g}) (* (- {g}) {h})) 0) (> {h} 0) (> {g} 0)")),
+            )
         }
         "X.G1" => {
             let (p, rest) = found.text("d")?.strip_prefix("0 but for d_")?.split_once(" = (1, 0) and d_")?;
             let q = rest.strip_suffix(" = (0, 1)")?;
             let slope = |side, i: &str| found.at(&x()?, side, &found.derivative(i.parse().ok()?));
-            let rows = [Side::Left, Side::Right].map(|side| Some(format!("({} {})", slope(side, p)?, slope(side, q)?)));
+            let rows = [Side::Left, Side::Right]
+                .map(|side| Some(format!("({} {})", slope(side, p)?, slope(side, q)?)));
             let [left, right] = rows;
-            ("The derivatives of the curve from the left and from the right are not parallel.", found.section(&Found::differ(&format!("(det {} {})", left?, right?), "0")))
+            (
+                "The derivatives of the curve from the left and from the right are not parallel.",
+                found.section(&Found::differ(&format!("(det {} {})", left?, right?), "0")),
+            )
         }
         "X.totalpositivity" => {
             let list = found.text("functions")?.trim_matches(['(', ')']);
@@ -260,16 +306,25 @@ fn of_basis(claim: &str, found: &Found<'_>) -> Refuted {
                 Some(format!("({})", row?.join(" ")))
             };
             let rows: Option<Vec<_>> = numbers(found.text("points")?)?.iter().map(row).collect();
-            ("The minor of these functions at these points is negative.", found.section(&format!("(< (det {}) 0)", rows?.join(" "))))
+            (
+                "The minor of these functions at these points is negative.",
+                found.section(&format!("(< (det {}) 0)", rows?.join(" "))),
+            )
         }
         "X.variation" => too_many_crossings(found)?,
         "X.linear" => {
             let span = found.span()?;
-            ("Already on this span x is no combination of the functions that live there.", found.section(&found.outside(span, &format!("(x (in A {span}))"), k)))
+            (
+                "Already on this span x is no combination of the functions that live there.",
+                found.section(&found.outside(span, &format!("(x (in A {span}))"), k)),
+            )
         }
         "X.derivative" => {
             let (span, i) = (found.span()?, i()?);
-            ("On this span the derivative is no combination of the functions of degree k − 1 that live there.", found.section(&found.outside(span, &format!("(DG {i} {k} (in A {span}))"), k - 1)))
+            (
+                "On this span the derivative is no combination of the functions of degree k − 1 that live there.",
+                found.section(&found.outside(span, &format!("(DG {i} {k} (in A {span}))"), k - 1)),
+            )
         }
         "X.nested" => not_nested(found, i()?)?,
         _ => return None,
@@ -298,7 +353,10 @@ fn end_relations(claim: &str, found: &Found<'_>) -> Refuted {
         ]
     } else {
         let w = weight(n, d)?;
-        [square(slope(n, d)?, slope(n, e)?, "+", w.clone()), square(slope(n - 1, d)?, slope(n - 1, e)?, "-", w)]
+        [
+            square(slope(n, d)?, slope(n, e)?, "+", w.clone()),
+            square(slope(n - 1, d)?, slope(n - 1, e)?, "-", w),
+        ]
     };
     Some((
         "The two equations of the claim for this r do not both hold: the sum of the squares of their differences is positive. The weight of an empty interval is 0, and so is its derivative.",
@@ -335,9 +393,10 @@ fn rises_and_drops(found: &Found<'_>, i: usize) -> Refuted {
 fn two_maxima(found: &Found<'_>, i: usize) -> Refuted {
     let knots = found.knots();
     let slope = |x: &BigRational, side| found.basis.jets(x, side, 1)[i].coefficients()[1].clone();
-    let valley = knots.inner_stop_knots().map(|(x, _)| x).find(|x| {
-        slope(x, Side::Left) < integer(0) && integer(0) < slope(x, Side::Right)
-    })?;
+    let valley = knots
+        .inner_stop_knots()
+        .map(|(x, _)| x)
+        .find(|x| slope(x, Side::Left) < integer(0) && integer(0) < slope(x, Side::Right))?;
     let mut goals = format!(
         "(< {} 0) (> {} 0) (> {} 0)",
         found.at(valley, Side::Left, &found.derivative(i))?,
@@ -390,7 +449,7 @@ fn not_nested(found: &Found<'_>, i: usize) -> Refuted {
     let fine = Basis::new(refined.clone(), k, found.basis.index().clone()).ok()?;
     let pieces = Pieces::of(&fine);
     for span in pieces.spans() {
-        let (start, end) = refined.ends(span.span);
+        let (start, _) = refined.ends(span.span);
         let old = found.knots().span_at(start, Side::Right)?;
         let (a, b) = found.knots().ends(old);
         // The old function at the points of the new span.
@@ -405,7 +464,8 @@ fn not_nested(found: &Found<'_>, i: usize) -> Refuted {
         let point = format!("(x (in B {s}))");
         let term = format!("(at ((u (/ (- {point} {a}) (- {b} {point})))) (G {i} {k} (in A {t})))");
         let m = refined.m();
-        let others: Vec<_> = (s.saturating_sub(k)..=s.min(m - k - 1)).map(|j| format!("(G {j} {k} (in B {s}))")).collect();
+        let others: Vec<_> =
+            (s.saturating_sub(k)..=s.min(m - k - 1)).map(|j| format!("(G {j} {k} (in B {s}))")).collect();
         let window: String = refined.knots().iter().map(|t| format!(" {t}")).collect();
         let goal = format!("(outside (in B {s}) {term} ({}))", others.join(" "));
         return Some((

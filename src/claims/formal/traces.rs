@@ -2,6 +2,9 @@
 
 use std::fmt::Write as _;
 
+use crate::claims::verdict::Scope;
+
+use super::Formal;
 use super::illustrations::{On, of_degree};
 
 /// A polynomial in x and y: terms (coefficient, exponent of x, exponent of y).
@@ -143,8 +146,18 @@ fn at(implicit: Implicit, [x, y]: &[String; 2]) -> String {
     sum + ")"
 }
 
+pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
+    const BECAUSE: &str = "For every finite α the point of the curve at one knot is no point of the curve for ∞. Every span of the latter lies on an algebraic curve f = 0, given in the goals; and f is not 0 at the point, for r = 1 + s and for r = 1/(1 + s).";
+    (claim == "Ill5.6.between" && !amended).then(|| Formal {
+        scope: Scope::Alpha,
+        degrees: vec![2, 3, 4],
+        because: BECAUSE.to_owned(),
+        sections: differ(),
+    })
+}
+
 /// The sections for all four.
-pub(super) fn differ() -> String {
+fn differ() -> String {
     let mut sections = String::new();
     for curve in &CURVES {
         for instance in of_degree(&[curve.name], &[curve.degree]) {

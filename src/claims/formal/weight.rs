@@ -10,8 +10,7 @@ const DENOMINATOR: &str = "(+ a (x PLACE) (* (- alpha 1) (+ a (t A 1))) (* -1 al
 
 /// The same section for α < 0 and for α > 1, on an interval [a, b] with b = a + h.
 fn for_both(goals: &str) -> String {
-    let section =
-        |alpha: &str| format!("(section (real a) {alpha} (window A 0 h) (goals {goals}))");
+    let section = |alpha: &str| format!("(section (real a) {alpha} (window A 0 h) (goals {goals}))");
     section(BELOW) + &section(ABOVE)
 }
 
@@ -21,10 +20,8 @@ fn denominator(place: &str) -> String {
 
 /// The formula of D2.3 is the weight in terms of r.
 fn printed_formula() -> String {
-    let goal = format!(
-        "(= (w 0 1 (in A 0)) (/ (* alpha (- (+ a (x (in A 0))) a)) {}))",
-        denominator("(in A 0)")
-    );
+    let goal =
+        format!("(= (w 0 1 (in A 0)) (/ (* alpha (- (+ a (x (in A 0))) a)) {}))", denominator("(in A 0)"));
     for_both(&goal)
 }
 
@@ -35,7 +32,8 @@ const CLIMBS: &str = "(section (positive s) (window A 0 some) (goals (defined (w
     (= (w 0 1 (from A 0)) 0) (= (w 0 1 (to A 0)) 1)))";
 const CONJUGATE: &str = "(= (/ (- 1 alpha) (- (- 1 alpha) 1)) (/ 1 r))";
 
-const FORMULA: &str = "The first two sections show that the weight of D2.3 is w with r = α/(α − 1), for α < 0 and for α > 1.";
+const FORMULA: &str =
+    "The first two sections show that the weight of D2.3 is w with r = α/(α − 1), for α < 0 and for α > 1.";
 
 pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
     let statement = |because: &str, sections: &[&str]| {
@@ -106,11 +104,9 @@ pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
         ),
         ("P2.1.2", false) => statement(
             "T(x) = c·x + e with c > 0. T takes [a, b] to an interval c times as long, and the point with coordinate u to the point with coordinate u, where w is the same; x = a goes to T(a). Outside of [a, b), and for a ≥ b, both sides are 0.",
-            &[
-                "(section (positive c) (window A 0 some) (window B 0 (* c (A 0))) (goals \
+            &["(section (positive c) (window A 0 some) (window B 0 (* c (A 0))) (goals \
                (= (x (in B 0)) (* c (x (in A 0)))) (= (w 0 1 (in B 0)) (w 0 1 (in A 0))) \
-               (= (w 0 1 (from B 0)) (w 0 1 (from A 0)))))",
-            ],
+               (= (w 0 1 (from B 0)) (w 0 1 (from A 0)))))"],
         ),
         ("P2.1.3", true) => statement(
             "FORMULA T(x) = −c·x + e with c > 0. T takes [a, b] to the interval [T(b), T(a)], c times as long, and the point with coordinate u to the one with coordinate 1/u. To pass from α to 1 − α is to pass from r to 1/r.",
