@@ -19,7 +19,7 @@ const BELOW: &str = "(positive s) (let r (/ s (+ 1 s)))";
 const ABOVE: &str = "(positive s) (let r (/ (+ 1 s) s))";
 
 /// The instances of these names.
-fn all(names: &[&str]) -> Vec<Instance> {
+pub(super) fn all(names: &[&str]) -> Vec<Instance> {
     names.iter().flat_map(|name| instances_named(name)).collect()
 }
 
@@ -31,7 +31,7 @@ pub(super) fn of_degree(names: &[&str], degrees: &[usize]) -> Vec<Instance> {
 
 /// An instance with what its goals are made of.
 pub(super) struct On<'a> {
-    instance: &'a Instance,
+    pub(super) instance: &'a Instance,
     k: usize,
     n: usize,
 }
@@ -47,12 +47,12 @@ impl<'a> On<'a> {
     }
 
     /// The functions that live on a span.
-    fn living(&self, span: usize) -> std::ops::RangeInclusive<usize> {
+    pub(super) fn living(&self, span: usize) -> std::ops::RangeInclusive<usize> {
         span.saturating_sub(self.k)..=span.min(self.n)
     }
 
     /// `(G i k (in A s))`, or at another place of the span.
-    fn function(&self, i: usize, at: &str, span: usize) -> String {
+    pub(super) fn function(&self, i: usize, at: &str, span: usize) -> String {
         format!("(G {i} {} ({at} A {span}))", self.k)
     }
 

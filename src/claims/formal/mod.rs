@@ -10,7 +10,9 @@ use std::ops::RangeInclusive;
 mod basis;
 mod curve;
 mod derivatives;
+mod deviation;
 mod illustrations;
+mod maximum;
 mod questions;
 mod refutations;
 mod traces;
@@ -49,6 +51,8 @@ pub fn formal(claim: &str, amended: bool) -> Option<Formal> {
         curve::formal,
         illustrations::formal,
         traces::formal,
+        maximum::formal,
+        deviation::formal,
         questions::formal_for_all,
     ];
     parts.iter().find_map(|part| part(claim, amended))
