@@ -2,7 +2,9 @@
 
 use thiserror::Error;
 
-use crate::claims::{Claim, Formal, Judged, Verdict, Witness, formal, formal_for_degree, refutation};
+use crate::claims::{
+    Claim, Form as ClaimForm, Formal, Judged, Verdict, Witness, formal, formal_for_degree, refutation,
+};
 
 use super::error::StatementError;
 use super::proof::{SectionProof, to_sexp};
@@ -133,4 +135,28 @@ pub fn certify(claim: &Claim, judged: &Judged) -> Result<Vec<Certificate>, Certi
         }
     }
     Ok(certificates)
+}
+
+/// The certificate of a claim for one degree: for a weight, which has no degree, the whole of it. `None` if there is no
+/// formal statement for that degree.
+///
+/// # Errors
+/// [`CertificateError`], if the statement resists.
+pub fn certify_for_degree(
+    claim: &Claim,
+    form: Form,
+    k: usize,
+) -> Result<Option<Certificate>, CertificateError> {
+    let form = if claim.is_question() { Form::Degree(k) } else { form };
+    let failed = |error| CertificateError { claim: claim.id.to_owned(), form, error };
+    let stated = statement(claim, form, None).map_err(|error| failed(ProofError::from(error).into()))?;
+    let Some(mut statement) = stated else { return Ok(None) };
+    if matches!(claim.printed, ClaimForm::Basis(_)) {
+        statement.degrees.retain(|degree| *degree == k);
+    }
+    if statement.degrees.is_empty() {
+        return Ok(None);
+    }
+    let proof = prove(&statement).map_err(|error| failed(error.into()))?;
+    Ok(Some(Certificate { statement, proof }))
 }

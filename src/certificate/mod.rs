@@ -14,7 +14,7 @@ mod sexp;
 mod statement;
 mod term;
 
-pub use certify::{Certificate, CertificateError, Uncertified, certify, statement};
+pub use certify::{Certificate, CertificateError, Uncertified, certify, certify_for_degree, statement};
 pub use error::StatementError;
 pub use evaluate::{EvaluationError, Evaluator, Unfolding};
 pub use proof::{Lemma, Rule, SectionProof};

@@ -6,6 +6,7 @@ use clap::builder::PossibleValuesParser;
 use clap::builder::TypedValueParser as _;
 use serde::Serialize;
 
+use crate::certificate::{Form as Of, certify_for_degree};
 use crate::claims::{
     BasisCase, Claim, Fault, Form, Origin, Scope, Statement, Verdict, WeightCase, claims, judge,
 };
@@ -143,7 +144,14 @@ impl UserCases {
         Self { bases: [BasisCase::new(basis.clone(), Origin::User)], weights }
     }
 
-    fn verdict(&self, form: &Form, scope: Scope) -> Result<Finding, Fault> {
+    fn verdict(&self, claim: &Claim, of: Of, scope: Scope) -> Result<Option<Finding>, CliError> {
+        let form = match of {
+            Of::Printed => &claim.printed,
+            _ => match &claim.amended {
+                Some(form) => form,
+                None => return Ok(None),
+            },
+        };
         let verdict = match form {
             Form::Weight(statement) => judge(statement, &self.weights)?,
             Form::Basis(statement) => self.on_basis(statement)?,
@@ -151,25 +159,36 @@ impl UserCases {
                 Verdict::NotApplicable("the claim is about examples of the paper".into())
             }
         };
-        let verdict = match verdict {
-            Verdict::Proved { scope: reached, .. } if reached < scope => {
-                Verdict::Undecided(format!("proved at scope {reached} only, and {scope} was asked for"))
+        // What is proved for every knot vector is proved for this one, and further.
+        let certificate = match verdict {
+            Verdict::Proved { .. } | Verdict::Undecided(_) => {
+                certify_for_degree(claim, of, self.bases[0].basis().degree())?
             }
-            verdict => verdict,
+            _ => None,
         };
-        Ok((&verdict).into())
+        if let Some(certificate) = &certificate {
+            certificate.check()?;
+        }
+        let mut finding = Finding::from(&verdict).certified(certificate.as_ref());
+        let reached = Scope::ALL.into_iter().find(|reached| finding.scope.as_deref() == Some(reached.name()));
+        if let Some(reached) = reached.filter(|reached| *reached < scope) {
+            let reason = format!("proved at scope {reached} only, and {scope} was asked for");
+            finding = (&Verdict::Undecided(reason)).into();
+        }
+        Ok(Some(finding))
     }
 
     fn on_basis(&self, statement: &Statement<BasisCase>) -> Result<Verdict, Fault> {
         judge(statement, &self.bases)
     }
 
-    fn property(&self, claim: &Claim, scope: Scope) -> Result<Property, Fault> {
-        let finding = self.verdict(&claim.printed, scope)?;
+    fn property(&self, claim: &Claim, scope: Scope) -> Result<Property, CliError> {
+        let nothing = || (&Verdict::NotApplicable("there is nothing to judge".into())).into();
+        let finding = self.verdict(claim, Of::Printed, scope)?.unwrap_or_else(nothing);
         let amended = match &claim.amended {
-            Some(form) if finding.witness.is_some() => {
-                Some(Amended { statement: form.text(), finding: self.verdict(form, scope)? })
-            }
+            Some(form) if finding.witness.is_some() => self
+                .verdict(claim, Of::Amended, scope)?
+                .map(|finding| Amended { statement: form.text(), finding }),
             _ => None,
         };
         let alpha = self.bases[0].basis().index().to_string();

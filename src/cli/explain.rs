@@ -111,10 +111,7 @@ impl fmt::Display for Explanation {
         let mut said = "";
         for part in &self.parts {
             let finding = &part.finding;
-            let degrees: Vec<_> = finding.degrees.iter().map(ToString::to_string).collect();
-            let degrees =
-                if degrees.is_empty() { String::new() } else { format!(", degrees {}", degrees.join(", ")) };
-            writeln!(f, "\n{}: {}{degrees}", capitalised(&part.of), styled(finding))?;
+            writeln!(f, "\n{}: {}", capitalised(&part.of), styled(finding))?;
             if part.statement != said {
                 writeln!(f, "  {}", part.statement)?;
                 said = &part.statement;

@@ -160,14 +160,22 @@ fn unwritable(argument: &'static str, path: &Path, error: std::io::Error) -> Cli
 /// The table of verdicts, and what is not as recorded.
 impl fmt::Display for Outcome {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut table = plain(["claim", "where", "as printed", "as amended"].map(str::to_owned).to_vec());
+        let mut table = plain(
+            ["claim", "where", "as printed", "as amended", "certificate", "checked by"]
+                .map(str::to_owned)
+                .to_vec(),
+        );
         for record in &self.report.claims {
+            // The statement that stands: the amended one, where the printed one falls.
+            let standing = &record.amended.as_ref().unwrap_or(&record.as_printed).finding;
             let amended = record.amended.as_ref().map(|stated| styled(&stated.finding)).unwrap_or_default();
             table.add_row([
                 record.id.clone(),
                 record.locator.clone(),
                 styled(&record.as_printed.finding),
                 amended,
+                standing.certificate.clone().unwrap_or_default(),
+                standing.checked_by.join(", "),
             ]);
         }
         writeln!(f, "{table}\n")?;

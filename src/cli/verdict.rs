@@ -8,7 +8,7 @@ use crate::report::Finding;
 
 use super::exit::Exit;
 
-/// The status in its colour, with the scope.
+/// The status in its colour, with the reach of a proof.
 pub(super) fn styled(finding: &Finding) -> String {
     let colour = match finding.status.as_str() {
         "proved" => Some(AnsiColor::Green),
@@ -17,8 +17,8 @@ pub(super) fn styled(finding: &Finding) -> String {
         _ => None,
     };
     let style = Style::new().fg_color(colour.map(Into::into));
-    let scope = finding.scope.as_ref().map(|scope| format!(" ({scope})")).unwrap_or_default();
-    format!("{style}{}{scope}{style:#}", finding.status)
+    let reach = finding.reach().map(|reach| format!(" ({reach})")).unwrap_or_default();
+    format!("{style}{}{reach}{style:#}", finding.status)
 }
 
 /// How many findings have each status.

@@ -85,6 +85,11 @@ impl Entry {
         printed.chain(amended).chain(degrees)
     }
 
+    /// The names of all certificates about the claim.
+    pub fn certificates(&self) -> impl Iterator<Item = &str> {
+        self.findings().filter_map(|(_, finding)| finding.certificate.as_deref())
+    }
+
     fn finding(&self, name: &str) -> Option<&Finding> {
         self.findings().find(|(other, _)| other == name).map(|(_, finding)| finding)
     }

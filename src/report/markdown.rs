@@ -9,14 +9,21 @@ use super::baseline::{Baseline, Entry};
 use super::record::{Finding, Grounds, Record, Stated};
 use super::{Drift, Report};
 
-/// The table of verdicts: one row a claim.
-fn verdict_table(baseline: &Baseline) -> String {
+/// The table of verdicts: one row a claim. With `links`, certificates are links from the top folder of the project.
+fn verdict_table(baseline: &Baseline, links: bool) -> String {
     let row = |entry: &Entry| {
         let amended = entry.amended.as_ref().map(verdict).unwrap_or_default();
-        format!("| `{}` | {} | {} | {amended} |\n", entry.id, entry.locator, verdict(&entry.as_printed))
+        let certificates: Vec<_> = entry.certificates().map(|name| certificate(name, links)).collect();
+        let (id, locator, printed) = (&entry.id, &entry.locator, verdict(&entry.as_printed));
+        format!("| `{id}` | {locator} | {printed} | {amended} | {} |\n", certificates.join(", "))
     };
     let rows: String = baseline.claims.iter().map(row).collect();
-    format!("| claim | where | as printed | as amended |\n|---|---|---|---|\n{rows}")
+    format!("| claim | where | as printed | as amended | certificates |\n|---|---|---|---|---|\n{rows}")
+}
+
+fn certificate(name: &str, links: bool) -> String {
+    let short = name.rsplit('.').next().unwrap_or(name);
+    if links { format!("[{short}](proofs/certs/{name}.statement)") } else { format!("`{name}`") }
 }
 
 /// The line before the table of verdicts in the README.
@@ -29,12 +36,12 @@ pub const END: &str = "<!-- end of verdicts -->";
 pub fn with_verdict_table(text: &str, baseline: &Baseline) -> Option<String> {
     let (before, rest) = text.split_once(START)?;
     let (_, after) = rest.split_once(END)?;
-    Some(format!("{before}{START}\n\n{}\n{END}{after}", verdict_table(baseline)))
+    Some(format!("{before}{START}\n\n{}\n{END}{after}", verdict_table(baseline, true)))
 }
 
 fn verdict(finding: &Finding) -> String {
-    match &finding.scope {
-        Some(scope) => format!("{} ({scope})", finding.status),
+    match finding.reach() {
+        Some(reach) => format!("{} ({reach})", finding.status),
         None => finding.status.clone(),
     }
 }
@@ -59,14 +66,14 @@ fn items(stated: &Stated) -> Vec<String> {
         items.push(format!("assuming: {}", plain(&stated.hypotheses.join("; "))));
     }
     items.extend(stated.rests_on.as_ref().map(decided));
-    if !finding.degrees.is_empty() {
-        let degrees: Vec<_> = finding.degrees.iter().map(ToString::to_string).collect();
-        items.push(format!("degrees {}", degrees.join(", ")));
-    }
     items.extend(finding.witness.iter().map(|witness| format!("witness: {}", plain(&witness.to_string()))));
     let command = finding.witness.as_ref().and_then(|witness| witness.reproduce.as_ref());
     items.extend(command.map(|command| format!("again: `{command}`")));
     items.extend(finding.reason.iter().chain(&finding.remarks).map(|text| plain(text)));
+    items.extend(finding.certificate.iter().map(|name| format!("certificate: `proofs/certs/{name}`")));
+    if !finding.checked_by.is_empty() {
+        items.push(format!("found or checked by: {}", finding.checked_by.join(", ")));
+    }
     items.extend(stated.sharpness.map(|sharpness| {
         format!(
             "of {} cases that the extra hypotheses exclude, the printed statement fails in {}",
@@ -138,16 +145,19 @@ fn drift_table(drifts: &[Drift]) -> String {
 #[must_use]
 pub fn markdown(report: &Report) -> String {
     let sections: String = report.claims.iter().map(section).collect();
-    let table = verdict_table(&Baseline::of(&report.claims));
+    let table = verdict_table(&Baseline::of(&report.claims), false);
     let drifts = drift_table(&report.float);
     format!(
         "# Report on the paper's claims\n\n{SCOPES}\n\n## Verdicts\n\n{table}\n## Claim by claim\n\n{sections}## f64 against exact\n\n{FLOATS}\n\n{drifts}"
     )
 }
 
-const SCOPES: &str = "Every verdict comes out of a computation in exact arithmetic. *proved (instance)* means: \
-decided for every x, on the instances of the paper and the small cases that are counted with each claim. \
-*refuted* comes with the smallest counterexample found, exact and small enough to be checked by hand.";
+const SCOPES: &str = "Every verdict comes out of a computation in exact arithmetic. *proved (knots)* means: for \
+every knot vector and every α, in the degrees k that are given; *proved (alpha)*: on the examples of the paper, for every α; \
+*proved (instance)*: decided for every x, on the instances of the paper and the small cases that are counted with each \
+claim. *refuted* comes with the smallest counterexample found, exact and small enough to be checked by hand. The *engine* \
+decides cases one by one; the *prover* proves formal statements, and the *checker*, a program by itself, reads the \
+certificates that it writes.";
 
 const FLOATS: &str = "The same triangle run in `f64`, with knots, slope ratio and x rounded to nearest, against \
 the exact values at the exact x. Nothing here enters a verdict.";

@@ -39,8 +39,19 @@ const ENGINE: &str = "engine";
 const CERTIFIED: [&str; 2] = ["prover", "checker"];
 
 impl Finding {
+    /// How far a proof reaches, with the degrees: `knots, k = 0–8`.
+    #[must_use]
+    pub fn reach(&self) -> Option<String> {
+        let scope = self.scope.clone()?;
+        Some(match runs(&self.degrees) {
+            degrees if degrees.is_empty() => scope,
+            degrees => format!("{scope}, k = {degrees}"),
+        })
+    }
+
     /// What a certificate adds that the checker has accepted: it may reach further, and settle what the cases left open.
-    fn certified(mut self, certificate: Option<&Certificate>) -> Self {
+    #[must_use]
+    pub fn certified(mut self, certificate: Option<&Certificate>) -> Self {
         let Some(certificate) = certificate else { return self };
         let Statement { scope, degrees, refuted, .. } = &certificate.statement;
         self.certificate = Some(certificate.name());
@@ -56,6 +67,21 @@ impl Finding {
         }
         self
     }
+}
+
+/// A rising list with its runs drawn together: `0–3, 5`.
+fn runs(list: &[usize]) -> String {
+    let mut runs: Vec<(usize, usize)> = Vec::new();
+    for &k in list {
+        match runs.last_mut() {
+            Some((_, last)) if *last + 1 == k => *last = k,
+            _ => runs.push((k, k)),
+        }
+    }
+    let run = |(first, last): &(usize, usize)| {
+        if first == last { first.to_string() } else { format!("{first}–{last}") }
+    };
+    runs.iter().map(run).collect::<Vec<_>>().join(", ")
 }
 
 /// On how much a proof rests. Kept apart from the finding: it may grow without the verdict changing.
