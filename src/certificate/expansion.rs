@@ -54,6 +54,19 @@ impl Integers {
         result.ok_or_else(not_an_integer)
     }
 
+    /// The text with every named integer in it replaced by its value.
+    pub(super) fn worked_out(&self, sexp: &Sexp) -> Result<Sexp, StatementError> {
+        Ok(match sexp {
+            Sexp::Name(name) if self.known.iter().any(|(known, _)| known == name) => {
+                Sexp::int(self.value(sexp)?)
+            }
+            Sexp::List(items) => {
+                Sexp::List(items.iter().map(|item| self.worked_out(item)).collect::<Result<_, _>>()?)
+            }
+            other => other.clone(),
+        })
+    }
+
     /// The value of an integer expression that has to be ≥ 0.
     pub(super) fn natural(&self, sexp: &Sexp) -> Result<usize, StatementError> {
         let value = self.value(sexp)?;

@@ -20,5 +20,5 @@ pub use evaluate::{EvaluationError, Evaluator, Unfolding};
 pub use proof::{Lemma, Rule, SectionProof};
 pub use prove::{GoalError, ProofError, prove};
 pub use sexp::{Sexp, SyntaxError};
-pub use statement::{Class, Form, Gap, Section, Statement, Window};
+pub use statement::{Class, Form, Gap, Hint, Section, Statement, Window};
 pub use term::{Formula, OfWeight, Place, Term, Where};

@@ -11,8 +11,8 @@ use crate::scalar::{BigRational, Multivariate, Quotient, Ring, integer};
 
 use super::error::StatementError;
 use super::evaluate::{EvaluationError, Evaluator, Unfolding, sign};
-use super::proof::{Rule, SectionProof};
-use super::statement::{Class, Section, Statement};
+use super::proof::{Lemma, Rule, SectionProof};
+use super::statement::{Class, Hint, Section, Statement};
 use super::term::{Formula, OfWeight, Place, Term};
 
 /// Why a statement could not be proved.
@@ -21,7 +21,7 @@ pub enum ProofError {
     /// It makes no sense.
     #[error(transparent)]
     Statement(#[from] StatementError),
-    /// A goal for which no rule was found: it may be false.
+    /// A goal for which no rule was found: it may be false. Number 0 stands for the lemmas.
     #[error("section {section}, goal {goal}: {reason}")]
     Goal {
         /// Which section, as numbered after unrolling.
@@ -59,12 +59,54 @@ pub fn prove(statement: &Statement) -> Result<Vec<SectionProof>, ProofError> {
 }
 
 fn of_section(number: usize, section: &Section) -> Result<SectionProof, ProofError> {
-    let rule = |(goal, formula)| {
-        let failed = |reason| ProofError::Goal { section: number, goal, reason };
-        rule_for(section, formula).map_err(failed)
+    let failed = |goal, reason| ProofError::Goal { section: number, goal, reason };
+    let lemmas = lemmas(section).map_err(|reason| failed(0, reason))?;
+    let rule = |(goal, formula): (usize, &Formula)| {
+        let hinted = section.hints.iter().find(|hint| hint.formula == *formula);
+        let rule = match hinted {
+            Some(hint) => by_hint(section, hint, &lemmas),
+            None => rule_for(section, formula),
+        };
+        rule.map_err(|reason| failed(goal, reason))
     };
     let goals: Result<Vec<_>, _> = (1..).zip(&section.goals).map(rule).collect();
-    Ok(SectionProof { lemmas: Vec::new(), goals: goals? })
+    let lemmas = lemmas.into_iter().map(|(_, lemma)| lemma).collect();
+    Ok(SectionProof { lemmas, goals: goals? })
+}
+
+/// The lemmas that hints tell of, each proved from those before it.
+fn lemmas(section: &Section) -> Result<Vec<(Formula, Lemma)>, GoalError> {
+    let mut proved = Vec::new();
+    for hint in section.hints.iter().filter(|hint| !section.goals.contains(&hint.formula)) {
+        let rule = by_hint(section, hint, &proved)?;
+        proved.push((hint.formula.clone(), Lemma { formula: hint.text.clone(), rule }));
+    }
+    Ok(proved)
+}
+
+/// An equation by other equations: left − right is the sum of theirs, each with its factor.
+fn by_hint(section: &Section, hint: &Hint, lemmas: &[(Formula, Lemma)]) -> Result<Rule, GoalError> {
+    if hint.using.is_empty() {
+        return rule_for(section, &hint.formula);
+    }
+    let unfolding = Unfolding { weights_from: Some(1), functions_to: Some(hint.functions), related: true };
+    let evaluator = Evaluator::new(section, unfolding)?;
+    let difference = |formula: &Formula| match formula {
+        Formula::Equal(left, right) => Ok(evaluator.term(left)?.minus(&evaluator.term(right)?)),
+        _ => Err(GoalError::NoRule),
+    };
+    let mut rest = difference(&hint.formula)?;
+    let mut using = Vec::new();
+    for (lemma, text, factor) in &hint.using {
+        let at = lemmas.iter().position(|(known, _)| known == lemma).ok_or(GoalError::NoRule)?;
+        rest = rest.minus(&evaluator.term(factor)?.times(&difference(lemma)?));
+        using.push((at + 1, text.clone()));
+    }
+    if rest.is_zero() {
+        Ok(Rule::By { weights: Some(1), functions: Some(hint.functions), using })
+    } else {
+        Err(GoalError::False)
+    }
 }
 
 /// The degrees from which on weights are left alone, the cheapest way first; at last none.

@@ -85,6 +85,19 @@ pub struct Window {
     pub gaps: Vec<Gap>,
 }
 
+/// A way to prove an equation: some functions stay unknowns, and equations proved before are used.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Hint {
+    /// What to prove: a lemma, or one of the goals.
+    pub formula: Formula,
+    /// The same as text.
+    pub text: Sexp,
+    /// Functions up to this degree are unknowns.
+    pub functions: usize,
+    /// Lemmas of the section with their factors, as text and as terms.
+    pub using: Vec<(Formula, Sexp, Term)>,
+}
+
 /// One section for certain values of its integers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Section {
@@ -96,14 +109,8 @@ pub struct Section {
     pub windows: Vec<Window>,
     /// The goals.
     pub goals: Vec<Formula>,
-    /// Its integers, for reading lemmas.
-    pub(super) integers: Integers,
-}
-
-impl PartialEq for Integers {
-    fn eq(&self, _: &Self) -> bool {
-        true
-    }
+    /// Lemmas that the prover is told of: these are no part of the statement.
+    pub hints: Vec<Hint>,
 }
 
 impl Statement {
@@ -125,7 +132,7 @@ impl Statement {
             Sexp::form("text", [Sexp::Text(self.text.clone())]),
             Sexp::form("because", [Sexp::Text(self.because.clone())]),
         ];
-        let parts = parts.into_iter().chain(self.sections.iter().cloned());
+        let parts = parts.into_iter().chain(self.sections.iter().map(without_hints));
         Sexp::form("statement", std::iter::once(Sexp::int(1)).chain(parts))
     }
 
@@ -152,6 +159,21 @@ impl Statement {
     }
 }
 
+/// The section as it stands in a certificate.
+fn without_hints(section: &Sexp) -> Sexp {
+    match section {
+        Sexp::List(parts) => {
+            let is_hint = |part: &&Sexp| part.as_form().is_some_and(|(head, _)| head == HINTS);
+            Sexp::List(parts.iter().filter(|part| !is_hint(part)).cloned().collect())
+        }
+        other => other.clone(),
+    }
+}
+
+/// The part of a section that is for the prover only:
+/// `(hints (prove FORMULA (functions INT) (using (FORMULA TERM)…))…)`, with `each` as in goals.
+const HINTS: &str = "hints";
+
 fn expand(parts: &[Sexp], ints: &Integers, all: &mut Vec<Section>) -> Result<(), StatementError> {
     if let Some((first, rest)) = parts.split_first()
         && let Some(("each", range)) = first.as_form()
@@ -163,8 +185,8 @@ fn expand(parts: &[Sexp], ints: &Integers, all: &mut Vec<Section>) -> Result<(),
         return values.try_for_each(|value| expand(rest, &ints.with(name, value), all));
     }
     let (parameters, lets) = (vec![("u".into(), Class::Positive), ("r".into(), Class::Positive)], Vec::new());
-    let mut section =
-        Section { parameters, lets, windows: Vec::new(), goals: Vec::new(), integers: ints.clone() };
+    let (windows, goals, hints) = (Vec::new(), Vec::new(), Vec::new());
+    let mut section = Section { parameters, lets, windows, goals, hints };
     for part in parts {
         let unknown = || StatementError::Form(part.to_string());
         let (head, items) = part.as_form().ok_or_else(unknown)?;
@@ -193,11 +215,35 @@ fn expand(parts: &[Sexp], ints: &Integers, all: &mut Vec<Section>) -> Result<(),
                 section.windows.push(Window { name: name.clone(), first: ints.value(first)?, gaps });
             }
             ("goals", goals) => section.goals = ints.items(goals, &term::formula)?,
+            (HINTS, hints) => section.hints = ints.items(hints, &hint)?,
             _ => return Err(unknown()),
         }
     }
     all.push(section);
     Ok(())
+}
+
+fn hint(sexp: &Sexp, ints: &Integers) -> Result<Hint, StatementError> {
+    let unknown = || StatementError::Form(sexp.to_string());
+    let Some(("prove", [formula, functions, uses])) = sexp.as_form() else { return Err(unknown()) };
+    let (Some(("functions", [degree])), Some(("using", uses))) = (functions.as_form(), uses.as_form()) else {
+        return Err(unknown());
+    };
+    let used = |item: &Sexp, ints: &Integers| match item {
+        Sexp::List(pair) => match pair.as_slice() {
+            [lemma, factor] => {
+                Ok((term::formula(lemma, ints)?, ints.worked_out(factor)?, term::term(factor, ints)?))
+            }
+            _ => Err(unknown()),
+        },
+        _ => Err(unknown()),
+    };
+    Ok(Hint {
+        formula: term::formula(formula, ints)?,
+        text: ints.worked_out(formula)?,
+        functions: ints.natural(degree)?,
+        using: ints.items(uses, &used)?,
+    })
 }
 
 fn gap(sexp: &Sexp, ints: &Integers) -> Result<Gap, StatementError> {

@@ -39,9 +39,118 @@ const JUMPS_AT_MULTIPLE_KNOT: &str = "(section (each p 1 (- k 1)) (window A (- -
     (* (/ (* (integer p) (- 1 r)) (+ (* r (A -1)) (A (- p 1)))) (each d (+ p 2) k (v (- p d) d (from A (- p 1)))))) \
     (each d (+ p 2) k (> (w -1 d (from A (- p 1))) 0) (> (v (- p d) d (from A (- p 1))) 0))))";
 
-/// For r = 1 the weights are affine.
-const CLASSICAL: &str = "(section (window A (- 0 k) (each s (- 0 k) -1 any) some (each s 1 k any)) (goals (each d 1 k (each i (- 1 d) 0 \
-    (= (at ((r 1)) (w i d (in A 0))) (/ (- (x (in A 0)) (t A i)) (- (t A (+ i d)) (t A i))))))))";
+/// For r = 1: D G_i^d = d·(Dw_i^d·G_i^{d−1} − Dw_{i+1}^d·G_{i+1}^{d−1}) on the span 0, where a function that does not live
+/// there is left out.
+fn derivative_formula(i: i64, d: i64) -> String {
+    let share = |j: i64| format!("(* (Dw {j} {d} (in A 0)) (G {j} {} (in A 0)))", d - 1);
+    let difference = match i {
+        0 => share(0),
+        i if i == -d => format!("(- {})", share(i + 1)),
+        i => format!("(- {} {})", share(i), share(i + 1)),
+    };
+    format!("(= (DG {i} {d} (in A 0)) (* {d} {difference}))")
+}
+
+/// For r = 1: equations between the weights w_i^d, w_i^{d−1}, w_{i+1}^{d−1} and their derivatives.
+struct Neighbours;
+
+impl Neighbours {
+    fn of(what: &str, i: i64, d: i64) -> String {
+        format!("({what} {i} {d} (in A 0))")
+    }
+
+    /// Dw_i^d·w_i^{d−1} = w_i^d·Dw_i^{d−1}.
+    fn rising(i: i64, d: i64) -> String {
+        let of = Self::of;
+        format!(
+            "(= (* {} {}) (* {} {}))",
+            of("Dw", i, d),
+            of("w", i, d - 1),
+            of("w", i, d),
+            of("Dw", i, d - 1)
+        )
+    }
+
+    /// Dw_i^d·(1 − w_{i+1}^{d−1}) = (1 − w_i^d)·Dw_{i+1}^{d−1}.
+    fn falling(i: i64, d: i64) -> String {
+        let of = Self::of;
+        format!(
+            "(= (* {} {}) (* {} {}))",
+            of("Dw", i, d),
+            of("v", i + 1, d - 1),
+            of("v", i, d),
+            of("Dw", i + 1, d - 1)
+        )
+    }
+}
+
+/// The formula for the degrees up to `highest`, and how it follows from degree to degree: by the product rule, what is
+/// left when the formulas for degree d − 1 are put in is a combination of functions of degree d − 2, whose factors are
+/// 0 by the equations between neighbouring weights.
+fn classical_derivatives(highest: i64) -> String {
+    let section = |k: i64| {
+        let goals: String = (-k..=0).map(|i| derivative_formula(i, k)).collect();
+        let mut constant = String::new();
+        for i in 1 - k..=0 {
+            let (a, b) = (i, i + k);
+            constant += &format!("(= (Dw {i} {k} (in A 0)) (/ 1 (- (t A {b}) (t A {a}))))");
+        }
+        let hints: String = (1..=k).map(hints).collect();
+        format!(
+            "(section (each a {k} k) (each b k {k}) (let r 1) (window A (- 0 k) (each s (- 0 k) -1 any) some (each s 1 k any)) \
+             (goals {goals}{constant}) (hints {hints}))"
+        )
+    };
+    (1..=highest).map(section).collect()
+}
+
+/// The lemmas of one degree.
+fn hints(d: i64) -> String {
+    let mut hints = String::new();
+    let mut prove = |formula: &str, using: &str| {
+        hints += &format!("(prove {formula} (functions {}) (using {using}))", (d - 2).max(0));
+    };
+    // Which of the equations make sense: both intervals have to contain the span.
+    let contains = |i: i64, d: i64| i <= 0 && i + d >= 1;
+    let rising = |i: i64| contains(i, d) && contains(i, d - 1);
+    let falling = |i: i64| contains(i, d) && contains(i + 1, d - 1);
+    for i in -d..=0 {
+        if d > 1 && rising(i) {
+            prove(&Neighbours::rising(i, d), "");
+        }
+        if d > 1 && falling(i) {
+            prove(&Neighbours::falling(i, d), "");
+        }
+    }
+    for i in -d..=0 {
+        let mut using = String::new();
+        if d > 1 {
+            let lower = |j: i64| format!("(G {j} {} (in A 0))", d - 2);
+            let mut with = |lemma: String, factor: String| using += &format!("({lemma} {factor})");
+            if i > -d {
+                with(derivative_formula(i, d - 1), format!("(w {i} {d} (in A 0))"));
+            }
+            if i < 0 {
+                with(derivative_formula(i + 1, d - 1), format!("(v {} {d} (in A 0))", i + 1));
+            }
+            // (1 − d)·Dw_i^d·G_i^{d−1}, with G_i^{d−1} in terms of degree d − 2, against what the lower formulas give.
+            if rising(i) {
+                with(Neighbours::rising(i, d), format!("(* {} {})", 1 - d, lower(i)));
+            }
+            if falling(i) {
+                with(Neighbours::falling(i, d), format!("(* {} {})", 1 - d, lower(i + 1)));
+            }
+            if rising(i + 1) {
+                with(Neighbours::rising(i + 1, d), format!("(* {} {})", d - 1, lower(i + 1)));
+            }
+            if falling(i + 1) {
+                with(Neighbours::falling(i + 1, d), format!("(* {} {})", d - 1, lower(i + 2)));
+            }
+        }
+        prove(&derivative_formula(i, d), &using);
+    }
+    hints
+}
 
 pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
     let statement = |degrees: RangeInclusive<usize>, because: &str, sections: &[&str]| {
@@ -126,8 +235,8 @@ pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
         ),
         ("abstract.regularity", true) => statement(
             1..=6,
-            "t_0 = … = t_{p−1} is a knot of multiplicity p < k with the gaps h_0 before it and h_1 after it. First section: for the function that begins at the knot before it, the right minus the left derivative is p(r−1)/(r·h_0 + h_1) times a product of weights, which are positive; for the function that ends at the knot after it, −p(r−1)/(r·h_0 + h_1) times a product of complements. One of the two functions exists on every knot vector with m ≥ 2k. So for r ≠ 1 a derivative of order 1 ≤ k − p jumps. Second section: for p ≤ k nothing jumps itself, and for p = k that is all that is claimed. Third section: at r = 1 the weights are those of the polynomial B-splines, whose derivatives of order ≤ k − p are continuous there (Curry and Schoenberg, 1966); the jumps are quotients in r without a pole at 1, so they tend to 0.",
-            &[JUMPS_AT_MULTIPLE_KNOT, CONTINUITY, CLASSICAL],
+            "t_0 = … = t_{p−1} is a knot of multiplicity p < k with the gaps h_0 before it and h_1 after it. First section: for the function that begins at the knot before it, the right minus the left derivative is p(r−1)/(r·h_0 + h_1) times a product of weights, which are positive; for the function that ends at the knot after it, −p(r−1)/(r·h_0 + h_1) times a product of complements. One of the two functions exists on every knot vector with m ≥ 2k. So for r ≠ 1 a derivative of order 1 ≤ k − p jumps. Second section: for p ≤ k nothing jumps itself, and for p = k that is all that is claimed. Third section: at r = 1 the derivative of a function is a combination of functions of degree k − 1 on the same knots, with the constant factors ±k/(t_{i+k} − t_i); so a derivative of order s is one of functions of degree k − s, which for k − s ≥ p are continuous at the knot by the second section, for that degree. The jumps are quotients in r without a pole at 1, so they tend to those for r = 1, which are 0.",
+            &[JUMPS_AT_MULTIPLE_KNOT, CONTINUITY, &classical_derivatives(6)],
         ),
         ("Rem3.1", false) => statement(
             2..=8,
