@@ -1,58 +1,17 @@
-//! Illustrations 5.5 to 5.8: the curves C5 to C7 and S1 to S7.
+//! Illustrations 5.5 to 5.7: the curves C5 to C7.
 
-use crate::analysis::{Enclosure, Piece, SpanPieces, common_positive_roots, supremum};
-use crate::scalar::{BigRational, Polynomial, RationalAlgebra, Ring, integer, rational, rationals_between};
-use crate::spline::{Curve, Index, Point, Side};
+use crate::analysis::Enclosure;
+use crate::scalar::{BigRational, RationalAlgebra, Ring, integer, rational, rationals_between};
+use crate::spline::{Index, Side};
 
-use super::basis::mirrored_span;
-use super::case::BasisCase;
 use super::claim::{Claim, Form};
 use super::curve::{convex_hull, shifts_weight};
+use super::drawn::{Drawn, alpha, show, squared_length};
 use super::illustrations::{
     Illustration, case_of, each, every_basis, largest, named, of_degree, refuted, together,
 };
 use super::instances::Instance;
 use super::verdict::{Judgement, Ledger, Stop};
-
-/// A curve of the paper with the pieces of its basis.
-struct Drawn {
-    case: BasisCase,
-    curve: Curve,
-}
-
-impl Drawn {
-    fn new(instance: &Instance, index: &Index) -> Self {
-        let case = case_of(instance, index);
-        match Curve::new(case.basis().clone(), instance.points.clone().unwrap_or_default()) {
-            Ok(curve) => Self { case, curve },
-            Err(error) => unreachable!("a test builds every instance: {error}"),
-        }
-    }
-
-    /// The coordinates on a span, as functions of u.
-    fn on(&self, pieces: &SpanPieces) -> Vec<Piece> {
-        self.curve.combine(&pieces.functions)
-    }
-
-    /// The coordinates on all spans.
-    fn everywhere(&self) -> Vec<Vec<Piece>> {
-        self.case.pieces().spans().iter().map(|pieces| self.on(pieces)).collect()
-    }
-}
-
-/// (x, y, …) in parentheses.
-fn show(point: &[BigRational]) -> String {
-    let coordinates: Vec<_> = point.iter().map(ToString::to_string).collect();
-    format!("({})", coordinates.join(", "))
-}
-
-fn alpha(index: &Index) -> (&'static str, String) {
-    ("α", index.to_string())
-}
-
-fn squared_length(vector: &[Piece]) -> Option<Piece> {
-    vector.iter().map(|c| c.times(c)).reduce(|sum, square| sum.plus(&square))
-}
 
 /// An enclosure of sup |G_α(x) − G_∞(x)|².
 fn squared_distance(instance: &Instance, index: &Index) -> Result<Enclosure, Stop> {
@@ -173,7 +132,7 @@ fn polygon_is_trace(illustration: &Illustration, ledger: &mut Ledger) -> Judgeme
 }
 
 /// G_α at u is G_∞ at r·u on every span: the same points in the same order, since u ↦ ru maps (0, ∞) onto itself.
-fn trace_is_classical(illustration: &Illustration, ledger: &mut Ledger) -> Judgement {
+pub(super) fn trace_is_classical(illustration: &Illustration, ledger: &mut Ledger) -> Judgement {
     for instance in &illustration.instances {
         let classical = Drawn::new(instance, &Index::infinity()).everywhere();
         for index in &instance.indices {
@@ -199,27 +158,6 @@ fn trace_is_classical(illustration: &Illustration, ledger: &mut Ledger) -> Judge
     Ok(())
 }
 
-/// Does the plane curve pass through the point, for some x of [t_0, t_m]?
-fn passes_through(drawn: &Drawn, point: &Point, ledger: &mut Ledger) -> bool {
-    let numerators = |pieces: &SpanPieces| -> Vec<Polynomial<BigRational>> {
-        let coordinates = drawn.on(pieces);
-        coordinates.iter().zip(point).map(|(c, p)| c.minus(&c.embed(p)).numerator().clone()).collect()
-    };
-    let spans = drawn.case.pieces().spans();
-    let inside = spans.iter().any(|pieces| match numerators(pieces).as_slice() {
-        [x, y] => common_positive_roots(x, y).exist(),
-        _ => false,
-    });
-    // The limit from the left of t_0 is that of no curve.
-    let knots = drawn.case.knots();
-    let meets = |t: &BigRational, side| drawn.curve.point(t, side) == *point;
-    let at_knots = knots
-        .stop_knots()
-        .any(|(t, _)| meets(t, Side::Right) || (t != knots.first() && meets(t, Side::Left)));
-    // Both decisions are exact; the ledger counts that there are no such points.
-    !ledger.count(usize::from(inside || at_knots), 0)
-}
-
 /// For every finite index some point of G_α is no point of G_∞.
 fn trace_differs(illustration: &Illustration, ledger: &mut Ledger) -> Judgement {
     /// Points tried on each span.
@@ -234,7 +172,7 @@ fn trace_differs(illustration: &Illustration, ledger: &mut Ledger) -> Judgement 
             });
             let off = places
                 .map(|x| (drawn.curve.point(&x, Side::Right), x))
-                .find(|(point, _)| !passes_through(&classical, point, ledger));
+                .find(|(point, _)| !classical.passes_through(point, ledger));
             match off {
                 Some((point, x)) => ledger.remark(format!(
                     "{}, degree {}, α = {index}: G_α({x}) = {} is no point of G_∞.",
@@ -294,203 +232,6 @@ fn moves_locally(three_segments: bool) -> impl Fn(&Illustration, &mut Ledger) ->
     }
 }
 
-/// The reflection of the plane at the perpendicular bisector of two different points.
-pub(super) struct Reflection {
-    middle: Point,
-    normal: Point,
-}
-
-impl Reflection {
-    pub(super) fn between(from: &Point, to: &Point) -> Option<Self> {
-        let normal: Point = to.iter().zip(from).map(|(to, from)| to - from).collect();
-        let middle = to.iter().zip(from).map(|(to, from)| (to + from) / integer(2)).collect();
-        (from != to).then_some(Self { middle, normal })
-    }
-
-    /// P − 2((P − M)·v)/(v·v) v, over any scalar.
-    pub(super) fn apply<S: RationalAlgebra>(&self, point: &[S]) -> Vec<S> {
-        let square: BigRational = self.normal.iter().map(|v| v * v).sum();
-        let terms = point
-            .iter()
-            .zip(&self.middle)
-            .zip(&self.normal)
-            .map(|((p, m), v)| p.minus(&p.embed(m)).times(&p.embed(&(v * integer(2) / &square))));
-        let Some(factor) = terms.reduce(|sum, term| sum.plus(&term)) else { return Vec::new() };
-        point.iter().zip(&self.normal).map(|(p, v)| p.minus(&factor.times(&p.embed(v)))).collect()
-    }
-}
-
-/// G_α and G_{1−α} are mirror images, x against t_0 + t_m − x; `by_ends`: at the bisector of d_0 and d_n, which must
-/// exist; otherwise at the axis that exchanges d_i and d_{n−i} for all i.
-fn mirror_images(by_ends: bool) -> impl Fn(&Illustration, &mut Ledger) -> Judgement {
-    move |illustration, ledger| {
-        for instance in &illustration.instances {
-            let points = instance.points.clone().unwrap_or_default();
-            let mut pairs = points.iter().zip(points.iter().rev());
-            let axis = if by_ends {
-                pairs.next().and_then(|(from, to)| Reflection::between(from, to))
-            } else {
-                pairs.find_map(|(from, to)| Reflection::between(from, to))
-            };
-            let Some(axis) = axis else {
-                let claimed = "d_0 and d_n have a perpendicular bisector".into();
-                let found = format!("d_0 = d_n = {}", points.first().map_or_else(String::new, |p| show(p)));
-                return Err(refuted(instance, &[], claimed, found));
-            };
-            for (i, (point, partner)) in points.iter().zip(points.iter().rev()).enumerate() {
-                let image = axis.apply(point);
-                if !image.iter().zip(partner).all(|(a, b)| ledger.equal(a, b)) {
-                    let claimed = "the control polygon is symmetric".into();
-                    let found = format!("d_{i} is mapped to {}", show(&image));
-                    return Err(refuted(instance, &[], claimed, found));
-                }
-            }
-            for index in &instance.indices {
-                let (one, two) = (Drawn::new(instance, index), Drawn::new(instance, &index.conjugate()));
-                for pieces in two.case.pieces().spans() {
-                    let mirrored = mirrored_span(two.case.knots(), pieces.span);
-                    let Some(partner) = mirrored.and_then(|span| one.case.pieces().on(span)) else {
-                        return Err(Stop::Fault(format!("{} is not symmetric", instance.name)));
-                    };
-                    let image = axis.apply(&one.on(partner));
-                    for (c, wanted) in image.iter().zip(two.on(pieces)) {
-                        if !ledger.equal(&c.reciprocal_argument(), &wanted) {
-                            let claimed = "the reflection takes G_α(t_0+t_m−x) to G_{1−α}(x)".into();
-                            let found = format!("not on span {}", pieces.span.index());
-                            return Err(refuted(instance, &[alpha(index)], claimed, found));
-                        }
-                    }
-                }
-            }
-        }
-        Ok(())
-    }
-}
-
-/// The first control point that equals its successor.
-fn double_point(instance: &Instance) -> Option<&Point> {
-    instance
-        .points
-        .iter()
-        .flatten()
-        .zip(instance.points.iter().flatten().skip(1))
-        .find(|(p, q)| p == q)
-        .map(|(p, _)| p)
-}
-
-/// An enclosure of the least squared distance from the curve to a point off it: −sup(−|G − P|²), narrowed until
-/// its lower end is positive: the point must be off the curve.
-fn least_squared_distance(drawn: &Drawn, point: &Point) -> Result<(BigRational, BigRational), Stop> {
-    let negated = drawn.everywhere().into_iter().filter_map(|curve| {
-        let difference: Vec<_> = curve.iter().zip(point).map(|(c, p)| c.minus(&c.embed(p))).collect();
-        squared_length(&difference).map(|square| square.negate())
-    });
-    let negated: Vec<_> = negated.collect();
-    let mut tolerance = rational(1, 1000);
-    loop {
-        let Enclosure { lo, hi, .. } =
-            supremum(&negated, &tolerance).map_err(|e| Stop::Fault(e.to_string()))?;
-        if hi < integer(0) {
-            return Ok((-hi, -lo));
-        }
-        tolerance /= integer(1000);
-    }
-}
-
-/// The curve passes through its double control point.
-fn adheres(illustration: &Illustration, ledger: &mut Ledger) -> Judgement {
-    for instance in &illustration.instances {
-        let Some(point) = double_point(instance) else { continue };
-        for index in &instance.indices {
-            let drawn = Drawn::new(instance, index);
-            if !passes_through(&drawn, point, ledger) {
-                let (low, high) = least_squared_distance(&drawn, point)?;
-                let claimed = format!("the curve passes through the double control point {}", show(point));
-                let found = format!("its least squared distance from there lies in [{low}, {high}]");
-                return Err(refuted(instance, &[alpha(index)], claimed, found));
-            }
-        }
-    }
-    Ok(())
-}
-
-/// The curve misses its double control point, by a squared distance of at most the bound.
-fn nearly_adheres(bound: BigRational) -> impl Fn(&Illustration, &mut Ledger) -> Judgement {
-    move |illustration, ledger| {
-        for instance in &illustration.instances {
-            let Some(point) = double_point(instance) else { continue };
-            for index in &instance.indices {
-                let drawn = Drawn::new(instance, index);
-                let claimed = format!("the curve misses the point, by a squared distance less than {bound}");
-                if passes_through(&drawn, point, ledger) {
-                    return Err(refuted(instance, &[alpha(index)], claimed, "it passes through".into()));
-                }
-                let (low, high) = least_squared_distance(&drawn, point)?;
-                if !ledger.less(&high, &bound) {
-                    let found = format!("it lies in [{low}, {high}]");
-                    return Err(refuted(instance, &[alpha(index)], claimed, found));
-                }
-                ledger.remark(format!(
-                    "{}, α = {index}: the least squared distance lies in [{low}, {high}].",
-                    instance.name
-                ));
-            }
-        }
-        Ok(())
-    }
-}
-
-/// The direction in which the curve moves just before or after x: the first derivative that is not 0, with its
-/// sign turned for even orders on the left.
-fn direction(curve: &Curve, x: &BigRational, side: Side) -> Option<Point> {
-    let order = curve.basis().degree() + 1;
-    let jets = curve.jets(x, side, order);
-    (1..=order).find_map(|d| {
-        let vector: Point = jets.iter().map(|jet| jet.coefficients()[d].clone()).collect();
-        let turned = side == Side::Left && d % 2 == 0;
-        vector
-            .iter()
-            .any(|c| !c.is_zero())
-            .then(|| if turned { vector.iter().map(|c| -c).collect() } else { vector })
-    })
-}
-
-/// At every knot inside of the given multiplicity the directions from the two sides are not the same.
-fn corner(multiplicity: usize) -> impl Fn(&Illustration, &mut Ledger) -> Judgement {
-    move |illustration, ledger| {
-        for instance in &illustration.instances {
-            for index in &instance.indices {
-                let drawn = Drawn::new(instance, index);
-                for (x, _) in drawn.case.knots().inner_stop_knots().filter(|(_, p)| *p == multiplicity) {
-                    let of = |side| direction(&drawn.curve, x, side);
-                    let (Some(left), Some(right)) = (of(Side::Left), of(Side::Right)) else { continue };
-                    let [a, b, c, d] = [&left[0], &left[1], &right[0], &right[1]];
-                    let parallel = a * d == b * c;
-                    let ahead = a * c + b * d;
-                    let same = parallel && !ledger.less(&ahead, &integer(0));
-                    if same || (!parallel && !ledger.differ(&(a * d), &(b * c))) {
-                        let at = [alpha(index), ("x", x.to_string())];
-                        let claimed = "the tangent directions from the two sides differ".into();
-                        return Err(refuted(
-                            instance,
-                            &at,
-                            claimed,
-                            format!("both are along {}", show(&left)),
-                        ));
-                    }
-                    ledger.remark(format!(
-                        "{}, α = {index}: at x = {x} the curve arrives along {} and leaves along {}.",
-                        instance.name,
-                        show(&left),
-                        show(&right)
-                    ));
-                }
-            }
-        }
-        Ok(())
-    }
-}
-
 /// `shifts_weight` for every finite index.
 fn weight_shifts(instance: &Instance, ledger: &mut Ledger) -> Judgement {
     for index in instance.indices.iter().filter(|index| !index.is_infinite()) {
@@ -499,9 +240,8 @@ fn weight_shifts(instance: &Instance, ledger: &mut Ledger) -> Judgement {
     Ok(())
 }
 
-/// The claims about curves.
+/// The claims about C5 to C7.
 pub(super) fn claims() -> Vec<Claim> {
-    const SYMMETRIC: [&str; 7] = ["S1", "S2", "S3", "S4", "S5", "S6", "S7"];
     const HULL: [&str; 6] = ["C5", "C6a", "C6b", "C7a", "C7b", "C7c"];
     const TO_ZERO: &[&str] = &["-4", "-1/2", "-1/5", "-1/7"];
     const TO_ONE: &[&str] = &["5", "3/2", "6/5", "8/7"];
@@ -594,55 +334,6 @@ pub(super) fn claims() -> Vec<Claim> {
             "Remark 5.2",
             hull("In Illustrations 5.5 to 5.7 the convex hull property holds."),
         ),
-        Claim::new(
-            "Ill5.8.symmetry",
-            "Illustration 5.8",
-            Form::illustrated(
-                "S1 to S7, α in {∞, −1, −1/2, −1/5}: G_α and G_{1−α} are symmetric with respect to the perpendicular bisector of (d_0, d_n).",
-                each(&SYMMETRIC),
-                mirror_images(true),
-            ),
-        )
-        .amended(Form::illustrated(
-            "The same, for every α, with respect to the axis that exchanges d_i and d_{n−i}; in S7, where d_0 = d_n, that is y = 2.",
-            each(&SYMMETRIC),
-            mirror_images(false),
-        )),
-        Claim::new(
-            "Ill5.8.double",
-            "Illustration 5.8",
-            Form::illustrated(
-                "S2, S5: the curves G_α and G_{1−α} pass through the double control point.",
-                each(&["S2", "S5"]),
-                adheres,
-            ),
-        )
-        .amended(Form::illustrated(
-            "S2, S5: whatever α, they miss the double control point, by a distance less than 1/4.",
-            each(&["S2", "S5"]),
-            nearly_adheres(rational(1, 16)),
-        ))
-        .note("\"Adhere\" is read as passing through."),
-        Claim::new(
-            "Ill5.8.fig29",
-            "Illustration 5.8, Fig. 29",
-            Form::illustrated(
-                "S3: the trace of the curve does not depend on α.",
-                each(&["S3"]),
-                trace_is_classical,
-            ),
-        )
-        .note("On either span only the weight on [0, 4] differs from the Bernstein weights, and it acts only between the two equal control points: G_α is a Bézier curve in w."),
-        Claim::new(
-            "Ill5.8.multiplicity",
-            "Illustration 5.8",
-            Form::illustrated(
-                "S3, S6: at the double knot the tangent directions of G_α and of G_{1−α} from the left and from the right differ.",
-                each(&["S3", "S6"]),
-                corner(2),
-            ),
-        )
-        .note("The corner is there for α = ∞ too, since the double control point lies over the double knot."),
     ]
 }
 
@@ -659,10 +350,5 @@ mod tests {
         assert!(refutes(of_degree(each(&["C6a"]), &[2]), trace_is_classical), "degree 2 independent of α");
         assert!(refutes(of_degree(each(&["C6a"]), &[3]), trace_differs), "the Bézier case depends on α");
         assert!(refutes(together(&["C7a", "C7b"]), moves_locally(true)), "three segments");
-        assert!(refutes(each(&["S7"]), mirror_images(true)), "a bisector of one point");
-        assert!(refutes(each(&["C5"]), mirror_images(false)), "a polygon without symmetry");
-        assert!(refutes(each(&["S2"]), adheres), "adheres");
-        assert!(refutes(each(&["S3"]), nearly_adheres(integer(1))), "misses a point that it meets");
-        assert!(refutes(each(&["S1"]), corner(1)), "corners at simple knots, for α = ∞ too");
     }
 }

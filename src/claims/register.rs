@@ -14,6 +14,7 @@ pub fn claims() -> Vec<Claim> {
         super::curve::claims(),
         super::illustrated_bases::claims(),
         super::illustrated_curves::claims(),
+        super::symmetric_curves::claims(),
         super::steps::claims(),
         super::questions::claims(),
     ]

@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
-use crate::claims::illustrated_curves::Reflection;
 use crate::claims::instances::{Instance, instances_named};
+use crate::claims::reflection::Reflection;
 use crate::claims::verdict::Scope;
 use crate::scalar::{BigRational, integer};
 use crate::spline::Point;
