@@ -61,7 +61,7 @@ fn mirror_images(by_ends: bool) -> impl Fn(&Illustration, &mut Ledger) -> Judgem
 }
 
 /// The first control point that equals its successor.
-fn double_point(instance: &Instance) -> Option<&Point> {
+pub(super) fn double_point(instance: &Instance) -> Option<&Point> {
     instance
         .points
         .iter()

@@ -5,15 +5,16 @@ use std::fmt::Write as _;
 use crate::claims::verdict::Scope;
 
 use super::Formal;
-use super::illustrations::{On, of_degree};
+use super::example::{Example, of_degree};
+use super::place::Place;
 
 /// |G_i − the same for ∞| ≤ 1/15 on every span.
-fn near(on: &On<'_>) -> String {
+fn near(on: &Example<'_>) -> String {
     let mut goals = String::new();
     for span in on.spans() {
         for i in on.living(span) {
-            for at in ["in", "from", "to"] {
-                let g = on.function(i, at, span);
+            for place in Place::closed(span) {
+                let g = on.function(i, place);
                 let _ = write!(goals, "(> 1/15 (- {g} (at ((r 1)) {g}))) (> 1/15 (- (at ((r 1)) {g}) {g}))");
             }
         }
@@ -28,13 +29,13 @@ pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
         return None;
     }
     let section = |instance| {
-        let on = On::new(instance);
+        let on = Example::new(instance);
         on.section("(let r 5/4)", &near(&on))
     };
     let most: String = of_degree(&EXAMPLES, &[2]).iter().map(section).collect();
     let farthest = |instance| {
-        let on = On::new(instance);
-        let g = on.function(2, "in", 2);
+        let on = Example::new(instance);
+        let g = on.function(2, Place::inside(2));
         on.section("(let r 5/4)", &format!("(> (at ((u 9/5)) (- {g} (at ((r 1)) {g}))) 33/500)"))
     };
     let least: String = of_degree(&["U1"], &[2]).iter().map(farthest).collect();

@@ -9,7 +9,8 @@ use crate::spline::{Basis, Index};
 
 use super::Formal;
 use super::basis::CONTINUITY;
-use super::illustrations::{On, all};
+use super::example::{Example, all};
+use super::place::Place;
 
 /// The functions that rise on their only span, or their first one, and those that fall on it.
 const OUTER: &str = "(section (window A (- 0 k) (each s (- 0 k) -1 any) some (each s 1 k any)) (goals \
@@ -34,7 +35,7 @@ const MIDDLE: &str = "(section (each first 2 k) (each last k 2) (nonnegative p q
 const BECAUSE: &str = "A function lives on at most k + 1 spans. It rises on the span [t_i, t_{i+1}], and falls on [t_{i+k}, t_{i+k+1}], if these are not empty (first section). For k = 2 its derivative on [t_{i+1}, t_{i+2}] has the sign of a polynomial E of degree 4 in s = r·u, with e_0 > 0 > e_4. The last two goals say: if e_1 ≤ 0 then e_2 < 0, and if e_3 ≥ 0 then e_2 > 0. So the signs of the coefficients change exactly once, and by Descartes' rule E changes its sign exactly once, from + to −. At knots of multiplicity ≤ k the functions are continuous (last section). So a function rises and then falls, once; it may begin with a jump to 1, if t_i = t_{i+k}, and fall from there, or, if t_{i+1} = t_{i+k+1} = t_m, rise to the limit 1 that counts as its value.";
 
 /// On every span of the support: the sign of the derivative, or its quotient of polynomials.
-fn unimodal(on: &On<'_>, index: &Index) -> Option<String> {
+fn unimodal(on: &Example<'_>, index: &Index) -> Option<String> {
     let basis = Basis::new(on.instance.knots.clone(), on.instance.degree, index.clone()).ok()?;
     let (pieces, k) = (Pieces::of(&basis), basis.degree());
     let mut goals = String::new();
@@ -54,7 +55,7 @@ fn unimodal(on: &On<'_>, index: &Index) -> Option<String> {
             let slope = span.derivative(&span.function(i));
             let signs: Vec<Sign> =
                 sign_pattern(slope.numerator()).between().iter().map(|(_, sign)| *sign).collect();
-            let term = format!("(DG {i} {k} (in A {s}))");
+            let term = Place::inside(s).value("DG", i, k);
             let _ = match signs.as_slice() {
                 [Sign::Positive] => write!(goals, "(> {term} 0)"),
                 [Sign::Negative] => write!(goals, "(< {term} 0)"),
@@ -64,7 +65,8 @@ fn unimodal(on: &On<'_>, index: &Index) -> Option<String> {
                 }
             };
             if let Some(before) = before {
-                let _ = write!(goals, "(= (G {i} {k} (to A {before})) (G {i} {k} (from A {s})))");
+                let (left, right) = (on.function(i, Place::end(before)), on.function(i, Place::start(s)));
+                let _ = write!(goals, "(= {left} {right})");
             }
             before = Some(s);
         }
@@ -89,7 +91,7 @@ pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
             let mut instances = all(&EXAMPLES);
             instances.retain(|instance| instance.degree > 0);
             let section = |instance| {
-                let on = On::new(instance);
+                let on = Example::new(instance);
                 instance.indices.iter().filter_map(|index| unimodal(&on, index)).collect::<String>()
             };
             Some(Formal {

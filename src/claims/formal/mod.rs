@@ -11,10 +11,14 @@ mod basis;
 mod curve;
 mod derivatives;
 mod deviation;
-mod illustrations;
+mod example;
+mod illustrated_bases;
+mod illustrated_curves;
 mod maximum;
+mod place;
 mod questions;
 mod refutations;
+mod symmetric_curves;
 mod traces;
 mod weight;
 
@@ -34,10 +38,20 @@ pub struct Formal {
 }
 
 impl Formal {
+    /// A statement, with its reason put on one line.
+    fn new(scope: Scope, degrees: Vec<usize>, because: &str, sections: String) -> Self {
+        let because = because.split_whitespace().collect::<Vec<_>>().join(" ");
+        Self { scope, degrees, because, sections }
+    }
+
     /// A statement about every knot vector and every α.
     fn on_all_knots(degrees: RangeInclusive<usize>, because: &str, sections: &[&str]) -> Self {
-        let because = because.split_whitespace().collect::<Vec<_>>().join(" ");
-        Self { scope: Scope::Knots, degrees: degrees.collect(), because, sections: sections.concat() }
+        Self::new(Scope::Knots, degrees.collect(), because, sections.concat())
+    }
+
+    /// A statement about every α, on the knots of some examples.
+    fn on_all_indices(degrees: &[usize], because: &str, sections: String) -> Self {
+        Self::new(Scope::Alpha, degrees.to_vec(), because, sections)
     }
 }
 
@@ -49,10 +63,12 @@ pub fn formal(claim: &str, amended: bool) -> Option<Formal> {
         basis::formal,
         derivatives::formal,
         curve::formal,
-        illustrations::formal,
+        illustrated_bases::formal,
+        illustrated_curves::formal,
         traces::formal,
         maximum::formal,
         deviation::formal,
+        symmetric_curves::formal,
         questions::formal_for_all,
     ];
     parts.iter().find_map(|part| part(claim, amended))

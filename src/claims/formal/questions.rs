@@ -6,6 +6,7 @@ use crate::scalar::{BigRational, rational};
 
 use super::Formal;
 use super::basis::SUM_IS_ONE;
+use super::place::Place;
 
 const TANGENTS: &str = "(section (window A (- -1 k) (each s 1 k any) some some (each s 1 k any)) (goals \
     (each i (- -1 k) 0 (= (* (DG i k (to A -1)) (DG -1 k (from A 0))) (* (DG -1 k (to A -1)) (DG i k (from A 0))))) \
@@ -18,11 +19,12 @@ const MINORS_1: &str = "(section (positive s) (window A -1 any some any) (goals 
 
 /// The functions β of degree 2 at the point u, u + s or u + s + p.
 fn beta(j: usize, point: usize) -> String {
-    let first = "(/ (G -2 2 (in A 0)) (G -2 2 (from A 0)))";
-    let last = "(/ (G 0 2 (in A 0)) (G 0 2 (to A 0)))";
+    let scaled =
+        |i: i64, end: Place| format!("(/ {} {})", Place::inside(0).value("G", i, 2), end.value("G", i, 2));
+    let (first, last) = (scaled(-2, Place::start(0)), scaled(0, Place::end(0)));
     let function = match j {
-        0 => first.to_owned(),
-        2 => last.to_owned(),
+        0 => first,
+        2 => last,
         _ => format!("(- 1 (+ {first} {last}))"),
     };
     match point {
@@ -73,7 +75,8 @@ const GENERIC: [&[i64]; 6] = [
 fn poles(k: usize) -> String {
     let (knots, ratio) = (GENERIC[k - 1], rational(1, 2));
     let (start, end) = (integer_of(knots[k - 1]), integer_of(knots[k]));
-    let functions: String = (0..=k).map(|i| format!(" (G {} {k} (in A 0))", to_i64(i) - to_i64(k))).collect();
+    let place = Place::inside(0);
+    let functions: Vec<_> = (0..=k).map(|i| place.value("G", to_i64(i) - to_i64(k), k)).collect();
     let mut goals = String::new();
     for d in 1..=k {
         for a in k - d..k {
@@ -81,7 +84,7 @@ fn poles(k: usize) -> String {
             // The factor is r(start − a) + (b − start) + u·(r(end − a) + (b − end)).
             let constant = &ratio * (&start - &a) + (&b - &start);
             let slope = &ratio * (&end - &a) + (&b - &end);
-            let _ = write!(goals, "(pole (in A 0) ({}) {})", functions.trim(), -constant / slope);
+            let _ = write!(goals, "(pole {place} ({}) {})", functions.join(" "), -constant / slope);
         }
     }
     let list: String = knots.iter().map(|t| format!(" {t}")).collect();

@@ -2,10 +2,9 @@
 
 use std::fmt::Write as _;
 
-use crate::claims::verdict::Scope;
-
 use super::Formal;
-use super::illustrations::{On, of_degree};
+use super::example::{Example, of_degree};
+use super::place::Place;
 
 /// A polynomial in x and y: terms (coefficient, exponent of x, exponent of y).
 type Implicit = &'static [(i64, usize, usize)];
@@ -148,12 +147,7 @@ fn at(implicit: Implicit, [x, y]: &[String; 2]) -> String {
 
 pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
     const BECAUSE: &str = "For every finite α the point of the curve at one knot is no point of the curve for ∞. Every span of the latter lies on an algebraic curve f = 0, given in the goals; and f is not 0 at the point, for r = 1 + s and for r = 1/(1 + s).";
-    (claim == "Ill5.6.between" && !amended).then(|| Formal {
-        scope: Scope::Alpha,
-        degrees: vec![2, 3, 4],
-        because: BECAUSE.to_owned(),
-        sections: differ(),
-    })
+    (claim == "Ill5.6.between" && !amended).then(|| Formal::on_all_indices(&[2, 3, 4], BECAUSE, differ()))
 }
 
 /// The sections for all four.
@@ -161,13 +155,11 @@ fn differ() -> String {
     let mut sections = String::new();
     for curve in &CURVES {
         for instance in of_degree(&[curve.name], &[curve.degree]) {
-            let on = On::new(&instance);
+            let on = Example::new(&instance);
             let spans = on.spans();
-            let point = |place: &str, span: usize| [0, 1].map(|c| on.coordinate(c, "G", place, span));
+            let point = |place| [0, 1].map(|c| on.coordinate(c, place));
             let on_curve = |(implicit, span): (&Implicit, &usize)| -> String {
-                ["in", "from", "to"]
-                    .map(|place| format!("(= {} 0)", at(implicit, &point(place, *span))))
-                    .concat()
+                Place::closed(*span).map(|place| format!("(= {} 0)", at(implicit, &point(place)))).concat()
             };
             let goals: String = curve.implicit.iter().zip(&spans).map(on_curve).collect();
             sections += &on.section("(let r 1)", &goals);
@@ -176,7 +168,7 @@ fn differ() -> String {
             {
                 let off = |(implicit, sign): (&Implicit, &char)| {
                     let compare = if *sign == '+' { '>' } else { '<' };
-                    format!("({compare} {} 0)", at(implicit, &point("from", witness.span)))
+                    format!("({compare} {} 0)", at(implicit, &point(Place::start(witness.span))))
                 };
                 let goals: String = curve.implicit.iter().zip(witness.signs).map(off).collect();
                 sections += &on.section(&format!("(positive s) {alpha}"), &goals);

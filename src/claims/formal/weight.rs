@@ -1,12 +1,11 @@
 //! Introduction and section 2: the weight, for every a, b, α, and every T.
 
 use super::Formal;
+use super::place::Place;
 
 /// α as a negative number, and α as a number above 1; with r = α/(α − 1).
 const BELOW: &str = "(positive h s) (let alpha (- s)) (let r (/ alpha (- alpha 1)))";
 const ABOVE: &str = "(positive h s) (let alpha (+ 1 s)) (let r (/ alpha (- alpha 1)))";
-/// x + (α − 1)b − αa on [a, b], with a anywhere.
-const DENOMINATOR: &str = "(+ a (x PLACE) (* (- alpha 1) (+ a (t A 1))) (* -1 alpha a))";
 
 /// The same section for α < 0 and for α > 1, on an interval [a, b] with b = a + h.
 fn for_both(goals: &str) -> String {
@@ -14,15 +13,16 @@ fn for_both(goals: &str) -> String {
     section(BELOW) + &section(ABOVE)
 }
 
-fn denominator(place: &str) -> String {
-    DENOMINATOR.replace("PLACE", place)
+/// x + (α − 1)b − αa on [a, b], with a anywhere.
+fn denominator(place: Place) -> String {
+    format!("(+ a {} (* (- alpha 1) (+ a (t A 1))) (* -1 alpha a))", place.x())
 }
 
 /// The formula of D2.3 is the weight in terms of r.
 fn printed_formula() -> String {
-    let goal =
-        format!("(= (w 0 1 (in A 0)) (/ (* alpha (- (+ a (x (in A 0))) a)) {}))", denominator("(in A 0)"));
-    for_both(&goal)
+    let place = Place::inside(0);
+    let (w, x) = (place.value("w", 0, 1), place.x());
+    for_both(&format!("(= {w} (/ (* alpha (- (+ a {x}) a)) {}))", denominator(place)))
 }
 
 const RANGE: &str = "(section (window A 0 some) (goals (> (w 0 1 (in A 0)) 0) (> (v 0 1 (in A 0)) 0) \
@@ -68,9 +68,7 @@ pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
         ),
         ("R2.2.1", false) => {
             let goal = |compare: &str| {
-                let goals = ["(in A 0)", "(from A 0)", "(to A 0)"]
-                    .map(|place| format!("({compare} {} 0)", denominator(place)));
-                goals.concat()
+                Place::closed(0).map(|place| format!("({compare} {} 0)", denominator(place))).concat()
             };
             let section = |alpha: &str, compare: &str| {
                 format!("(section (real a) {alpha} (window A 0 h) (goals {}))", goal(compare))
