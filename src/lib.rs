@@ -52,6 +52,7 @@
 //! | d_i^r, de Boor's points | [`Curve::de_boor`](spline::Curve::de_boor) |
 //! | ω_m and b_m, weights and control points of a span's rational Bézier curve (ours) | [`RationalBezier`](analysis::RationalBezier) |
 //! | D⁺, D⁻ | [`Basis::jets`](spline::Basis::jets) with a [`Side`](spline::Side) |
+//! | every knot vector, every α: windows, sections, goals (ours) | [`Statement`](certificate::Statement) |
 //! | u in (0, ∞), the span's own coordinate (ours) | [`positive_coordinate`](analysis::positive_coordinate) |
 //!
 //! # Floors
@@ -61,7 +62,8 @@
 //! 1. [`scalar`]: what is computed with: exact rationals, `f64`, jets, polynomials, rational functions.
 //! 2. [`spline`]: indices, knots, the recursion, curves. It reads like sections 2 to 4 of the paper.
 //! 3. [`analysis`]: whole pieces, and decisions about every x.
-//! 4. [`claims`]: the paper's statements and their verdicts; `search` and `certificate` stand on this floor too.
+//! 4. [`claims`]: the paper's statements and their verdicts; [`certificate`]: proofs of their formal statements, for
+//!    every knot vector or every α, which an independent checker reads; `search` will stand on this floor too.
 //! 5. [`float`]: how far `f64` is from the exact values; [`report`]: what the reader gets to see.
 //! 6. [`cli`]: the program `knotproof`.
 //!
