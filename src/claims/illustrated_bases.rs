@@ -316,12 +316,12 @@ pub(super) fn claims() -> Vec<Claim> {
             "Ill5.1.effect",
             "Illustrations 5.1 and 5.2",
             Form::illustrated(
-                "U0 to U3, k ≥ 1: sup |^αG_i^k − ^∞G_i^k| grows as α rises along −8, −4, −2, −1, −1/2, −1/4, −1/8 and as it falls along 9, 5, 3, 2, 3/2, 5/4, 9/8.",
+                "U0 with k = 1, 2, 3 and U1 to U3 with k = 2: for every i, sup |^αG_i^k − ^∞G_i^k| grows strictly as α rises in (−∞, 0), and as it falls in (1, ∞).",
                 of_degree(each(&PERIODIC), &[1, 2, 3]),
                 effect_grows([RISING, FALLING]),
             ),
         )
-        .note("The paper says it of all α; judged along these chains, by certified enclosures of the suprema over all x. Degree 0 does not depend on α."),
+        .note("The engine judges α = −8, −4, −2, −1, −1/2, −1/4, −1/8 and α = 9, 5, 3, 2, 3/2, 5/4, 9/8, by enclosures of the suprema over all x; the certificate is about all α. Degree 0 does not depend on α."),
         Claim::new(
             "Ill5.3.symmetry",
             "Illustration 5.3",

@@ -11,6 +11,7 @@ mod basis;
 mod curve;
 mod derivatives;
 mod deviation;
+mod effect;
 mod example;
 mod illustrated_bases;
 mod illustrated_curves;
@@ -69,6 +70,7 @@ pub fn formal(claim: &str, amended: bool) -> Option<Formal> {
         maximum::formal,
         deviation::formal,
         symmetric_curves::formal,
+        effect::formal,
         questions::formal_for_all,
     ];
     parts.iter().find_map(|part| part(claim, amended))
