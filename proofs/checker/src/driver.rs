@@ -2,16 +2,11 @@
 
 use std::fmt;
 
-use crate::error::{Place, Reason, Rejected, Step};
-use crate::grammar;
-use crate::integer::{Int, Scope};
+use crate::env::Env;
+use crate::error::{Reason, Rejected, Result};
 use crate::rules::Context;
 use crate::section::Section;
-use crate::syntax::{Formula, Rule, SectionProof, SectionText, Statement};
-use crate::token;
-
-/// More expanded sections, and more goals in one of them, are not checked.
-const LARGEST: usize = 100_000;
+use crate::token::{Node, tree};
 
 /// What was proved, all of it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -44,125 +39,158 @@ impl fmt::Display for Checked {
     }
 }
 
-/// The text of a statement with white space in one way only: two statements with the same canonical text are the
-/// same statement. Nothing is expanded or proved.
-///
-/// # Errors
-/// If the text is no statement.
-pub fn canonical(statement: &str) -> Result<String, Rejected> {
-    read_statement(statement)?;
-    token::canonical(statement).map_err(|reason| Rejected { place: Place::Statement, reason })
-}
-
 /// Checks whether the proof proves the statement.
 ///
 /// # Errors
 /// If either text is not what the format describes, or if one goal or lemma is not proved: with the first place where
 /// that is so.
-pub fn check(statement: &str, proof: &str) -> Result<Checked, Rejected> {
-    let statement = read_statement(statement)?;
-    let sections = token::tree(proof)
-        .and_then(|tree| grammar::proof(&tree))
-        .map_err(|reason| Rejected { place: Place::Proof, reason })?;
-    let mut run = Run { proofs: sections.iter(), sections: 0, goals: 0, lemmas: 0 };
-    for &degree in &statement.degrees {
-        let before = run.goals;
-        let mut scope = Scope::default();
-        scope.push_degree(degree).map_err(|reason| Rejected { place: Place::Statement, reason })?;
-        for section in &statement.sections {
-            run.ranges(section, &section.ranges, &mut scope)?;
-        }
-        if run.goals == before {
-            return Err(Rejected { place: Place::Statement, reason: Reason::NoGoal(degree) });
-        }
-    }
-    if run.proofs.next().is_some() {
-        return Err(Rejected { place: Place::Proof, reason: Reason::TooMany("section") });
-    }
-    let Run { sections, goals, lemmas, .. } = run;
-    let Statement { claim, form, verdict, scope, degrees, .. } = statement;
-    Ok(Checked { claim, form, verdict, scope, degrees, sections, goals, lemmas })
+pub fn check(statement: &str, proof: &str) -> std::result::Result<Checked, Rejected> {
+    let mut place = "statement".to_owned();
+    run(statement, proof, &mut place).map_err(|reason| Rejected { place, reason })
 }
 
-fn read_statement(text: &str) -> Result<Statement, Rejected> {
-    let read = token::tree(text).and_then(|tree| grammar::statement(&tree));
-    read.map_err(|reason| Rejected { place: Place::Statement, reason })
-}
-
-/// What is left of the proof, and what has been done.
-struct Run<'a> {
-    proofs: std::slice::Iter<'a, SectionProof>,
-    sections: usize,
-    goals: usize,
-    lemmas: usize,
-}
-
-impl Run<'_> {
-    /// The section once for every value of its ranges, the last one fastest.
-    fn ranges(
-        &mut self,
-        text: &SectionText,
-        ranges: &[(String, Int, Int)],
-        scope: &mut Scope,
-    ) -> Result<(), Rejected> {
-        let Some(((name, low, high), rest)) = ranges.split_first() else {
-            return self.section(text, scope.clone());
-        };
-        let place = Place::Section(self.sections + 1, None, None);
-        let at = |reason| Rejected { place: place.clone(), reason };
-        let (low, high) = (scope.value(low).map_err(at)?, scope.value(high).map_err(at)?);
-        for value in low..=high {
-            scope.step().and_then(|()| scope.push(name, value)).map_err(at)?;
-            self.ranges(text, rest, scope)?;
-            scope.pop();
+/// `place` is where the run has come to.
+fn run(statement: &str, proof: &str, place: &mut String) -> Result<Checked> {
+    let statement = tree(statement)?;
+    let (mut checked, sections) = header(&statement)?;
+    *place = "proof".to_owned();
+    let proof = tree(proof)?;
+    let mut proofs = versioned(&proof, "proof")?.iter();
+    for degree in checked.degrees.clone() {
+        let before = checked.goals;
+        let k = i64::try_from(degree).map_err(|_| Reason::Limits("a degree"))?;
+        for section in sections {
+            *place = "statement".to_owned();
+            let [ranges, declarations, goals] = parts(section)?;
+            for env in expanded(ranges, Env::default().with("k", k)?)? {
+                checked.sections += 1;
+                *place = format!("section {}", checked.sections);
+                let proof = proofs.next().ok_or(Reason::NoProof("section", checked.sections))?;
+                let section = Section::new(declarations, env)?;
+                prove(&section, goals, proof, &mut checked, place)?;
+            }
         }
-        Ok(())
+        if checked.goals == before {
+            *place = "statement".to_owned();
+            return Err(Reason::NoGoal(degree));
+        }
     }
+    *place = "proof".to_owned();
+    if proofs.next().is_some() { Err(Reason::NoStatement("section")) } else { Ok(checked) }
+}
 
-    fn section(&mut self, text: &SectionText, scope: Scope) -> Result<(), Rejected> {
-        self.sections += 1;
-        let number = self.sections;
-        let at = |step, rule| move |reason| Rejected { place: Place::Section(number, step, rule), reason };
-        if number > LARGEST {
-            return Err(at(None, None)(Reason::TooLarge("the number of sections")));
-        }
-        let proof = self.proofs.next().ok_or(Reason::Missing("a section")).map_err(at(None, None))?;
-        expect("section", proof.number, number).map_err(at(None, None))?;
-        let section = Section::new(text, scope).map_err(at(None, None))?;
-        let values = section.values().map_err(at(None, None))?;
-        let mut lemmas: Vec<(i64, &Formula)> = Vec::new();
-        let prove = |lemmas: &[_], formula: &Formula, scope: &mut Scope, step, rule: &Rule| {
-            let context = Context { section: &section, values: &values, lemmas };
-            context.prove(formula, scope, rule).map_err(at(Some(step), Some(rule.name())))
-        };
-        for (position, (label, formula, rule)) in (1..).zip(&proof.lemmas) {
-            expect("lemma", *label, position).map_err(at(None, None))?;
-            prove(&lemmas, formula, &mut section.scope.clone(), Step::Lemma(position), rule)?;
-            lemmas.push((*label, formula));
-            self.lemmas += 1;
-        }
-        let mut goals = Vec::new();
-        let collected = section.scope.clone().expand(&text.goals, &mut |formula, scope| {
-            goals.push((formula, scope.clone()));
-            if goals.len() > LARGEST { Err(Reason::TooLarge("the number of goals")) } else { Ok(()) }
-        });
-        collected.map_err(at(None, None))?;
-        let mut proofs = proof.goals.iter();
-        for (position, (formula, mut scope)) in (1..).zip(goals) {
-            let step = Some(Step::Goal(position));
-            let (label, rule) = proofs.next().ok_or(Reason::Missing("a goal")).map_err(at(step, None))?;
-            expect("goal", *label, position).map_err(at(step, None))?;
-            prove(&lemmas, formula, &mut scope, Step::Goal(position), rule)?;
-            self.goals += 1;
-        }
-        if proofs.next().is_some() { Err(at(None, None)(Reason::TooMany("goal"))) } else { Ok(()) }
+/// The fields behind the version of the format.
+fn versioned<'n, 't>(node: &'n Node<'t>, head: &'static str) -> Result<&'n [Node<'t>]> {
+    match node.fields(head)? {
+        [version, fields @ ..] if version.whole()? == 1 => Ok(fields),
+        _ => node.wrong("format 1"),
     }
 }
 
-fn expect(what: &'static str, found: i64, expected: usize) -> Result<(), Reason> {
-    if usize::try_from(found) == Ok(expected) {
-        Ok(())
-    } else {
-        Err(Reason::Number { what, found, expected })
+/// What a statement says of itself, and its sections.
+fn header<'n, 't>(node: &'n Node<'t>) -> Result<(Checked, &'n [Node<'t>])> {
+    let [claim, form, verdict, scope, degrees, text, because, sections @ ..] = versioned(node, "statement")?
+    else {
+        return node.wrong("the parts of a statement");
+    };
+    if sections.is_empty() {
+        return node.wrong("a section");
     }
+    // Those that no degree reads are looked at here.
+    sections.iter().try_for_each(|section| parts(section).map(|_| ()))?;
+    let ([claim], [text], [because]) = (claim.part("claim")?, text.part("text")?, because.part("because")?);
+    let ([form], [verdict], [scope]) = (form.part("form")?, verdict.part("verdict")?, scope.part("scope")?);
+    text.text().and(because.text())?;
+    let degrees = rising(degrees.some("degrees")?)?;
+    let form = match form.part("degree") {
+        Ok([degree]) if degrees == rising(std::slice::from_ref(degree))? => {
+            format!("degree {}", degree.whole()?)
+        }
+        Ok(_) => return form.wrong("the only degree of the statement"),
+        Err(_) => form.word(&["printed", "amended"], "printed, amended or (degree K)")?.to_owned(),
+    };
+    let checked = Checked {
+        claim: claim.text()?.to_owned(),
+        form,
+        verdict: verdict.word(&["proved", "refuted"], "proved or refuted")?.to_owned(),
+        scope: scope.word(&["points", "instance", "alpha", "knots"], "a scope")?.to_owned(),
+        degrees,
+        sections: 0,
+        goals: 0,
+        lemmas: 0,
+    };
+    Ok((checked, sections))
+}
+
+fn rising(nodes: &[Node<'_>]) -> Result<Vec<usize>> {
+    let mut degrees = Vec::new();
+    for node in nodes {
+        match usize::try_from(node.whole()?) {
+            Ok(degree @ ..=100) if degrees.last().is_none_or(|last| *last < degree) => degrees.push(degree),
+            _ => return node.wrong("degrees from 0 to 100, rising"),
+        }
+    }
+    Ok(degrees)
+}
+
+/// The ranges of a section, its declarations, and its goals.
+fn parts<'n, 't>(section: &'n Node<'t>) -> Result<[&'n [Node<'t>]; 3]> {
+    let all = section.fields("section")?;
+    let (ranges, rest) = all.split_at(all.iter().take_while(|part| part.is("each")).count());
+    let Some((goals, declarations)) = rest.split_last() else { return section.wrong("goals") };
+    Ok([ranges, declarations, goals.some("goals")?])
+}
+
+/// The integers of a section, once for every choice that its ranges leave, the last one fastest.
+fn expanded<'t>(ranges: &[Node<'t>], env: Env<'t>) -> Result<Vec<Env<'t>>> {
+    let mut all = vec![env];
+    for range in ranges {
+        let [name, low, high] = range.part("each")?;
+        all = all.iter().map(|env| env.each(name, low, high)).collect::<Result<Vec<_>>>()?.concat();
+    }
+    Ok(all)
+}
+
+/// Everything about one expanded section.
+fn prove<'t>(
+    section: &Section<'t>,
+    goals: &[Node<'t>],
+    proof: &Node<'t>,
+    checked: &mut Checked,
+    place: &mut String,
+) -> Result<()> {
+    let here = place.clone();
+    let [label, steps @ ..] = proof.fields("section")? else { return proof.wrong("a number") };
+    numbered(label, "section", checked.sections)?;
+    let (lemmas, proofs) = steps.split_at(steps.iter().take_while(|step| step.is("lemma")).count());
+    let mut context = Context { section, lemmas: Vec::new() };
+    for (number, lemma) in (1..).zip(lemmas) {
+        let [label, formula, rule] = lemma.part("lemma")?;
+        numbered(label, "lemma", number)?;
+        *place = format!("{here}, lemma {number}, rule {}", rule.headed("a rule")?.0);
+        context.prove(formula, &section.env, rule)?;
+        context.lemmas.push(formula);
+        checked.lemmas += 1;
+    }
+    let mut proofs = proofs.iter();
+    for (number, (formula, env)) in (1..).zip(section.env.expand(goals)?) {
+        place.clone_from(&here);
+        let proof = proofs.next().ok_or(Reason::NoProof("goal", number))?;
+        let [label, rule] = proof.part("goal")?;
+        numbered(label, "goal", number)?;
+        *place = format!("{here}, goal {number}, rule {}", rule.headed("a rule")?.0);
+        context.prove(formula, &env, rule)?;
+        checked.goals += 1;
+    }
+    *place = here;
+    match proofs.next() {
+        None => Ok(()),
+        Some(proof) => proof.fields("goal").and(Err(Reason::NoStatement("goal"))),
+    }
+}
+
+/// Whether a proof has the number that it must have.
+fn numbered(label: &Node<'_>, what: &'static str, number: usize) -> Result<()> {
+    let found = usize::try_from(label.whole()?);
+    if found == Ok(number) { Ok(()) } else { Err(Reason::NoProof(what, number)) }
 }

@@ -18,24 +18,22 @@
 //! # Ok::<(), knotproof_checker::Rejected>(())
 //! ```
 //!
-//! From the ground up, one concept a file: `number`, `token`, `integer`, `poly`, `fraction`, `syntax` (read by `fields` and `grammar`); what a section
-//! declares is in `section`, what terms are worth in `terms` and `recursion`, what a proof shows in `rules`; `driver`
-//! goes through a certificate. No recursion is deeper than the brackets of the text, which have a limit.
+//! To be read in this order, from the ground up: `token` (text to a tree of brackets), `poly`, `fraction`, `env` (names,
+//! integers, `each`), `terms` with `recursion` (what a term is worth, by the paper's definition), `section` (what is
+//! declared), `rules` (what a rule shows), `driver` (every section, every goal), `error`. Terms and rules are read from
+//! the tree as they are needed. No recursion is deeper than the brackets of the text or the degree of a function, which
+//! have limits.
 
 mod driver;
+mod env;
 mod error;
-mod fields;
 mod fraction;
-mod grammar;
-mod integer;
-mod number;
 mod poly;
 mod recursion;
 mod rules;
 mod section;
-mod syntax;
 mod terms;
 mod token;
 
-pub use driver::{Checked, canonical, check};
-pub use error::{Place, Reason, Rejected, Step};
+pub use driver::{Checked, check};
+pub use error::{Reason, Rejected};

@@ -1,43 +1,33 @@
 //! The definition: weights (D2.3), basis functions (D3.3) and de Boor's algorithm (Theorem 4.1) at a place.
 
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
-use crate::error::Reason;
+use crate::env::{Env, Window};
+use crate::error::{Reason, Result};
 use crate::fraction::Fraction;
-use crate::integer::Scope;
 use crate::poly::{Poly, Sign};
-use crate::section::{Values, Window};
-use crate::syntax::{Place, PlaceKind};
-use crate::terms::{Evaluator, Unknown};
+use crate::section::U;
+use crate::terms::{Evaluator, Key};
+use crate::token::Node;
 
-/// Higher degrees are not computed.
+/// Higher degrees are not computed; all recursion over them is bounded by this.
 const DEGREE: i64 = 100;
 
-/// A place with numbers and polynomials for its names: x = (V·t_s + U·t_{s+1}) / (U + V).
-pub(crate) struct Spot<'v> {
-    window: &'v Window,
-    pub(crate) span: i64,
+/// A place with polynomials for its names: x = (V·t_s + U·t_{s+1}) / (U + V).
+pub(crate) struct Spot {
+    window: Rc<Window>,
+    span: i64,
     /// U and V.
     u: (Poly, Poly),
     /// R and S with r = R/S.
     r: (Poly, Poly),
-    scale: Poly,
 }
 
-/// w and 1 − w; p and q with w = p/(p + q).
-pub(crate) struct Weight {
-    pub(crate) rise: Fraction,
-    pub(crate) fall: Fraction,
-    pub(crate) p: Poly,
-    pub(crate) q: Poly,
-}
-
-impl Spot<'_> {
+impl Spot {
     /// The point, measured from the first knot.
-    pub(crate) fn x(&self, values: &Values, signs: &[Sign]) -> Result<Fraction, Reason> {
-        let (left, right) = (self.window.knot(self.span)?, self.window.knot(self.span + 1)?);
-        let num = self.u.1.times(left)?.plus(&self.u.0.times(right)?);
-        Fraction::new(num, self.whole().scaled(&values.scale)?, signs)
+    pub(crate) fn x(&self, signs: &[Sign]) -> Result<Fraction> {
+        Fraction::new(self.beyond(&Poly::default())?, self.whole().times(&self.window.scale)?, signs)
     }
 
     /// U + V.
@@ -45,221 +35,194 @@ impl Spot<'_> {
         self.u.0.clone().plus(&self.u.1)
     }
 
+    /// (x − a)·(U + V), times the scale of the knots.
+    fn beyond(&self, a: &Poly) -> Result<Poly> {
+        let (left, right) = (self.window.knot(self.span)?, self.window.knot(self.span + 1)?);
+        let ((u, v), (left, right)) = (&self.u, (left.clone().minus(a), right.clone().minus(a)));
+        Ok(v.times(&left)?.plus(&u.times(&right)?))
+    }
+
+    fn key(&self, what: &'static str, of: [i64; 3]) -> Key {
+        let place = [self.u.clone(), self.r.clone()];
+        Key::Function(what, of, self.window.name.clone(), self.span, place)
+    }
+
     /// The interval of w_i^d, which has to contain the span by index.
-    fn interval(&self, i: i64, d: i64) -> Result<(&Poly, &Poly), Reason> {
+    fn interval(&self, i: i64, d: i64) -> Result<(&Poly, &Poly)> {
         if i > self.span || i + d <= self.span {
-            let window = self.window.name.clone();
-            return Err(Reason::Interval { window, i, d, span: self.span });
+            let what = format!("w_{i}^{d} on span {}", self.span);
+            return Err(Reason::NotDetermined(self.window.name.clone(), what));
         }
         Ok((self.window.knot(i)?, self.window.knot(i + d)?))
     }
-
-    /// r·(x − a) and b − x, times the denominators in them and the scale of the knots.
-    fn p_and_q(&self, i: i64, d: i64) -> Result<(Poly, Poly), Reason> {
-        let (a, b) = self.interval(i, d)?;
-        let (left, right) = (self.window.knot(self.span)?, self.window.knot(self.span + 1)?);
-        let ((u, v), (r, s)) = (&self.u, &self.r);
-        let from_a = v.times(&left.clone().minus(a))?.plus(&u.times(&right.clone().minus(a))?);
-        let to_b = v.times(&b.clone().minus(left))?.plus(&u.times(&b.clone().minus(right))?);
-        Ok((r.times(&from_a)?, s.times(&to_b)?))
-    }
 }
 
-fn check_degree(degree: i64) -> Result<(), Reason> {
-    match degree {
-        ..0 => Err(Reason::Negative("a degree")),
-        0..=DEGREE => Ok(()),
-        _ => Err(Reason::TooLarge("a degree")),
-    }
+fn check_degree(degree: i64) -> Result<()> {
+    if (0..=DEGREE).contains(&degree) { Ok(()) } else { Err(Reason::Limits("a degree")) }
 }
 
-impl Evaluator<'_> {
-    pub(crate) fn spot<'v>(
-        &self,
-        place: &Place,
-        scope: &Scope,
-        values: &'v Values,
-    ) -> Result<Spot<'v>, Reason> {
-        let (window, span) = (values.window(&place.window)?, scope.value(&place.span)?);
+impl Evaluator {
+    /// The place, if it is in a span that is not empty.
+    pub(crate) fn spot<'t>(&self, node: &Node<'t>, env: &Env<'t>) -> Result<Spot> {
+        let (kind, [window, span]) = node.headed("a place")? else { return node.wrong("a place") };
+        let name = |name| {
+            let value = env.value(name, Vec::new())?;
+            Ok((value.denominator()?, value.num))
+        };
+        let ((v, u), (s, r)) = (name("u")?, name("r")?);
+        let u = match kind {
+            "in" => (u, v),
+            "from" => (Poly::default(), Poly::constant(1)),
+            "to" => (Poly::constant(1), Poly::default()),
+            _ => return node.wrong("in, from or to"),
+        };
+        let (window, span) = (env.window(window)?.clone(), env.integer(span)?);
         let gap = window.knot(span + 1)?.clone().minus(window.knot(span)?);
-        if gap.sign(&self.signs) != Sign::Positive {
-            return Err(Reason::Span(place.window.clone(), span));
-        }
-        let (u, r) = (values.u.num_and_den()?, values.r.num_and_den()?);
-        let u = match place.kind {
-            PlaceKind::In => u,
-            PlaceKind::From => (Poly::zero(), Poly::one()),
-            PlaceKind::To => (Poly::one(), Poly::zero()),
-        };
-        Ok(Spot { window, span, u, r, scale: Poly::constant(values.scale.clone()) })
+        Fraction::from(gap).positive(&format!("span {span} of {}", window.name), &self.signs)?;
+        Ok(Spot { window, span, u, r: (r, s) })
     }
 
-    pub(crate) fn weight(&mut self, i: i64, d: i64, spot: &Spot<'_>) -> Result<Weight, Reason> {
-        let (p, q) = spot.p_and_q(i, d)?;
-        // Positive wherever the span is: said again here, as everything else rests on it.
+    /// A place in a span, with u free on it.
+    pub(crate) fn inside<'t>(&self, node: &Node<'t>, env: &Env<'t>) -> Result<Spot> {
+        node.fields("in").and_then(|_| self.spot(node, env))
+    }
+
+    /// r·(x − a) and b − x, times the denominators in them, and their sum.
+    fn ends(&self, i: i64, d: i64, spot: &Spot) -> Result<[Poly; 3]> {
+        let (a, b) = spot.interval(i, d)?;
+        let p = spot.r.0.times(&spot.beyond(a)?)?;
+        let q = spot.r.1.times(&spot.beyond(b)?.negated())?;
         let whole = p.clone().plus(&q);
-        if whole.sign(&self.signs) != Sign::Positive {
-            return Err(Reason::Divisor);
-        }
-        let (rise, fall) = if p.is_zero() {
-            (Fraction::zero(), Fraction::one())
-        } else if q.is_zero() {
-            (Fraction::one(), Fraction::zero())
-        } else if self.mode.weights.is_none_or(|least| d < least) {
-            (
-                Fraction::new(p.clone(), whole.clone(), &self.signs)?,
-                Fraction::new(q.clone(), whole, &self.signs)?,
-            )
-        } else if !self.mode.equation {
-            (self.ratio(&p, &q), self.ratio(&q, &p))
-        } else if p <= q {
-            // One orientation for both: [q|p] is 1 − [p|q].
-            let rise = self.ratio(&p, &q);
-            let fall = if p == q { rise.clone() } else { Fraction::one().minus(&rise)? };
-            (rise, fall)
-        } else {
-            let fall = self.ratio(&q, &p);
-            (Fraction::one().minus(&fall)?, fall)
-        };
-        Ok(Weight { rise, fall, p, q })
+        // Positive wherever the span is: said again here, as everything else rests on it.
+        if whole.sign(&self.signs) == Sign::Positive { Ok([p, q, whole]) } else { Err(Reason::Divisor) }
     }
 
-    /// The unknown [p|q], which is p/(p + q).
+    /// w_i^d and 1 − w_i^d.
+    pub(crate) fn weight(&mut self, i: i64, d: i64, spot: &Spot) -> Result<[Fraction; 2]> {
+        let [p, q, whole] = self.ends(i, d, spot)?;
+        let one = Fraction::integer(1);
+        if p.is_zero() {
+            return Ok([Fraction::integer(0), one]);
+        }
+        if q.is_zero() {
+            return Ok([one, Fraction::integer(0)]);
+        }
+        if self.mode.weights.is_none_or(|least| d < least) {
+            let over = |part| Fraction::new(part, whole.clone(), &self.signs);
+            return Ok([over(p)?, over(q)?]);
+        }
+        if !self.mode.equation || p == q {
+            return Ok([self.ratio(&p, &q), self.ratio(&q, &p)]);
+        }
+        // One orientation for both: [q|p] is 1 − [p|q].
+        let smaller = self.ratio((&p).min(&q), (&p).max(&q));
+        let other = one.minus(&smaller)?;
+        Ok(if p < q { [smaller, other] } else { [other, smaller] })
+    }
+
+    /// The unknown [p|q], which is p/(p + q): of the sign of p, if q has one as well.
     fn ratio(&mut self, p: &Poly, q: &Poly) -> Fraction {
-        let sign = match (p.sign(&self.signs), q.sign(&self.signs)) {
-            (Sign::Real, _) | (_, Sign::Real) => Sign::Real,
-            (sign, _) => sign,
-        };
-        self.unknown(Unknown::Weight(p.clone(), q.clone()), sign).into()
+        let real = q.sign(&self.signs) == Sign::Real;
+        let sign = if real { Sign::Real } else { p.sign(&self.signs) };
+        self.unknown(Key::Weight(p.clone(), q.clone()), sign)
     }
 
     /// The derivative of w_i^d: with x = (V·t_s + U·t_{s+1})/(U + V), it is R·S·(b − a)·(U + V)²/(p + q)².
-    pub(crate) fn slope(&mut self, i: i64, d: i64, spot: &Spot<'_>) -> Result<Fraction, Reason> {
-        let (p, q) = spot.p_and_q(i, d)?;
+    pub(crate) fn slope(&mut self, i: i64, d: i64, spot: &Spot) -> Result<Fraction> {
+        let [p, q, whole] = self.ends(i, d, spot)?;
         let (a, b) = spot.interval(i, d)?;
         // p, q and b − a are all times the scale: it remains once above the line.
-        let length = spot.scale.times(&b.clone().minus(a))?;
+        let length = spot.window.scale.times(&b.clone().minus(a))?;
         let num = spot.r.0.times(&spot.r.1)?.times(&length)?.times(&spot.whole().to_power(2)?)?;
         if self.mode.weights.is_some_and(|least| d >= least) && !p.is_zero() && !q.is_zero() {
-            return Ok(self.unknown(Unknown::Slope(p, q, num), Sign::Real).into());
+            return Ok(self.unknown(Key::Slope(p, q, num), Sign::Real));
         }
-        let inverse = Fraction::new(Poly::one(), p.plus(&q), &self.signs)?;
+        let inverse = Fraction::new(Poly::constant(1), whole, &self.signs)?;
         Fraction::from(num).times(&inverse)?.times(&inverse)
     }
 
-    /// G_i^d and, if it is wanted, its derivative.
-    pub(crate) fn basis(
-        &mut self,
-        i: i64,
-        d: i64,
-        spot: &Spot<'_>,
-        derivative: bool,
-    ) -> Result<(Fraction, Fraction), Reason> {
-        let s = spot.span;
+    /// G_i^d, or its derivative.
+    pub(crate) fn basis(&mut self, i: i64, d: i64, spot: &Spot, derived: bool) -> Result<Fraction> {
         check_degree(d)?;
-        if i > s || i + d < s {
-            return Ok((Fraction::zero(), Fraction::zero()));
+        if i > spot.span || i + d < spot.span {
+            return Ok(Fraction::integer(0));
         }
-        // Those functions of a degree that G_i^d is built from and that the span does not make 0.
-        let needed = |degree: i64| i.max(s - degree)..=(i + d - degree).min(s);
-        let mut level = BTreeMap::new();
-        let lowest = self.mode.functions.map_or(0, |most| most.min(d));
-        for j in needed(lowest) {
-            let pair = match self.mode.functions {
-                None => (Fraction::one(), Fraction::zero()),
-                Some(_) => (self.function(j, lowest, spot, false), self.function(j, lowest, spot, true)),
-            };
-            level.insert(j, pair);
+        let key = spot.key(if derived { "DG" } else { "G" }, [i, d, 0]);
+        if self.mode.functions.is_some_and(|most| d <= most) {
+            return Ok(self.unknown(key, Sign::Real));
         }
-        for degree in lowest + 1..=d {
-            let mut next = BTreeMap::new();
-            for j in needed(degree) {
-                let (mut value, mut slope) = (Fraction::zero(), Fraction::zero());
-                for (index, rising) in [(j, true), (j + 1, false)] {
-                    let Some((f, df)) = level.get(&index) else { continue };
-                    // A summand with G = 0 is 0: its weight need not be known.
-                    if f.is_zero() && (!derivative || df.is_zero()) {
-                        continue;
-                    }
-                    let weight = self.weight(index, degree, spot)?;
-                    let weight = if rising { weight.rise } else { weight.fall };
-                    value = value.plus(&weight.times(f)?)?;
-                    if derivative {
-                        slope = slope.plus(&weight.times(df)?)?;
-                        if !f.is_zero() {
-                            let change = self.slope(index, degree, spot)?.times(f)?;
-                            slope = if rising { slope.plus(&change)? } else { slope.minus(&change)? };
-                        }
-                    }
-                }
-                next.insert(j, (value, slope));
+        if d == 0 {
+            return Ok(Fraction::integer(i64::from(!derived)));
+        }
+        if let Some(known) = self.known.get(&key) {
+            return Ok(known.clone());
+        }
+        let mut sum = Fraction::integer(0);
+        for (j, rising) in [(i, true), (i + 1, false)] {
+            let value = self.basis(j, d - 1, spot, false)?;
+            let factor = if derived { self.basis(j, d - 1, spot, true)? } else { value.clone() };
+            // A summand with G = 0 is 0: its weight need not be known.
+            if !factor.is_zero() || !value.is_zero() {
+                let [rise, fall] = self.weight(j, d, spot)?;
+                sum = sum.plus(&factor.times(if rising { &rise } else { &fall })?)?;
             }
-            level = next;
+            if derived && !value.is_zero() {
+                let change = self.slope(j, d, spot)?.times(&value)?;
+                sum = if rising { sum.plus(&change)? } else { sum.minus(&change)? };
+            }
         }
-        level.remove(&i).ok_or(Reason::Zero)
+        self.known.insert(key, sum.clone());
+        Ok(sum)
     }
 
-    fn function(&mut self, i: i64, d: i64, spot: &Spot<'_>, derivative: bool) -> Fraction {
-        let at = [spot.u.clone(), spot.r.clone()];
-        let key = Unknown::Function([i, d, spot.span], derivative, spot.window.name.clone(), at);
-        self.unknown(key, Sign::Real).into()
-    }
-
-    /// d_i^q of Theorem 4.1 for degree k: d_i^{r+1} = w_i^{k−r} d_i^r + (1 − w_i^{k−r}) d_{i−1}^r.
-    pub(crate) fn de_boor(&mut self, i: i64, q: i64, k: i64, spot: &Spot<'_>) -> Result<Fraction, Reason> {
+    /// d_i^q of Theorem 4.1 for degree k: d_i^q = w_i^{k+1−q} d_i^{q−1} + (1 − w_i^{k+1−q}) d_{i−1}^{q−1}.
+    pub(crate) fn de_boor<'t>(&mut self, of: [i64; 3], spot: &Spot, env: &Env<'t>) -> Result<Fraction> {
+        let ([i, q, k], key) = (of, spot.key("de-boor", of));
         check_degree(k)?;
-        if q < 0 || q > k {
-            return Err(Reason::Negative("a level or what it leaves of the degree"));
+        match (q, self.known.get(&key)) {
+            (0, _) => return env.value("d", vec![i]),
+            (_, Some(known)) => return Ok(known.clone()),
+            _ if q < 0 || q > k => return Err(Reason::Limits("a level")),
+            _ => {}
         }
-        let mut level = BTreeMap::new();
-        for j in i - q..=i {
-            let point = self.section.index("d", vec![j])?;
-            level.insert(j, Fraction::from(Poly::variable(point)));
-        }
-        for r in 0..q {
-            let mut next = BTreeMap::new();
-            for j in i - q + r + 1..=i {
-                let (Some(here), Some(before)) = (level.get(&j), level.get(&(j - 1))) else { continue };
-                let weight = self.weight(j, k - r, spot)?;
-                next.insert(j, weight.rise.times(here)?.plus(&weight.fall.times(before)?)?);
-            }
-            level = next;
-        }
-        level.remove(&i).ok_or(Reason::Zero)
+        let [rise, fall] = self.weight(i, k + 1 - q, spot)?;
+        let here = self.de_boor([i, q - 1, k], spot, env)?;
+        let before = self.de_boor([i - 1, q - 1, k], spot, env)?;
+        let value = rise.times(&here)?.plus(&fall.times(&before)?)?;
+        self.known.insert(key, value.clone());
+        Ok(value)
     }
 
     /// The E with G_i^d = c·u^E + … for u → 0 and c > 0, by min for + and + for ·.
-    pub(crate) fn order(&mut self, i: i64, d: i64, spot: &Spot<'_>, u: usize) -> Result<i64, Reason> {
-        let s = spot.span;
+    pub(crate) fn order(&mut self, i: i64, d: i64, spot: &Spot) -> Result<i64> {
         check_degree(d)?;
-        let mut level = BTreeMap::from([(s, 0)]);
+        let mut level = BTreeMap::from([(spot.span, 0)]);
         for degree in 1..=d {
             let mut next = BTreeMap::new();
-            for j in i.max(s - degree)..=(i + d - degree).min(s) {
-                let mut least: Option<i64> = None;
-                for (index, rising) in [(j, true), (j + 1, false)] {
-                    let Some(order) = level.get(&index) else { continue };
-                    let Weight { p, q, .. } = self.weight(index, degree, spot)?;
-                    let whole = self.lowest(&p.clone().plus(&q), u)?;
-                    let order = order + self.lowest(if rising { &p } else { &q }, u)? - whole;
-                    least = Some(least.map_or(order, |least| least.min(order)));
-                }
-                if let Some(order) = least {
-                    next.insert(j, order);
+            // Of both degrees only those functions that G_i^d is built from.
+            let needed = i..=i + d - degree;
+            for (j, order) in level.range(i..=i + d - degree + 1) {
+                let [p, q, whole] = self.ends(*j, degree, spot)?;
+                for (index, part) in [(*j, p), (j - 1, q)] {
+                    if needed.contains(&index) {
+                        let order = order + self.lowest(&part)? - self.lowest(&whole)?;
+                        let least = next.entry(index).or_insert(order);
+                        *least = order.min(*least);
+                    }
                 }
             }
             level = next;
         }
-        level.remove(&i).ok_or(Reason::Zero)
+        level.remove(&i).ok_or(Reason::NotShown("the function is 0"))
     }
 
     /// The lowest exponent of u, if its coefficient is positive.
-    fn lowest(&self, poly: &Poly, u: usize) -> Result<i64, Reason> {
-        match poly.by_powers(u).first_key_value() {
+    fn lowest(&self, poly: &Poly) -> Result<i64> {
+        match poly.by_powers(U).first_key_value() {
             Some((exponent, coefficient)) if coefficient.sign(&self.signs) == Sign::Positive => {
                 Ok(i64::from(*exponent))
             }
-            _ => Err(Reason::Lowest),
+            _ => Err(Reason::NotShown("a lowest coefficient in u without a sign")),
         }
     }
 }

@@ -1,193 +1,182 @@
 //! The rules: does this one prove that formula?
 
-use crate::error::Reason;
-use crate::integer::Scope;
-use crate::number::Ratio;
+use crate::env::{Env, Meaning};
+use crate::error::{Reason, Result};
+use crate::fraction::Fraction;
 use crate::poly::{Poly, Sign};
-use crate::section::{Section, U, Values};
-use crate::syntax::{Formula, Options, Place, PlaceKind, Rule, Term};
+use crate::section::{Section, U};
 use crate::terms::{Evaluator, Mode};
+use crate::token::Node;
+
+const FORMULAS: [(&str, usize); 8] =
+    [("=", 2), (">", 2), (">=", 2), ("<", 2), ("defined", 1), ("order", 4), ("outside", 3), ("pole", 3)];
+const RULES: [&str; 5] = ["by", "split", "orders", "functional", "evaluate"];
 
 /// What a formula or a rule of a section is about.
-pub(crate) struct Context<'a> {
-    pub(crate) section: &'a Section<'a>,
-    pub(crate) values: &'a Values,
-    /// The equations proved so far, by label.
-    pub(crate) lemmas: &'a [(i64, &'a Formula)],
+pub(crate) struct Context<'a, 't> {
+    pub(crate) section: &'a Section<'t>,
+    /// The formulas of the lemmas proved so far, the first one with the label 1.
+    pub(crate) lemmas: Vec<&'a Node<'t>>,
 }
 
-impl Rule {
-    pub(crate) fn name(&self) -> &'static str {
-        match self {
-            Rule::By(_) => "by",
-            Rule::Split(..) => "split",
-            Rule::Orders => "orders",
-            Rule::Functional(_) => "functional",
-            Rule::Evaluate => "evaluate",
+/// What stands in `by`: how far the definition is unfolded, and lemmas with their factors.
+fn options<'a, 't>(mut rest: &'a [Node<'t>], equation: bool) -> Result<(Mode, &'a [Node<'t>])> {
+    let mut degree = |head| match rest {
+        [option, behind @ ..] if option.is(head) => {
+            rest = behind;
+            let [degree] = option.part(head)?;
+            if degree.whole()? < 0 { degree.wrong("a degree") } else { degree.whole().map(Some) }
         }
+        _ => Ok(None),
+    };
+    let mode = Mode { weights: degree("weights")?, functions: degree("functions")?, equation };
+    match rest {
+        [] => Ok((mode, rest)),
+        [option] if option.is("using") => Ok((mode, option.some("using")?)),
+        [option, ..] => option.wrong("an option in its place, or the end of them"),
     }
 }
 
-impl Context<'_> {
-    /// The formula is read with the integers of `scope`, the rule with those of the section.
-    pub(crate) fn prove(&self, formula: &Formula, scope: &mut Scope, rule: &Rule) -> Result<(), Reason> {
-        match (formula, rule) {
-            (Formula::Equal(a, b), Rule::By(options)) => self.equal(a, b, scope, options),
-            (Formula::Greater(a, b), Rule::By(_) | Rule::Split(..)) => {
-                self.compare(a, b, scope, rule, Sign::Positive)
+impl<'t> Context<'_, 't> {
+    /// The formula is read with the integers of `env`, the rule with those of the section.
+    pub(crate) fn prove(&self, formula: &Node<'t>, env: &Env<'t>, rule: &Node<'t>) -> Result<()> {
+        let evaluator = |mode| Evaluator::new(&self.section.signs, mode);
+        match (formula.headed("a formula")?, rule.headed("a rule")?) {
+            (("=", [a, b]), ("by", list)) => {
+                let (mode, using) = options(list, true)?;
+                let mut evaluator = evaluator(mode);
+                let rest = evaluator.difference(a, b, env)?;
+                self.equal(rest, using, &mut evaluator)
             }
-            (Formula::AtLeast(a, b), Rule::By(_) | Rule::Split(..)) => {
-                self.compare(a, b, scope, rule, Sign::Nonnegative)
-            }
-            (Formula::Defined(term), Rule::By(options))
-                if options.functions.is_none() && options.using.is_empty() =>
-            {
-                // A denominator without a sign would have ended the evaluation.
-                self.evaluator(options, true).term(term, scope, self.values).map(|_| ())
-            }
-            (Formula::Order(i, d, place, claimed), Rule::Orders) => {
-                if place.kind != PlaceKind::In {
-                    return Err(Reason::Inside);
+            ((head @ (">" | ">="), [a, b]) | (head @ "<", [b, a]), ("by" | "split", _)) => {
+                let list = rule.fields("by").unwrap_or_default();
+                let (mode, []) = options(list, false)? else { return Err(Reason::WrongRule) };
+                let mut evaluator = evaluator(mode);
+                let num = evaluator.difference(a, b, env)?.num;
+                let want = if head == ">=" { Sign::Nonnegative } else { Sign::Positive };
+                match rule.is("by") {
+                    true => show(&num, &evaluator.signs, want),
+                    false => self.split(&num, &evaluator.signs, want, rule),
                 }
-                let mut evaluator = Evaluator::new(self.section, Mode::default());
-                let spot = evaluator.spot(place, scope, self.values)?;
-                let order = evaluator.order(scope.value(i)?, scope.value(d)?, &spot, U)?;
-                if order == scope.value(claimed)? { Ok(()) } else { Err(Reason::Order(order)) }
             }
-            (Formula::Outside(place, term, list), Rule::Functional(pairs)) => {
-                self.inside(place, scope)?;
-                self.outside(term, list, scope, pairs)
+            (("defined", [term]), ("by", list)) => match options(list, true)? {
+                // A denominator without a sign would end the evaluation.
+                (mode @ Mode { functions: None, .. }, []) => evaluator(mode).term(term, env).map(|_| ()),
+                _ => Err(Reason::WrongRule),
+            },
+            (("order", [i, d, place, claimed]), ("orders", [])) => {
+                let mut evaluator = evaluator(Mode::default());
+                let spot = evaluator.inside(place, env)?;
+                let order = evaluator.order(env.integer(i)?, env.integer(d)?, &spot)?;
+                if order == env.integer(claimed)? { Ok(()) } else { Err(Reason::Order(order)) }
             }
-            (Formula::Pole(place, list, point), Rule::Evaluate) => {
-                self.inside(place, scope)?;
-                self.pole(list, scope, point)
-            }
-            _ => Err(Reason::WrongRule),
-        }
-    }
-
-    fn evaluator(&self, options: &Options, equation: bool) -> Evaluator<'_> {
-        Evaluator::new(
-            self.section,
-            Mode { weights: options.weights, functions: options.functions, equation },
-        )
-    }
-
-    fn equal(&self, a: &Term, b: &Term, scope: &mut Scope, options: &Options) -> Result<(), Reason> {
-        let mut evaluator = self.evaluator(options, true);
-        let difference = |evaluator: &mut Evaluator<'_>, a, b, scope: &mut Scope| {
-            let left = evaluator.term(a, scope, self.values)?;
-            left.minus(&evaluator.term(b, scope, self.values)?)
-        };
-        let mut rest = difference(&mut evaluator, a, b, scope)?;
-        for (label, factor) in &options.using {
-            let mut scope = self.section.scope.clone();
-            let (left, right) = match self.lemmas.iter().find(|(known, _)| known == label) {
-                Some((_, Formula::Equal(left, right))) => (left, right),
-                Some(_) => return Err(Reason::NoEquation(*label)),
-                None => return Err(Reason::NoLemma(*label)),
-            };
-            let factor = evaluator.term(factor, &mut scope, self.values)?;
-            rest = rest.minus(&factor.times(&difference(&mut evaluator, left, right, &mut scope)?)?)?;
-        }
-        if rest.is_zero() { Ok(()) } else { Err(Reason::Differ) }
-    }
-
-    /// a − b is at least as positive as `want` says.
-    fn compare(&self, a: &Term, b: &Term, scope: &mut Scope, rule: &Rule, want: Sign) -> Result<(), Reason> {
-        let none = Options::default();
-        let options = if let Rule::By(options) = rule { options } else { &none };
-        if !options.using.is_empty() {
-            return Err(Reason::WrongRule);
-        }
-        let mut evaluator = self.evaluator(options, false);
-        let left = evaluator.term(a, scope, self.values)?;
-        let difference = left.minus(&evaluator.term(b, scope, self.values)?)?;
-        match rule {
-            Rule::Split(..) => self.split(&difference.num, &evaluator.signs, rule, want),
-            _ => show(&difference.num, &evaluator.signs, want),
-        }
-    }
-
-    fn split(&self, num: &Poly, signs: &[Sign], rule: &Rule, want: Sign) -> Result<(), Reason> {
-        match rule {
-            Rule::By(Options { weights: None, functions: None, using }) if using.is_empty() => {
-                show(num, signs, want)
-            }
-            Rule::Split(at, bound, first, second) => {
-                let variable = self.section.find(at, &self.section.scope)?;
-                let mut signs = signs.to_vec();
-                match signs.get_mut(variable) {
-                    Some(sign) if *sign != Sign::Real => {
-                        self.split(&num.below(variable, bound)?, &signs, first, want)?;
+            (("outside", [place, term, list]), ("functional", pairs @ [_, ..])) => {
+                evaluator(Mode::default()).inside(place, env)?;
+                let vanishes = |term| functional(&self.function(term, env)?, pairs);
+                if vanishes(term)? {
+                    return Err(Reason::NotShown("the functional is 0 for the first function"));
+                }
+                for term in list.list("a list of terms")? {
+                    if !vanishes(term)? {
+                        return Err(Reason::NotShown("the functional is not 0 on the list"));
                     }
-                    _ => return Err(Reason::Split(at.0.clone())),
                 }
-                // What is left of the parameter beyond the bound may be 0.
-                if let Some(sign) = signs.get_mut(variable) {
-                    *sign = Sign::Nonnegative;
-                }
-                self.split(&num.beyond(variable, bound)?, &signs, second, want)
+                Ok(())
             }
+            (("pole", [place, list, point]), ("evaluate", [])) => {
+                evaluator(Mode::default()).inside(place, env)?;
+                let mut found = false;
+                for term in list.list("a list of terms")? {
+                    let (num, den) = value(&self.function(term, env)?, point)?;
+                    found |= den.is_zero() && !num.is_zero();
+                }
+                if found { Ok(()) } else { Err(Reason::NotShown("no pole there")) }
+            }
+            ((head, fields), _) if !FORMULAS.contains(&(head, fields.len())) => formula.wrong("a formula"),
+            (_, (head, _)) if !RULES.contains(&head) => rule.wrong("a rule"),
             _ => Err(Reason::WrongRule),
         }
     }
 
-    /// The place is a span that is not empty, with u free on it.
-    fn inside(&self, place: &Place, scope: &Scope) -> Result<(), Reason> {
-        let evaluator = Evaluator::new(self.section, Mode::default());
-        evaluator.spot(place, scope, self.values)?;
-        if place.kind == PlaceKind::In { Ok(()) } else { Err(Reason::Inside) }
-    }
-
-    /// Numerator and denominator of a function of u alone.
-    fn function(&self, term: &Term, scope: &mut Scope) -> Result<(Poly, Poly), Reason> {
-        let value = Evaluator::new(self.section, Mode::default()).term(term, scope, self.values)?;
-        let (den, num) = (value.denominator()?, value.num);
-        if num.is_only_in(U) && den.is_only_in(U) { Ok((num, den)) } else { Err(Reason::NotOnlyU) }
-    }
-
-    /// Some functional that is 0 on the list is not 0 for the term: it is no combination of the list.
-    fn outside(
-        &self,
-        term: &Term,
-        list: &[Term],
-        scope: &mut Scope,
-        pairs: &[(Ratio, Ratio)],
-    ) -> Result<(), Reason> {
-        for (position, term) in std::iter::once(term).chain(list).enumerate() {
-            let (num, den) = self.function(term, scope)?;
-            let mut sum = Ratio::zero();
-            for (factor, point) in pairs {
-                let (above, below) = (num.at(U, point)?, den.at(U, point)?);
-                if below.is_zero() {
-                    return Err(Reason::NoValue(position));
-                }
-                sum = sum.plus(&factor.times(&above.over(&below)?)?)?;
-            }
-            match (position, sum.is_zero()) {
-                (0, true) => return Err(Reason::Vanishes),
-                (1.., false) => return Err(Reason::Functional(position)),
-                _ => {}
-            }
+    /// What is left of a difference without its lemmas is 0.
+    fn equal(&self, mut rest: Fraction, using: &[Node<'t>], evaluator: &mut Evaluator) -> Result<()> {
+        let env = &self.section.env;
+        for node in using {
+            let [label, factor] = node.group("a lemma and its factor")?;
+            let label = label.whole()?;
+            let lemma = usize::try_from(label - 1).ok().and_then(|at| self.lemmas.get(at));
+            let Some(("=", [left, right])) = lemma.and_then(|lemma| lemma.headed("").ok()) else {
+                return Err(Reason::NoLemma(label));
+            };
+            let difference = evaluator.difference(left, right, env)?;
+            rest = rest.minus(&evaluator.term(factor, env)?.times(&difference)?)?;
         }
-        Ok(())
+        if rest.is_zero() { Ok(()) } else { Err(Reason::NotShown("the two sides differ")) }
     }
 
-    fn pole(&self, list: &[Term], scope: &mut Scope, point: &Ratio) -> Result<(), Reason> {
-        let mut found = false;
-        for term in list {
-            let (num, den) = self.function(term, scope)?;
-            found |= den.at(U, point)?.is_zero() && !num.at(U, point)?.is_zero();
+    /// Both halves of the range of a parameter y: y < c, where y = c·z/(1 + z), and y ≥ c, where y = c + z. The new z
+    /// has the place of y; denominators are cleared.
+    fn split(&self, num: &Poly, signs: &[Sign], want: Sign, rule: &Node<'t>) -> Result<()> {
+        let [name, bound, first, second] = match rule.headed("a rule")? {
+            ("by", []) => return show(num, signs, want),
+            ("split", _) => rule.part("split")?,
+            _ => return Err(Reason::WrongRule),
+        };
+        let (of, indices) = name.indexed()?;
+        let env = &self.section.env;
+        let Meaning::Variable(y) = *env.meaning(of, env.integers(indices)?)? else {
+            return name.wrong("a parameter with a sign");
+        };
+        if signs[y] == Sign::Real {
+            return name.wrong("a parameter with a sign");
         }
-        if found { Ok(()) } else { Err(Reason::NoPole) }
+        let (up, down) = bound.ratio()?;
+        if up.sign(&[]) != Sign::Positive {
+            return bound.wrong("a positive number");
+        }
+        let (up_z, down_z) = (Poly::variable(y).times(&up)?, Poly::variable(y).times(&down)?);
+        let below = num.substitute(y, (&up_z, &down_z.clone().plus(&down)), 0)?;
+        self.split(&below, signs, want, first)?;
+        // What is left of the parameter beyond the bound may be 0.
+        let mut signs = signs.to_vec();
+        signs[y] = Sign::Nonnegative;
+        self.split(&num.substitute(y, (&down_z.plus(&up), &down), 0)?, &signs, want, second)
+    }
+
+    /// A function of u alone.
+    fn function(&self, term: &Node<'t>, env: &Env<'t>) -> Result<[Poly; 2]> {
+        let value = self.section.term(term, env)?;
+        let function = [value.denominator()?, value.num];
+        let alone = function.iter().all(|poly| poly.is_only_in(|variable| variable == U));
+        if alone { Ok(function) } else { Err(Reason::NotShown("a parameter besides u")) }
     }
 }
 
-fn show(num: &Poly, signs: &[Sign], want: Sign) -> Result<(), Reason> {
+/// Numerator and denominator of a function at a number, with a common positive factor.
+fn value([den, num]: &[Poly; 2], point: &Node<'_>) -> Result<(Poly, Poly)> {
+    let (up, down) = point.ratio()?;
+    let at = |poly: &Poly, other: &Poly| poly.substitute(U, (&up, &down), other.degree(U));
+    Ok((at(num, den)?, at(den, num)?))
+}
+
+/// Whether Σ C·f(U) over the pairs is 0.
+fn functional(function: &[Poly; 2], pairs: &[Node<'_>]) -> Result<bool> {
+    let mut sum = Fraction::integer(0);
+    for pair in pairs {
+        let [factor, point] = pair.group("a number and a point")?;
+        if point.ratio()?.0.sign(&[]) == Sign::Real {
+            return point.wrong("a point u ≥ 0");
+        }
+        let ((num, den), (up, down)) = (value(function, point)?, factor.ratio()?);
+        sum = sum.plus(&Fraction::new(num.times(&up)?, den.times(&down)?, &[])?)?;
+    }
+    Ok(sum.is_zero())
+}
+
+fn show(num: &Poly, signs: &[Sign], want: Sign) -> Result<()> {
     match num.sign(signs) {
         sign if sign >= want => Ok(()),
-        Sign::Nonnegative => Err(Reason::Signs("no monomial in positive parameters only")),
-        _ => Err(Reason::Signs("a coefficient below 0, or a real parameter")),
+        Sign::Nonnegative => Err(Reason::NotShown("no monomial in positive parameters only")),
+        Sign::Real | Sign::Positive => Err(Reason::NotShown("a coefficient below 0, or a real parameter")),
     }
 }

@@ -1,18 +1,16 @@
 //! Terms to quotients of polynomials.
 
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
-use dashu_int::IBig;
-
-use crate::error::Reason;
+use crate::env::{Env, Meaning};
+use crate::error::{Reason, Result};
 use crate::fraction::Fraction;
-use crate::integer::Scope;
 use crate::poly::{Poly, Sign};
-use crate::section::{Section, Values};
-use crate::syntax::{Of, Term};
+use crate::token::{Kind, Node};
 
 /// Larger exponents are not computed.
-const EXPONENT: i64 = 1_000;
+const EXPONENT: u16 = 1_000;
 /// Larger matrices are not expanded.
 const ROWS: usize = 8;
 
@@ -27,140 +25,125 @@ pub(crate) struct Mode {
     pub(crate) equation: bool,
 }
 
-/// What is not unfolded. Two that have the same key have the same value.
+/// What is computed once, or not unfolded. Two that have the same key have the same value.
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Unknown {
-    /// Rise and fall.
+pub(crate) enum Key {
+    /// [p|q].
     Weight(Poly, Poly),
-    /// Rise, fall, and the numerator over the square of their sum.
+    /// p, q, and the numerator over the square of their sum.
     Slope(Poly, Poly, Poly),
-    /// Index, degree, span, whether it is the derivative; the window; u and r.
-    Function([i64; 3], bool, String, [(Poly, Poly); 2]),
+    /// G, DG or de-boor with its integers; the window and the span; u and r.
+    Function(&'static str, [i64; 3], String, i64, [(Poly, Poly); 2]),
 }
 
-pub(crate) struct Evaluator<'a> {
-    pub(crate) section: &'a Section<'a>,
+/// Evaluates the terms of one formula. What is known of a key does not change on the way.
+pub(crate) struct Evaluator {
     pub(crate) mode: Mode,
     /// Of the parameters, and behind them of the unknowns.
     pub(crate) signs: Vec<Sign>,
-    unknowns: BTreeMap<Unknown, usize>,
+    pub(crate) known: BTreeMap<Key, Fraction>,
 }
 
-impl<'a> Evaluator<'a> {
-    pub(crate) fn new(section: &'a Section<'a>, mode: Mode) -> Self {
-        Evaluator { section, mode, signs: section.signs.clone(), unknowns: BTreeMap::new() }
+impl Evaluator {
+    pub(crate) fn new(signs: &[Sign], mode: Mode) -> Self {
+        Evaluator { mode, signs: signs.to_vec(), known: BTreeMap::new() }
     }
 
-    pub(crate) fn unknown(&mut self, key: Unknown, sign: Sign) -> Poly {
+    /// The variable for something that is not unfolded.
+    pub(crate) fn unknown(&mut self, key: Key, sign: Sign) -> Fraction {
         let next = self.signs.len();
-        let index = *self.unknowns.entry(key).or_insert(next);
-        if index == next {
+        let value = self.known.entry(key).or_insert_with(|| {
             self.signs.push(sign);
-        }
-        Poly::variable(index)
+            Poly::variable(next).into()
+        });
+        value.clone()
     }
 
-    /// The value of a term. Its recursion ends where the brackets of the text do.
-    pub(crate) fn term(
-        &mut self,
-        term: &Term,
-        scope: &mut Scope,
-        values: &Values,
-    ) -> Result<Fraction, Reason> {
-        match term {
-            Term::Number(number) => Ok(Fraction::number(number)),
-            Term::Parameter(parameter) if parameter.1.is_empty() => self.section.name(&parameter.0, values),
-            Term::Parameter(parameter) => Ok(Poly::variable(self.section.find(parameter, scope)?).into()),
-            Term::Integer(int) => Ok(Poly::constant(IBig::from(scope.value(int)?)).into()),
-            Term::Sum(items) => {
-                let mut sum = Fraction::zero();
-                scope.expand(items, &mut |item, scope| {
-                    sum = sum.plus(&self.term(item, scope, values)?)?;
-                    Ok(())
-                })?;
-                Ok(sum)
-            }
-            Term::Product(items) => {
-                let mut product = Fraction::one();
-                scope.expand(items, &mut |item, scope| {
-                    product = product.times(&self.term(item, scope, values)?)?;
-                    Ok(())
-                })?;
-                Ok(product)
-            }
-            Term::Difference(a, b) => self.term(a, scope, values)?.minus(&self.term(b, scope, values)?),
-            Term::Negative(a) => Ok(self.term(a, scope, values)?.negated()),
-            Term::Quotient(a, b) => {
-                let (a, b) = (self.term(a, scope, values)?, self.term(b, scope, values)?);
-                a.over(&b, &self.signs)
-            }
-            Term::Power(base, exponent) => {
-                let exponent = scope.value(exponent)?;
-                if exponent > EXPONENT {
-                    return Err(Reason::TooLarge("an exponent"));
-                }
-                let exponent = u16::try_from(exponent).map_err(|_| Reason::Negative("an exponent"))?;
-                self.term(base, scope, values)?.to_power(exponent)
-            }
-            Term::Knot(window, index) => {
-                let knot = values.window(window)?.knot(scope.value(index)?)?;
-                Fraction::new(knot.clone(), Poly::constant(values.scale.clone()), &self.signs)
-            }
-            Term::Point(place) => self.spot(place, scope, values)?.x(values, &self.signs),
-            Term::Function(of, i, d, place) => {
-                let (i, d) = (scope.value(i)?, scope.value(d)?);
-                let spot = self.spot(place, scope, values)?;
-                match of {
-                    Of::Rise => Ok(self.weight(i, d, &spot)?.rise),
-                    Of::Fall => Ok(self.weight(i, d, &spot)?.fall),
-                    Of::Slope => self.slope(i, d, &spot),
-                    Of::Value => Ok(self.basis(i, d, &spot, false)?.0),
-                    Of::Derivative => Ok(self.basis(i, d, &spot, true)?.1),
-                }
-            }
-            Term::DeBoor(i, level, degree, place) => {
-                let (i, level, degree) = (scope.value(i)?, scope.value(level)?, scope.value(degree)?);
-                let spot = self.spot(place, scope, values)?;
-                self.de_boor(i, level, degree, &spot)
-            }
-            Term::At(pairs, inner) => {
-                let mut inside = values.clone();
-                for (position, (name, value)) in pairs.iter().enumerate() {
-                    if pairs.iter().take(position).any(|(before, _)| before == name) {
-                        return Err(Reason::Taken(name.clone()));
-                    }
-                    // Evaluated outside of `at`: all are replaced at once.
-                    let value = self.term(value, scope, values)?;
-                    *inside.replaceable(name)? = value.positive(name, &self.signs)?;
-                }
-                self.term(inner, scope, &inside)
-            }
-            Term::Determinant(rows) => {
-                let mut matrix = Vec::new();
-                for row in rows {
-                    let row = row.iter().map(|entry| self.term(entry, scope, values));
-                    matrix.push(row.collect::<Result<Vec<_>, _>>()?);
-                }
-                if rows.len() > ROWS {
-                    return Err(Reason::TooLarge("a matrix"));
-                }
-                if matrix.iter().any(|row| row.len() != matrix.len()) {
-                    return Err(Reason::NotSquare);
-                }
-                determinant(&matrix)
-            }
+    pub(crate) fn term<'t>(&mut self, node: &Node<'t>, env: &Env<'t>) -> Result<Fraction> {
+        match &node.kind {
+            Kind::Number(..) => return Fraction::number(node),
+            Kind::Name(_) => return env.value(node.name()?, Vec::new()),
+            _ => {}
         }
+        match node.headed("a term")? {
+            (head @ ("+" | "*"), items @ [_, ..]) => {
+                let mut value = Fraction::integer(i64::from(head == "*"));
+                for (item, env) in env.expand(items)? {
+                    let item = self.term(item, &env)?;
+                    value = if head == "+" { value.plus(&item)? } else { value.times(&item)? };
+                }
+                Ok(value)
+            }
+            ("-", [a]) => Ok(self.term(a, env)?.negated()),
+            ("-", [a, b]) => self.difference(a, b, env),
+            ("/", [a, b]) => self.term(a, env)?.over(&self.term(b, env)?, &self.signs),
+            ("^", [base, power]) => match u16::try_from(env.integer(power)?) {
+                Ok(power) if power <= EXPONENT => self.term(base, env)?.to_power(power),
+                _ => Err(Reason::Limits("an exponent")),
+            },
+            ("integer", [integer]) => Ok(Fraction::integer(env.integer(integer)?)),
+            ("t", [window, index]) => {
+                let window = env.window(window)?;
+                Fraction::new(window.knot(env.integer(index)?)?.clone(), window.scale.clone(), &self.signs)
+            }
+            ("x", [place]) => self.spot(place, env)?.x(&self.signs),
+            ("w", [i, d, place]) => {
+                let [rise, _] = self.weight(env.integer(i)?, env.integer(d)?, &self.spot(place, env)?)?;
+                Ok(rise)
+            }
+            ("v", [i, d, place]) => {
+                let [_, fall] = self.weight(env.integer(i)?, env.integer(d)?, &self.spot(place, env)?)?;
+                Ok(fall)
+            }
+            ("Dw", [i, d, place]) => self.slope(env.integer(i)?, env.integer(d)?, &self.spot(place, env)?),
+            (of @ ("G" | "DG"), [i, d, place]) => {
+                self.basis(env.integer(i)?, env.integer(d)?, &self.spot(place, env)?, of == "DG")
+            }
+            ("de-boor", [i, q, k, place]) => {
+                let of = [env.integer(i)?, env.integer(q)?, env.integer(k)?];
+                self.de_boor(of, &self.spot(place, env)?, env)
+            }
+            ("at", [pairs, inner]) => {
+                let inside = self.replaced(pairs.list("a replacement")?, env)?;
+                self.term(inner, &inside)
+            }
+            ("det", rows @ [_, ..]) => {
+                let mut entries =
+                    |row: &Node<'t>| row.list("a row")?.iter().map(|entry| self.term(entry, env)).collect();
+                let matrix: Vec<Vec<_>> = rows.iter().map(&mut entries).collect::<Result<_>>()?;
+                let square = rows.len() <= ROWS && matrix.iter().all(|row| row.len() == rows.len());
+                if square { determinant(&matrix) } else { node.wrong("a square matrix with 8 rows at most") }
+            }
+            (_, [_, ..]) => {
+                let (name, indices) = node.indexed()?;
+                env.value(name, env.integers(indices)?)
+            }
+            _ => node.wrong("a term"),
+        }
+    }
+
+    pub(crate) fn difference<'t>(&mut self, a: &Node<'t>, b: &Node<'t>, env: &Env<'t>) -> Result<Fraction> {
+        self.term(a, env)?.minus(&self.term(b, env)?)
+    }
+
+    /// The names inside of `at`. The values are those outside: all are replaced at once.
+    fn replaced<'t>(&mut self, pairs: &[Node<'t>], env: &Env<'t>) -> Result<Env<'t>> {
+        let (mut inside, mut left) = (env.clone(), vec!["u", "r"]);
+        for pair in pairs {
+            let [name, value] = pair.group("a replacement")?;
+            let (name, value) = (name.word(&left, "u or r, each once")?, self.term(value, env)?);
+            left.retain(|other| *other != name);
+            inside.set(name, Vec::new(), Meaning::Value(Rc::new(value.positive(name, &self.signs)?)));
+        }
+        Ok(inside)
     }
 }
 
 /// Along the first row; the determinant of the empty matrix is 1.
-fn determinant(matrix: &[Vec<Fraction>]) -> Result<Fraction, Reason> {
-    let Some((first, rest)) = matrix.split_first() else { return Ok(Fraction::one()) };
-    let mut sum = Fraction::zero();
-    for (column, entry) in first.iter().enumerate() {
-        if entry.is_zero() {
-            continue;
-        }
+fn determinant(matrix: &[Vec<Fraction>]) -> Result<Fraction> {
+    let Some((first, rest)) = matrix.split_first() else { return Ok(Fraction::integer(1)) };
+    let mut sum = Fraction::integer(0);
+    for (column, entry) in first.iter().enumerate().filter(|(_, entry)| !entry.is_zero()) {
         let without = |row: &Vec<Fraction>| {
             row.iter().enumerate().filter(|(at, _)| *at != column).map(|(_, entry)| entry.clone()).collect()
         };

@@ -1,179 +1,218 @@
-//! Text to tokens, tokens to trees of brackets.
+//! Text to a tree of brackets, and what can be asked about its nodes.
 
-use crate::error::Reason;
-use crate::number::Ratio;
+use dashu_int::IBig;
 
-/// Brackets may be nested so deep; all later recursion follows the tree and is bounded by this as well.
+use crate::error::{Reason, Result};
+use crate::poly::Poly;
+
+/// Brackets may be nested so deep; all later recursion over the tree is bounded by this as well.
 const DEPTH: usize = 80;
-const BYTES: usize = 1 << 26;
+/// More digits than this in one number are not read.
+const DIGITS: usize = 1_000;
+/// Names that stand at the head of brackets and mean something there already.
+const HEADS: [&str; 13] =
+    ["t", "x", "w", "v", "Dw", "G", "DG", "de-boor", "at", "det", "integer", "each", "binomial"];
 
-pub(crate) struct Node {
-    pub(crate) line: usize,
-    pub(crate) kind: Kind,
-}
-
-pub(crate) enum Kind {
-    Number(Ratio),
-    Name(String),
-    Text(String),
-    List(Vec<Node>),
-}
-
-struct Token<'a> {
+/// A token, or a bracket with what is in it.
+pub(crate) struct Node<'t> {
     line: usize,
-    /// As it is written; a string with its quotation marks.
-    text: &'a str,
+    pub(crate) kind: Kind<'t>,
 }
 
-fn is_space(c: char) -> bool {
-    matches!(c, ' ' | '\t' | '\n' | '\r')
+pub(crate) enum Kind<'t> {
+    /// Numerator and denominator, in lowest terms.
+    Number(IBig, IBig),
+    Name(&'t str),
+    Text(&'t str),
+    List(Vec<Node<'t>>),
 }
 
-fn tokens(text: &str) -> Result<Vec<Token<'_>>, Reason> {
-    if text.len() > BYTES {
-        return Err(Reason::TooLarge("the file"));
+impl<'t> Node<'t> {
+    pub(crate) fn wrong<T>(&self, expected: &'static str) -> Result<T> {
+        Err(Reason::Syntax { line: self.line, expected })
     }
-    let (mut rest, mut line, mut found) = (text, 1, Vec::new());
-    while let Some(c) = rest.chars().next() {
-        let length = match c {
-            '(' | ')' => 1,
-            '"' => match rest.char_indices().skip(1).find(|(_, c)| *c == '\\' || *c == '"' || c.is_control())
-            {
-                Some((end, '"')) => end + 1,
-                _ => return Err(Reason::Syntax { line, expected: "the end of a string" }),
+
+    /// What is in a bracket, and something has to be.
+    pub(crate) fn list(&self, expected: &'static str) -> Result<&[Node<'t>]> {
+        match &self.kind {
+            Kind::List(items) if !items.is_empty() => Ok(items),
+            _ => self.wrong(expected),
+        }
+    }
+
+    /// What is in a bracket that has so many elements.
+    pub(crate) fn group<const N: usize>(&self, expected: &'static str) -> Result<&[Node<'t>; N]> {
+        self.list(expected)?.try_into().or_else(|_| self.wrong(expected))
+    }
+
+    /// The name that a bracket starts with, and the fields behind it.
+    pub(crate) fn headed(&self, expected: &'static str) -> Result<(&'t str, &[Node<'t>])> {
+        match self.list(expected)? {
+            [Node { kind: Kind::Name(head), .. }, fields @ ..] => Ok((head, fields)),
+            _ => self.wrong(expected),
+        }
+    }
+
+    /// The fields of a bracket that starts with this name.
+    pub(crate) fn fields(&self, head: &'static str) -> Result<&[Node<'t>]> {
+        match self.headed(head)? {
+            (found, fields) if found == head => Ok(fields),
+            _ => self.wrong(head),
+        }
+    }
+
+    /// The same, if there are any.
+    pub(crate) fn some(&self, head: &'static str) -> Result<&[Node<'t>]> {
+        self.fields(head).and_then(|fields| if fields.is_empty() { self.wrong(head) } else { Ok(fields) })
+    }
+
+    /// The same, if there are so many.
+    pub(crate) fn part<const N: usize>(&self, head: &'static str) -> Result<&[Node<'t>; N]> {
+        self.fields(head)?.try_into().or_else(|_| self.wrong("another number of fields"))
+    }
+
+    pub(crate) fn is(&self, head: &'static str) -> bool {
+        self.fields(head).is_ok()
+    }
+
+    /// A name that starts with a letter.
+    pub(crate) fn name(&self) -> Result<&'t str> {
+        match self.kind {
+            Kind::Name(name) if is_plain_name(name) => Ok(name),
+            _ => self.wrong("a name"),
+        }
+    }
+
+    /// A name that can stand at the head of brackets.
+    pub(crate) fn head(&self) -> Result<&'t str> {
+        match self.name()? {
+            name if HEADS.contains(&name) => self.wrong("a name that is no word of the format"),
+            name => Ok(name),
+        }
+    }
+
+    /// A name, and the indices that it has.
+    pub(crate) fn indexed(&self) -> Result<(&'t str, &[Node<'t>])> {
+        match &self.kind {
+            Kind::List(items) => match items.as_slice() {
+                [name, indices @ ..] if !indices.is_empty() => Ok((name.head()?, indices)),
+                _ => self.wrong("a name with an index"),
             },
-            _ if is_space(c) => {
-                line += usize::from(c == '\n');
-                rest = rest.get(1..).unwrap_or_default();
-                continue;
+            _ => Ok((self.name()?, &[])),
+        }
+    }
+
+    pub(crate) fn word(&self, words: &[&str], expected: &'static str) -> Result<&'t str> {
+        match self.kind {
+            Kind::Name(name) if words.contains(&name) => Ok(name),
+            _ => self.wrong(expected),
+        }
+    }
+
+    pub(crate) fn text(&self) -> Result<&'t str> {
+        match self.kind {
+            Kind::Text(text) if !text.trim().is_empty() => Ok(text),
+            _ => self.wrong("a string that is not empty"),
+        }
+    }
+
+    /// A number, as two polynomials without variables; the second one is positive.
+    pub(crate) fn ratio(&self) -> Result<(Poly, Poly)> {
+        match &self.kind {
+            Kind::Number(num, den) => Ok((Poly::constant(num.clone()), Poly::constant(den.clone()))),
+            _ => self.wrong("a number"),
+        }
+    }
+
+    pub(crate) fn whole(&self) -> Result<i64> {
+        match &self.kind {
+            Kind::Number(num, den) if *den == IBig::ONE => {
+                i64::try_from(num).or_else(|_| self.wrong("a whole number that fits"))
             }
-            _ => rest.find(|c| is_space(c) || matches!(c, '(' | ')' | '"')).unwrap_or(rest.len()),
-        };
-        let (text, tail) = rest.split_at_checked(length).unwrap_or((rest, ""));
-        let bracket = matches!(c, '(' | ')');
-        if !bracket && !tail.chars().next().is_none_or(|c| is_space(c) || matches!(c, '(' | ')')) {
-            return Err(Reason::Syntax { line, expected: "white space" });
+            _ => self.wrong("a whole number"),
         }
-        found.push(Token { line, text });
-        rest = tail;
     }
-    Ok(found)
 }
 
-/// The tokens with single spaces between them and none next to the inside of a bracket.
-pub(crate) fn canonical(text: &str) -> Result<String, Reason> {
-    let (mut out, mut open) = (String::new(), true);
-    for token in tokens(text)? {
-        if !open && token.text != ")" {
-            out.push(' ');
-        }
-        open = token.text == "(";
-        out.push_str(token.text);
-    }
-    Ok(out)
+fn is_plain_name(word: &str) -> bool {
+    let plain = |b: u8| b.is_ascii_alphanumeric() || matches!(b, b'.' | b'-');
+    word.starts_with(|c: char| c.is_ascii_alphabetic()) && word.bytes().all(plain)
 }
 
-pub(crate) fn is_plain_name(word: &str) -> bool {
-    word.starts_with(|c: char| c.is_ascii_alphabetic())
-        && word.bytes().all(|b| b.is_ascii_alphanumeric() || matches!(b, b'.' | b'-'))
-}
-
-fn atom(token: &Token<'_>) -> Result<Node, Reason> {
-    let (line, word) = (token.line, token.text);
-    let kind = if let Some(inside) = word.strip_prefix('"') {
-        Kind::Text(inside.trim_end_matches('"').to_owned())
-    } else if is_plain_name(word) || matches!(word, "+" | "-" | "*" | "/" | "^" | "=" | ">" | ">=" | "<") {
-        Kind::Name(word.to_owned())
-    } else if let Some(number) = Ratio::parse(word) {
-        Kind::Number(number)
-    } else {
-        return Err(Reason::Syntax { line, expected: "a name or a number in lowest terms" });
+/// `-?digits` or `-?digits/digits`, written in the one way in which it can be.
+fn number(word: &str) -> Option<Kind<'_>> {
+    let (num, den) = match word.split_once('/') {
+        None => (whole(word)?, IBig::ONE),
+        Some((num, den)) => (whole(num)?, whole(den).filter(|den| *den > IBig::ONE)?),
     };
-    Ok(Node { line, kind })
+    // Euclid, only to see that the terms are the lowest.
+    let (mut a, mut b) = (den.clone(), num.clone());
+    while b != IBig::ZERO {
+        (a, b) = (b.clone(), a % b);
+    }
+    (a == IBig::ONE || a == -IBig::ONE).then_some(Kind::Number(num, den))
+}
+
+fn whole(word: &str) -> Option<IBig> {
+    let value = if word.len() > DIGITS { None } else { word.parse::<IBig>().ok() };
+    value.filter(|value| value.to_string() == word)
+}
+
+fn atom(word: &str) -> Option<Kind<'_>> {
+    if let Some(inside) = word.strip_prefix('"') {
+        return inside.strip_suffix('"').map(Kind::Text);
+    }
+    let name = is_plain_name(word) || matches!(word, "+" | "-" | "*" | "/" | "^" | "=" | ">" | ">=" | "<");
+    if name { Some(Kind::Name(word)) } else { number(word) }
+}
+
+/// What stands between tokens, or is one.
+fn is_break(c: char) -> bool {
+    matches!(c, ' ' | '\t' | '\n' | '\r' | '(' | ')')
+}
+
+/// The first token, or one space, and what is behind it.
+fn split_token(text: &str) -> (&str, &str) {
+    let length = match text.strip_prefix('"') {
+        Some(inside) => inside.find(|c: char| c == '\\' || c == '"' || c.is_control()).map(|end| end + 2),
+        None if text.starts_with(is_break) => Some(1),
+        None => text.find(|c| is_break(c) || c == '"'),
+    };
+    length.and_then(|length| text.split_at_checked(length)).unwrap_or((text, ""))
 }
 
 /// The one tree that the text is.
-pub(crate) fn tree(text: &str) -> Result<Node, Reason> {
-    let mut open: Vec<(usize, Vec<Node>)> = Vec::new();
-    let mut whole: Option<Node> = None;
-    for token in tokens(text)? {
-        let line = token.line;
-        if whole.is_some() {
-            return Err(Reason::Syntax { line, expected: "the end of the file" });
-        }
-        let done = match token.text {
-            "(" if open.len() >= DEPTH => return Err(Reason::TooLarge("the nesting")),
+pub(crate) fn tree(text: &str) -> Result<Node<'_>> {
+    let (mut rest, mut line) = (text, 1);
+    // The brackets that are open, the whole text being the first one.
+    let mut open = vec![(line, Vec::new())];
+    while !rest.is_empty() {
+        let wrong = |expected| Err(Reason::Syntax { line, expected });
+        let (token, behind) = split_token(rest);
+        rest = behind;
+        let done = match token {
+            " " | "\t" | "\r" | "\n" => {
+                line += usize::from(token == "\n");
+                continue;
+            }
+            "(" if open.len() > DEPTH => return Err(Reason::Limits("the nesting")),
             "(" => {
                 open.push((line, Vec::new()));
                 continue;
             }
-            ")" => match open.pop() {
-                Some((line, inside)) => Node { line, kind: Kind::List(inside) },
-                None => return Err(Reason::Syntax { line, expected: "an opening bracket" }),
-            },
-            _ => atom(&token)?,
+            ")" => open.pop().map(|(line, inside)| Node { line, kind: Kind::List(inside) }),
+            _ if !rest.is_empty() && !rest.starts_with(is_break) => return wrong("white space"),
+            _ => atom(token).map(|kind| Node { line, kind }),
         };
-        match open.last_mut() {
-            Some((_, inside)) => inside.push(done),
-            None => whole = Some(done),
+        match (done, open.last_mut()) {
+            (Some(node), Some((_, outer))) => outer.push(node),
+            (Some(_), None) => return wrong("an opening bracket"),
+            (None, _) => return wrong("a string, a name or a number in lowest terms"),
         }
     }
-    match (whole, open.pop()) {
-        (Some(node), None) => Ok(node),
-        (_, Some((line, _))) => Err(Reason::Syntax { line, expected: "the bracket that closes this one" }),
-        (None, None) => Err(Reason::Syntax { line: 1, expected: "a bracket" }),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn white_space_means_nothing_else() {
-        let want = "(a (b \"c  d\" 1/2) >=)";
-        for text in [want, " ( a\n(b\t\"c  d\" 1/2 ) >= ) \r\n", "(a(b \"c  d\" 1/2)>=)"] {
-            assert_eq!(canonical(text).as_deref(), Ok(want));
-        }
-    }
-
-    #[test]
-    fn what_is_no_tree_is_rejected() {
-        let deep = "(".repeat(100_000);
-        let bad = [
-            "",
-            "(",
-            ")",
-            "(a))",
-            "(a) b",
-            "(a",
-            "(\"x)",
-            "(\"x\\n\")",
-            "(\"x\ny\")",
-            "(a\"b\")",
-            "(\"a\"b)",
-            "(1a)",
-            "(a_b)",
-            "(é)",
-            "(;)",
-            "(==)",
-            "(01)",
-            "(2/4)",
-            "(-0)",
-            "(a\u{a0}b)",
-            deep.as_str(),
-            "\u{feff}(a)",
-        ];
-        for text in bad {
-            assert!(tree(text).is_err(), "{text}");
-        }
-    }
-
-    #[test]
-    fn lines_are_counted() {
-        assert_eq!(
-            tree("(a\n(b\n01))").err(),
-            Some(Reason::Syntax { line: 3, expected: "a name or a number in lowest terms" })
-        );
+    match (open.pop(), open.is_empty()) {
+        (Some((_, mut whole)), true) if whole.len() == 1 => Ok(whole.swap_remove(0)),
+        (_, true) => Err(Reason::Syntax { line, expected: "one bracket" }),
+        (_, false) => Err(Reason::Syntax { line, expected: "a closing bracket" }),
     }
 }

@@ -3,7 +3,7 @@
 
 mod common;
 
-use knotproof_checker::{canonical, check};
+use knotproof_checker::check;
 
 fn tokens(text: &str) -> Vec<String> {
     let mut tokens = vec![String::new()];
@@ -80,16 +80,17 @@ fn a_changed_proof_proves_nothing_else() {
     assert!(tried > 5_000 && accepted * 20 < tried, "{accepted} of {tried}");
 }
 
+/// Nothing but another name for the same, a weaker goal or another text can be proved by the same proof.
 #[test]
-fn a_changed_statement_is_another_statement() {
+fn a_changed_statement_needs_another_proof() {
+    let (mut tried, mut accepted) = (0, 0);
     for certificate in common::certificates() {
-        let honest = canonical(&certificate.statement).unwrap();
         for mutant in mutants(&certificate.statement) {
-            if let Ok(text) = canonical(&mutant) {
-                assert_ne!(text, honest, "{}: {mutant}", certificate.name);
-            }
+            tried += 1;
+            accepted += usize::from(check(&mutant, &certificate.proof).is_ok());
         }
     }
+    assert!(tried > 30_000 && accepted * 10 < tried, "{accepted} of {tried}");
 }
 
 /// Goals made false by one token, where the old proof must not do.
@@ -130,7 +131,8 @@ fn a_false_goal_is_not_proved_by_a_proof_of_the_true_one() {
         let certificate = all.iter().find(|certificate| certificate.name == name).unwrap();
         assert!(certificate.statement.contains(from), "{name}: {from}");
         let changed = certificate.statement.replacen(from, to, 1);
-        assert!(canonical(&changed).is_ok(), "{name}: {to}");
-        assert!(check(&changed, &certificate.proof).is_err(), "{name}: {from} -> {to}");
+        let place = check(&changed, &certificate.proof).expect_err(name).place;
+        // Not for its syntax.
+        assert!(place.starts_with("section "), "{name}: {to}: {place}");
     }
 }
