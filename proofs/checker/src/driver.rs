@@ -55,7 +55,9 @@ fn run(statement: &str, proof: &str, place: &mut String) -> Result<Checked> {
     let (mut checked, sections) = header(&statement)?;
     *place = "proof".to_owned();
     let proof = tree(proof)?;
-    let mut proofs = versioned(&proof, "proof")?.iter();
+    let [version, proofs @ ..] = proof.fields("proof")? else { return proof.wrong("a version") };
+    is_number(version, "format", 1)?;
+    let mut proofs = proofs.iter();
     for degree in checked.degrees.clone() {
         let before = checked.goals;
         let k = i64::try_from(degree).map_err(|_| Reason::Limits("a degree"))?;
@@ -65,7 +67,7 @@ fn run(statement: &str, proof: &str, place: &mut String) -> Result<Checked> {
             for env in expanded(ranges, Env::default().with("k", k)?)? {
                 checked.sections += 1;
                 *place = format!("section {}", checked.sections);
-                let proof = proofs.next().ok_or(Reason::NoProof("section", checked.sections))?;
+                let proof = proofs.next().ok_or(Reason::Missing("section", checked.sections))?;
                 let section = Section::new(declarations, env)?;
                 prove(&section, goals, proof, &mut checked, place)?;
             }
@@ -79,33 +81,24 @@ fn run(statement: &str, proof: &str, place: &mut String) -> Result<Checked> {
     if proofs.next().is_some() { Err(Reason::NoStatement("section")) } else { Ok(checked) }
 }
 
-/// The fields behind the version of the format.
-fn versioned<'n, 't>(node: &'n Node<'t>, head: &'static str) -> Result<&'n [Node<'t>]> {
-    match node.fields(head)? {
-        [version, fields @ ..] if version.whole()? == 1 => Ok(fields),
-        _ => node.wrong("format 1"),
-    }
-}
-
 /// What a statement says of itself, and its sections.
 fn header<'n, 't>(node: &'n Node<'t>) -> Result<(Checked, &'n [Node<'t>])> {
-    let [claim, form, verdict, scope, degrees, text, because, sections @ ..] = versioned(node, "statement")?
-    else {
+    let fields = node.fields("statement")?;
+    let [version, claim, form, verdict, scope, degrees, text, because, sections @ ..] = fields else {
         return node.wrong("the parts of a statement");
     };
-    if sections.is_empty() {
-        return node.wrong("a section");
-    }
+    is_number(version, "format", 1)?;
     // Those that no degree reads are looked at here.
     sections.iter().try_for_each(|section| parts(section).map(|_| ()))?;
     let ([claim], [text], [because]) = (claim.part("claim")?, text.part("text")?, because.part("because")?);
     let ([form], [verdict], [scope]) = (form.part("form")?, verdict.part("verdict")?, scope.part("scope")?);
     text.text().and(because.text())?;
-    let degrees = rising(degrees.some("degrees")?)?;
+    let list = degrees.some("degrees")?.iter().map(Node::degree).collect::<Result<Vec<_>>>()?;
+    if !list.is_sorted_by(|a, b| a < b) {
+        return degrees.wrong("rising degrees");
+    }
     let form = match form.part("degree") {
-        Ok([degree]) if degrees == rising(std::slice::from_ref(degree))? => {
-            format!("degree {}", degree.whole()?)
-        }
+        Ok([degree]) if list == [degree.degree()?] => format!("degree {}", degree.degree()?),
         Ok(_) => return form.wrong("the only degree of the statement"),
         Err(_) => form.word(&["printed", "amended"], "printed, amended or (degree K)")?.to_owned(),
     };
@@ -114,23 +107,12 @@ fn header<'n, 't>(node: &'n Node<'t>) -> Result<(Checked, &'n [Node<'t>])> {
         form,
         verdict: verdict.word(&["proved", "refuted"], "proved or refuted")?.to_owned(),
         scope: scope.word(&["points", "instance", "alpha", "knots"], "a scope")?.to_owned(),
-        degrees,
+        degrees: list.iter().copied().map(usize::from).collect(),
         sections: 0,
         goals: 0,
         lemmas: 0,
     };
     Ok((checked, sections))
-}
-
-fn rising(nodes: &[Node<'_>]) -> Result<Vec<usize>> {
-    let mut degrees = Vec::new();
-    for node in nodes {
-        match usize::try_from(node.whole()?) {
-            Ok(degree @ ..=100) if degrees.last().is_none_or(|last| *last < degree) => degrees.push(degree),
-            _ => return node.wrong("degrees from 0 to 100, rising"),
-        }
-    }
-    Ok(degrees)
 }
 
 /// The ranges of a section, its declarations, and its goals.
@@ -161,36 +143,36 @@ fn prove<'t>(
 ) -> Result<()> {
     let here = place.clone();
     let [label, steps @ ..] = proof.fields("section")? else { return proof.wrong("a number") };
-    numbered(label, "section", checked.sections)?;
+    is_number(label, "section", checked.sections)?;
     let (lemmas, proofs) = steps.split_at(steps.iter().take_while(|step| step.is("lemma")).count());
     let mut context = Context { section, lemmas: Vec::new() };
+    let mut step = |what, number, label, rule: &Node<'t>| {
+        *place = format!("{here}, {what} {number}, rule {}", rule.headed("a rule")?.0);
+        is_number(label, what, number)
+    };
     for (number, lemma) in (1..).zip(lemmas) {
         let [label, formula, rule] = lemma.part("lemma")?;
-        numbered(label, "lemma", number)?;
-        *place = format!("{here}, lemma {number}, rule {}", rule.headed("a rule")?.0);
+        step("lemma", number, label, rule)?;
         context.prove(formula, &section.env, rule)?;
         context.lemmas.push(formula);
         checked.lemmas += 1;
     }
-    let mut proofs = proofs.iter();
-    for (number, (formula, env)) in (1..).zip(section.env.expand(goals)?) {
-        place.clone_from(&here);
-        let proof = proofs.next().ok_or(Reason::NoProof("goal", number))?;
-        let [label, rule] = proof.part("goal")?;
-        numbered(label, "goal", number)?;
-        *place = format!("{here}, goal {number}, rule {}", rule.headed("a rule")?.0);
-        context.prove(formula, &env, rule)?;
+    let goals = section.env.expand(goals)?;
+    for (number, (formula, env)) in (1..).zip(&goals) {
+        let [label, rule] = proofs.get(number - 1).ok_or(Reason::Missing("goal", number))?.part("goal")?;
+        step("goal", number, label, rule)?;
+        context.prove(formula, env, rule)?;
         checked.goals += 1;
     }
     *place = here;
-    match proofs.next() {
+    match proofs.get(goals.len()) {
         None => Ok(()),
         Some(proof) => proof.fields("goal").and(Err(Reason::NoStatement("goal"))),
     }
 }
 
-/// Whether a proof has the number that it must have.
-fn numbered(label: &Node<'_>, what: &'static str, number: usize) -> Result<()> {
+/// Whether something has the number that it must have.
+fn is_number(label: &Node<'_>, what: &'static str, number: usize) -> Result<()> {
     let found = usize::try_from(label.whole()?);
-    if found == Ok(number) { Ok(()) } else { Err(Reason::NoProof(what, number)) }
+    if found == Ok(number) { Ok(()) } else { Err(Reason::Missing(what, number)) }
 }

@@ -23,8 +23,8 @@ pub enum Reason {
     Limits(&'static str),
     #[error("there is no goal for k = {0}")]
     NoGoal(usize),
-    #[error("{0} {1} has no proof in its place")]
-    NoProof(&'static str, usize),
+    #[error("{0} {1} is missing in its place")]
+    Missing(&'static str, usize),
     #[error("a proof of a {0} that the statement does not have")]
     NoStatement(&'static str),
     #[error("unknown name {0}")]

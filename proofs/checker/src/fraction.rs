@@ -35,13 +35,12 @@ impl Fraction {
     /// A quotient of polynomials, if the second one has a sign.
     pub(crate) fn new(num: Poly, den: Poly, signs: &[Sign]) -> Result<Self> {
         let negated = den.negated();
-        let (num, den) = match (den.sign(signs), negated.sign(signs)) {
-            (Sign::Positive, _) => (num, den),
-            (_, Sign::Positive) => (num.negated(), negated),
-            _ => return Err(Reason::Divisor),
-        };
-        let trivial = den == Poly::constant(1) || num.is_zero();
-        Ok(Fraction { num, den: if trivial { Factors::new() } else { [(den, 1)].into() } })
+        match (den.sign(signs), negated.sign(signs)) {
+            (Sign::Positive, _) if den == Poly::constant(1) => Ok(num.into()),
+            (Sign::Positive, _) => Ok(Fraction { num, den: [(den, 1)].into() }),
+            (_, Sign::Positive) => Ok(Fraction { num: num.negated(), den: [(negated, 1)].into() }),
+            _ => Err(Reason::Divisor),
+        }
     }
 
     pub(crate) fn is_zero(&self) -> bool {
@@ -94,16 +93,12 @@ impl Fraction {
     }
 
     pub(crate) fn times(&self, other: &Self) -> Result<Self> {
-        let num = self.num.times(&other.num)?;
-        if num.is_zero() {
-            return Ok(Fraction::integer(0));
-        }
         let mut den = self.den.clone();
         for (factor, times) in &other.den {
             let sum = den.entry(factor.clone()).or_insert(0);
             *sum = sum.checked_add(*times).ok_or(Reason::Limits("an exponent"))?;
         }
-        Ok(Fraction { num, den })
+        Ok(Fraction { num: self.num.times(&other.num)?, den })
     }
 
     pub(crate) fn over(&self, other: &Self, signs: &[Sign]) -> Result<Self> {

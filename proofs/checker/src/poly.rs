@@ -127,10 +127,10 @@ impl Poly {
     }
 
     /// With up/down in the place of one variable, times down^n; n is the degree in it, or `least` if that is more.
-    pub(crate) fn substitute(&self, variable: usize, (up, down): (&Self, &Self), least: u16) -> Result<Self> {
-        let n = self.degree(variable).max(least);
+    pub(crate) fn substitute(&self, y: usize, (up, down): (&Self, &Self), least: u16) -> Result<Self> {
+        let n = self.degree(y).max(least);
         let mut sum = Poly::default();
-        for (exponent, coefficient) in self.by_powers(variable) {
+        for (exponent, coefficient) in self.by_powers(y) {
             let factor = up.to_power(exponent)?.times(&down.to_power(n - exponent)?)?;
             sum = sum.plus(&coefficient.times(&factor)?);
         }

@@ -46,15 +46,6 @@ impl Spot {
         let place = [self.u.clone(), self.r.clone()];
         Key::Function(what, of, self.window.name.clone(), self.span, place)
     }
-
-    /// The interval of w_i^d, which has to contain the span by index.
-    fn interval(&self, i: i64, d: i64) -> Result<(&Poly, &Poly)> {
-        if i > self.span || i + d <= self.span {
-            let what = format!("w_{i}^{d} on span {}", self.span);
-            return Err(Reason::NotDetermined(self.window.name.clone(), what));
-        }
-        Ok((self.window.knot(i)?, self.window.knot(i + d)?))
-    }
 }
 
 fn check_degree(degree: i64) -> Result<()> {
@@ -82,24 +73,25 @@ impl Evaluator {
         Ok(Spot { window, span, u, r: (r, s) })
     }
 
-    /// A place in a span, with u free on it.
-    pub(crate) fn inside<'t>(&self, node: &Node<'t>, env: &Env<'t>) -> Result<Spot> {
-        node.fields("in").and_then(|_| self.spot(node, env))
-    }
-
-    /// r·(x − a) and b − x, times the denominators in them, and their sum.
-    fn ends(&self, i: i64, d: i64, spot: &Spot) -> Result<[Poly; 3]> {
-        let (a, b) = spot.interval(i, d)?;
+    /// For the interval from a to b of w_i^d, which has to contain the span by index: p = r·(x − a) and q = b − x, times
+    /// the denominators in them, p + q, and b − a.
+    fn ends(&self, i: i64, d: i64, spot: &Spot) -> Result<[Poly; 4]> {
+        if i > spot.span || i + d <= spot.span {
+            let what = format!("w_{i}^{d} on span {}", spot.span);
+            return Err(Reason::NotDetermined(spot.window.name.clone(), what));
+        }
+        let (a, b) = (spot.window.knot(i)?, spot.window.knot(i + d)?);
         let p = spot.r.0.times(&spot.beyond(a)?)?;
         let q = spot.r.1.times(&spot.beyond(b)?.negated())?;
-        let whole = p.clone().plus(&q);
+        let (whole, length) = (p.clone().plus(&q), b.clone().minus(a));
         // Positive wherever the span is: said again here, as everything else rests on it.
-        if whole.sign(&self.signs) == Sign::Positive { Ok([p, q, whole]) } else { Err(Reason::Divisor) }
+        let positive = whole.sign(&self.signs) == Sign::Positive;
+        if positive { Ok([p, q, whole, length]) } else { Err(Reason::Divisor) }
     }
 
     /// w_i^d and 1 − w_i^d.
     pub(crate) fn weight(&mut self, i: i64, d: i64, spot: &Spot) -> Result<[Fraction; 2]> {
-        let [p, q, whole] = self.ends(i, d, spot)?;
+        let [p, q, whole, _] = self.ends(i, d, spot)?;
         let one = Fraction::integer(1);
         if p.is_zero() {
             return Ok([Fraction::integer(0), one]);
@@ -129,11 +121,10 @@ impl Evaluator {
 
     /// The derivative of w_i^d: with x = (V·t_s + U·t_{s+1})/(U + V), it is R·S·(b − a)·(U + V)²/(p + q)².
     pub(crate) fn slope(&mut self, i: i64, d: i64, spot: &Spot) -> Result<Fraction> {
-        let [p, q, whole] = self.ends(i, d, spot)?;
-        let (a, b) = spot.interval(i, d)?;
-        // p, q and b − a are all times the scale: it remains once above the line.
-        let length = spot.window.scale.times(&b.clone().minus(a))?;
+        let [p, q, whole, length] = self.ends(i, d, spot)?;
         let num = spot.r.0.times(&spot.r.1)?.times(&length)?.times(&spot.whole().to_power(2)?)?;
+        // p, q and b − a are all times the scale: it remains once above the line.
+        let num = num.times(&spot.window.scale)?;
         if self.mode.weights.is_some_and(|least| d >= least) && !p.is_zero() && !q.is_zero() {
             return Ok(self.unknown(Key::Slope(p, q, num), Sign::Real));
         }
@@ -200,11 +191,11 @@ impl Evaluator {
         for degree in 1..=d {
             let mut next = BTreeMap::new();
             // Of both degrees only those functions that G_i^d is built from.
-            let needed = i..=i + d - degree;
-            for (j, order) in level.range(i..=i + d - degree + 1) {
-                let [p, q, whole] = self.ends(*j, degree, spot)?;
+            let last = i + d - degree;
+            for (j, order) in level.range(i..=last + 1) {
+                let [p, q, whole, _] = self.ends(*j, degree, spot)?;
                 for (index, part) in [(*j, p), (j - 1, q)] {
-                    if needed.contains(&index) {
+                    if i <= index && index <= last {
                         let order = order + self.lowest(&part)? - self.lowest(&whole)?;
                         let least = next.entry(index).or_insert(order);
                         *least = order.min(*least);
@@ -218,10 +209,8 @@ impl Evaluator {
 
     /// The lowest exponent of u, if its coefficient is positive.
     fn lowest(&self, poly: &Poly) -> Result<i64> {
-        match poly.by_powers(U).first_key_value() {
-            Some((exponent, coefficient)) if coefficient.sign(&self.signs) == Sign::Positive => {
-                Ok(i64::from(*exponent))
-            }
+        match poly.by_powers(U).pop_first() {
+            Some((exponent, rest)) if rest.sign(&self.signs) == Sign::Positive => Ok(exponent.into()),
             _ => Err(Reason::NotShown("a lowest coefficient in u without a sign")),
         }
     }

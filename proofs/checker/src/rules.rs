@@ -4,6 +4,7 @@ use crate::env::{Env, Meaning};
 use crate::error::{Reason, Result};
 use crate::fraction::Fraction;
 use crate::poly::{Poly, Sign};
+use crate::recursion::Spot;
 use crate::section::{Section, U};
 use crate::terms::{Evaluator, Mode};
 use crate::token::Node;
@@ -20,21 +21,17 @@ pub(crate) struct Context<'a, 't> {
 }
 
 /// What stands in `by`: how far the definition is unfolded, and lemmas with their factors.
-fn options<'a, 't>(mut rest: &'a [Node<'t>], equation: bool) -> Result<(Mode, &'a [Node<'t>])> {
-    let mut degree = |head| match rest {
-        [option, behind @ ..] if option.is(head) => {
-            rest = behind;
-            let [degree] = option.part(head)?;
-            if degree.whole()? < 0 { degree.wrong("a degree") } else { degree.whole().map(Some) }
+fn options<'a, 't>(list: &'a [Node<'t>], equation: bool) -> Result<(Mode, &'a [Node<'t>])> {
+    let (mut mode, mut lemmas): (_, &[_]) = (Mode { equation, ..Mode::default() }, &[]);
+    for option in list {
+        match option.headed("an option")? {
+            ("weights", [d]) if mode.weights.is_none() => mode.weights = Some(d.degree()?.into()),
+            ("functions", [d]) if mode.functions.is_none() => mode.functions = Some(d.degree()?.into()),
+            ("using", list @ [_, ..]) if lemmas.is_empty() => lemmas = list,
+            _ => return option.wrong("an option that is none of the others"),
         }
-        _ => Ok(None),
-    };
-    let mode = Mode { weights: degree("weights")?, functions: degree("functions")?, equation };
-    match rest {
-        [] => Ok((mode, rest)),
-        [option] if option.is("using") => Ok((mode, option.some("using")?)),
-        [option, ..] => option.wrong("an option in its place, or the end of them"),
     }
+    Ok((mode, lemmas))
 }
 
 impl<'t> Context<'_, 't> {
@@ -65,13 +62,12 @@ impl<'t> Context<'_, 't> {
                 _ => Err(Reason::WrongRule),
             },
             (("order", [i, d, place, claimed]), ("orders", [])) => {
-                let mut evaluator = evaluator(Mode::default());
-                let spot = evaluator.inside(place, env)?;
+                let (mut evaluator, spot) = self.inside(place, env)?;
                 let order = evaluator.order(env.integer(i)?, env.integer(d)?, &spot)?;
                 if order == env.integer(claimed)? { Ok(()) } else { Err(Reason::Order(order)) }
             }
             (("outside", [place, term, list]), ("functional", pairs @ [_, ..])) => {
-                evaluator(Mode::default()).inside(place, env)?;
+                self.inside(place, env)?;
                 let vanishes = |term| functional(&self.function(term, env)?, pairs);
                 if vanishes(term)? {
                     return Err(Reason::NotShown("the functional is 0 for the first function"));
@@ -84,7 +80,7 @@ impl<'t> Context<'_, 't> {
                 Ok(())
             }
             (("pole", [place, list, point]), ("evaluate", [])) => {
-                evaluator(Mode::default()).inside(place, env)?;
+                self.inside(place, env)?;
                 let mut found = false;
                 for term in list.list("a list of terms")? {
                     let (num, den) = value(&self.function(term, env)?, point)?;
@@ -96,6 +92,13 @@ impl<'t> Context<'_, 't> {
             (_, (head, _)) if !RULES.contains(&head) => rule.wrong("a rule"),
             _ => Err(Reason::WrongRule),
         }
+    }
+
+    /// A place in a span, with u free on it.
+    fn inside(&self, place: &Node<'t>, env: &Env<'t>) -> Result<(Evaluator, Spot)> {
+        let evaluator = Evaluator::new(&self.section.signs, Mode::default());
+        let spot = place.fields("in").and_then(|_| evaluator.spot(place, env))?;
+        Ok((evaluator, spot))
     }
 
     /// What is left of a difference without its lemmas is 0.
@@ -124,12 +127,10 @@ impl<'t> Context<'_, 't> {
         };
         let (of, indices) = name.indexed()?;
         let env = &self.section.env;
-        let Meaning::Variable(y) = *env.meaning(of, env.integers(indices)?)? else {
-            return name.wrong("a parameter with a sign");
+        let y = match env.meaning(of, env.integers(indices)?)? {
+            Meaning::Variable(y) if signs[*y] != Sign::Real => *y,
+            _ => return name.wrong("a parameter with a sign"),
         };
-        if signs[y] == Sign::Real {
-            return name.wrong("a parameter with a sign");
-        }
         let (up, down) = bound.ratio()?;
         if up.sign(&[]) != Sign::Positive {
             return bound.wrong("a positive number");

@@ -124,13 +124,17 @@ impl<'t> Node<'t> {
         }
     }
 
+    pub(crate) fn degree(&self) -> Result<u8> {
+        let degree = u8::try_from(self.whole()?).ok().filter(|degree| *degree <= 100);
+        degree.map_or_else(|| self.wrong("a degree from 0 to 100"), Ok)
+    }
+
     pub(crate) fn whole(&self) -> Result<i64> {
-        match &self.kind {
-            Kind::Number(num, den) if *den == IBig::ONE => {
-                i64::try_from(num).or_else(|_| self.wrong("a whole number that fits"))
-            }
-            _ => self.wrong("a whole number"),
-        }
+        let whole = match &self.kind {
+            Kind::Number(num, den) if *den == IBig::ONE => i64::try_from(num).ok(),
+            _ => None,
+        };
+        whole.map_or_else(|| self.wrong("a whole number that fits"), Ok)
     }
 }
 
