@@ -277,7 +277,7 @@ fn texts_that_are_not_the_format() {
         ("", "(= 0 0)", "(by (weights k))", "expected a whole number"),
         ("", "(= 0 0)", "(by (weights -1))", "expected a degree"),
         ("", "(= 0 0)", "(by (weights 1/2))", "expected a whole number"),
-        ("", "(= 0 0)", "(by (using))", "expected using"),
+        ("", "(= 0 0)", "(by (using))", "expected an option"),
         ("", "(= 0 0)", "(by (trust 1))", "expected an option that is none of the others"),
         ("", "(> u 0)", "(split u 0 (by) (by))", "expected a positive number"),
         ("", "(> u 0)", "(split u -1 (by) (by))", "expected a positive number"),
