@@ -81,6 +81,28 @@ fn goals_that_are_not_shown() {
             "(by (functions 2))",
             "the two sides differ",
         ),
+        (W, "(>= (w 0 1 (in W 0)) (v 0 1 (in W 0)))", "(by (weights 1))", "a coefficient below 0"),
+        // Nor is a function the same at another u or on another span, whether it is unfolded or not.
+        (W, "(= (G 0 2 (in W 0)) (at ((u 1)) (G 0 2 (in W 0))))", "(by)", "the two sides differ"),
+        (
+            W,
+            "(= (G 0 2 (in W 0)) (at ((u 1)) (G 0 2 (in W 0))))",
+            "(by (functions 2))",
+            "the two sides differ",
+        ),
+        (
+            "(window W 0 some some some)",
+            "(= (G 0 2 (in W 0)) (G 0 2 (in W 1)))",
+            "(by (functions 2))",
+            "the two sides differ",
+        ),
+        (
+            "(window W 0 some some some)",
+            "(= (G 0 2 (in W 0)) (G 0 2 (in W 1)))",
+            "(by)",
+            "the two sides differ",
+        ),
+        ("(window W -1 some some some)", "(order -1 2 (in W 0) 1)", "(orders)", "the order is 0"),
         // An abbreviation before the new r keeps the old one.
         ("(let a r) (let r 2)", "(= a r)", "(by)", "the two sides differ"),
         ("(let a r)", "(= (at ((r 2)) a) 2)", "(by)", "the two sides differ"),
