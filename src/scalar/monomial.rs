@@ -26,7 +26,7 @@ const BYTES: usize = 8;
 const GUARDS: u64 = 0x8080_8080_8080_8080;
 
 impl Monomial {
-    /// The number of variables there are: x₀, …, x₄₇.
+    /// The number of variables there are: x₀, …, x₁₂₇.
     pub const VARIABLES: usize = WORDS * BYTES;
 
     /// The largest exponent that a variable can have.
@@ -153,9 +153,11 @@ impl fmt::Debug for Monomial {
 mod tests {
     use super::*;
 
+    const LAST: usize = Monomial::VARIABLES - 1;
+
     /// Exponents at both ends of a byte, in neighbouring bytes and words.
     fn nasty() -> Vec<Monomial> {
-        let places = [0, 1, 6, 7, 8, 15, 16, 46, 47];
+        let places = [0, 1, 6, 7, 8, 15, 16, 46, 47, LAST - 1, LAST];
         let mut all = vec![Monomial::ONE];
         for e in [1, 2, 63, 64, 126, 127] {
             all.extend(places.map(|v| Monomial::ONE.with(v, e)));
@@ -187,11 +189,11 @@ mod tests {
 
     #[test]
     fn an_exponent_never_wraps() {
-        for (v, e, f) in [(0, 127, 1), (7, 64, 64), (8, 127, 127), (47, 1, 127)] {
+        for (v, e, f) in [(0, 127, 1), (7, 64, 64), (8, 127, 127), (LAST, 1, 127)] {
             let product = || Monomial::ONE.with(v, e).times(&Monomial::ONE.with(v, f));
             assert!(std::panic::catch_unwind(product).is_err(), "x{v}^{e}·x{v}^{f}");
         }
-        assert!(std::panic::catch_unwind(|| Monomial::variable(48)).is_err());
+        assert!(std::panic::catch_unwind(|| Monomial::variable(LAST + 1)).is_err());
     }
 
     #[test]
