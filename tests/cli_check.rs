@@ -92,11 +92,13 @@ fn all_fields_are_there() {
                     "found": "the sum is 4/5",
                     "reproduce": "knotproof eval --degree 1 --knots 0,0,1/2,1 --alpha -1 --x 2/3 --derivatives 1",
                 },
+                "checked_by": ["engine"],
                 "amended": {
                     "statement": "For t_j < t_{j+1}: Σ_{i=0}^n G_i^k = 1 on [t_j, t_{j+1}) if and only if k ≤ j ≤ n, that is on [t_k, t_{n+1}); and there it is Σ_{i=j−k}^j G_i^k.",
                     "status": "proved",
                     "scope": "instance",
                     "degrees": [1],
+                    "checked_by": ["engine"],
                 },
             },
             {
@@ -106,6 +108,7 @@ fn all_fields_are_there() {
                 "status": "proved",
                 "scope": "instance",
                 "degrees": [1],
+                "checked_by": ["engine"],
             },
         ],
     });

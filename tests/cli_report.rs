@@ -56,7 +56,10 @@ fn the_claims_asked_for_and_the_study_of_floats() {
     });
     assert_eq!(printed["witness"], expected);
     let amended = &support["amended"];
-    assert_eq!((&amended["status"], &amended["scope"]), (&"proved".into(), &"instance".into()));
+    assert_eq!((&amended["status"], &amended["scope"]), (&"proved".into(), &"knots".into()));
+    assert_eq!(amended["certificate"], "T3.5.1.amended");
+    assert_eq!(amended["checked_by"], serde_json::json!(["engine", "prover", "checker"]));
+    assert_eq!(amended["degrees"], serde_json::json!([0, 1, 2, 3, 4, 5, 6, 7, 8]));
     assert_ne!(amended["statement"], support["statement"]);
     for count in ["instances", "small_cases", "facts"] {
         assert!(amended["rests_on"][count].as_u64().unwrap() > 100, "{count}");
@@ -98,7 +101,7 @@ fn the_files_are_written_where_asked_for() {
     let text = fs::read_to_string(out.join("report.md")).unwrap();
     assert!(text.starts_with("# "), "{text}");
     for part in
-        ["| `P2.1.3` |", "### R2.2.1 (", "witness: ", "**As amended: proved (instance).**", "| U13 | 2 |"]
+        ["| `P2.1.3` |", "### R2.2.1 (", "witness: ", "**As amended: proved (knots).**", "| U13 | 2 |"]
     {
         assert!(text.contains(part), "{part}");
     }
@@ -115,8 +118,8 @@ fn the_text_has_a_row_for_each_claim_and_the_counts() {
         let row = text.lines().find(|line| line.trim_start().starts_with(id)).unwrap();
         row.split_whitespace().collect::<Vec<_>>().join(" ")
     };
-    assert_eq!(row("P2.1.3"), "P2.1.3 Proposition 2.1 (3) refuted proved (instance)");
-    assert_eq!(row("R2.2.1"), "R2.2.1 Remark 2.2 (1) proved (instance)");
+    assert_eq!(row("P2.1.3"), "P2.1.3 Proposition 2.1 (3) refuted proved (knots)");
+    assert_eq!(row("R2.2.1"), "R2.2.1 Remark 2.2 (1) proved (knots)");
     for part in
         ["As printed: 1 proved, 1 refuted.", "As amended, where refuted: 1 proved.", "f64 against exact: "]
     {
