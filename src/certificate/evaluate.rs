@@ -344,8 +344,18 @@ impl<'a> Evaluator<'a> {
         if sign(p, &classes) == Class::Positive || sign(&p.negate(), &classes) == Class::Positive {
             Ok(())
         } else {
-            Err(EvaluationError::Division(format!("{p:?}")))
+            Err(EvaluationError::Division(self.shown(p)))
         }
+    }
+
+    /// A polynomial for a reader: `x2 - 1, where x2 = a`.
+    fn shown(&self, p: &Multivariate) -> String {
+        let name = |v: usize| {
+            let known = self.names.iter().filter(|(_, value)| **value == Quotient::variable(v));
+            known.map(|(name, _)| name).min().map(|name| format!("x{v} = {name}"))
+        };
+        let names: Vec<_> = p.variables().filter_map(name).collect();
+        if names.is_empty() { p.to_string() } else { format!("{p}, where {}", names.join(", ")) }
     }
 }
 
