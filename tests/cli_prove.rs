@@ -1,0 +1,504 @@
+//! `knotproof prove`, `verify` and `explain` as a user meets them. What certificates say is tested in
+//! `tests/certificates.rs`.
+
+#![allow(clippy::unwrap_used, reason = "helpers of tests")]
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command as Process, Stdio};
+
+use assert_cmd::Command;
+use knotproof::report::Baseline;
+use serde_json::{Value, json};
+
+fn knotproof(arguments: &[&str]) -> Command {
+    let mut command = Command::cargo_bin("knotproof").unwrap();
+    command.args(arguments);
+    command
+}
+
+/// The exit code and the result as JSON; nothing on standard error.
+fn run(arguments: &[&str]) -> (i32, Value) {
+    let output = knotproof(&[arguments, &["--format", "json"]].concat()).output().unwrap();
+    assert_eq!(String::from_utf8_lossy(&output.stderr), "");
+    (output.status.code().unwrap(), serde_json::from_slice(&output.stdout).unwrap())
+}
+
+/// The exit code and the result as text.
+fn text(arguments: &[&str]) -> (i32, String) {
+    let output = knotproof(arguments).output().unwrap();
+    assert_eq!(String::from_utf8_lossy(&output.stderr), "");
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(!text.contains('\u{1b}'), "no escape sequences in a pipe");
+    (output.status.code().unwrap(), text)
+}
+
+/// The message of a request that is refused.
+fn refused(command: &mut Command, argument: &str) -> String {
+    let output = command.args(["--format", "json"]).assert().code(2).stdout("").get_output().stderr.clone();
+    let report: Value = serde_json::from_slice(&output).unwrap();
+    assert_eq!(report["schema"], "knotproof.error/1");
+    assert_eq!(report["error"]["argument"], argument, "{report}");
+    report["error"]["message"].as_str().unwrap().to_owned()
+}
+
+fn certs() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("proofs/certs")
+}
+
+fn names(folder: &Path) -> BTreeSet<String> {
+    fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect()
+}
+
+/// A folder with copies of these certificates.
+fn copies(certificates: &[&str]) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    for name in certificates {
+        for extension in ["statement", "proof"] {
+            let file = format!("{name}.{extension}");
+            fs::copy(certs().join(&file), folder.path().join(&file)).unwrap();
+        }
+    }
+    folder
+}
+
+/// Replaces a part that occurs in the file.
+fn edit(path: &Path, part: &str, instead: &str) {
+    let old = fs::read_to_string(path).unwrap();
+    assert!(old.contains(part), "`{part}` in {}", path.display());
+    fs::write(path, old.replacen(part, instead, 1)).unwrap();
+}
+
+fn words(row: &str) -> String {
+    row.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+// prove
+
+#[test]
+fn certificates_are_written_in_pairs_and_are_the_recorded_ones() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("not yet").join("there");
+    let arguments = ["prove", "--claim", "P2.1.3", "--claim", "X.derivative", "--out", out.to_str().unwrap()];
+    let (code, found) = run(&arguments);
+    assert_eq!(code, 0);
+    assert_eq!((&found["schema"], &found["written"]), (&json!("knotproof.prove/1"), &json!(out)));
+    assert_eq!(found["stale"], json!([]));
+    let checked = found["checked"].as_array().unwrap();
+    let amended = checked.iter().find(|checked| checked["form"] == "amended").unwrap();
+    let expected = json!({
+        "claim": "P2.1.3", "form": "amended", "verdict": "proved", "scope": "knots", "degrees": [1], "sections": 5,
+        "steps": 6,
+    });
+    assert_eq!(amended, &expected);
+    let degree = checked.iter().find(|checked| checked["form"] == "degree 2").unwrap();
+    let expected = json!({
+        "claim": "X.derivative", "form": "degree 2", "verdict": "refuted", "scope": "instance", "degrees": [2],
+        "sections": 1, "steps": 1,
+    });
+    assert_eq!(degree, &expected);
+    // All of what is recorded for the two claims, and the same files.
+    let written = names(&out);
+    let of_both = |name: &String| name.starts_with("P2.1.3.") || name.starts_with("X.derivative.");
+    assert_eq!(written, names(&certs()).into_iter().filter(of_both).collect());
+    assert_eq!(written.len(), 2 * checked.len());
+    for name in written {
+        assert!(fs::read(out.join(&name)).unwrap() == fs::read(certs().join(&name)).unwrap(), "{name}");
+    }
+}
+
+/// Certificates of other claims stay; it is not known whether they are stale.
+#[test]
+fn proving_one_claim_says_nothing_of_other_files() {
+    let folder = copies(&["T3.5.1.printed"]);
+    fs::write(folder.path().join("P2.1.3.printed.proof"), "outdated").unwrap();
+    fs::write(folder.path().join("gone.statement"), "(statement 1)").unwrap();
+    let out = folder.path().to_str().unwrap();
+    let (code, found) = text(&["prove", "--claim", "P2.1.3", "--out", out]);
+    assert_eq!(code, 0);
+    let rows: Vec<_> = found.lines().map(words).filter(|row| row.starts_with("P2.1.3")).collect();
+    assert_eq!(rows, ["P2.1.3 printed refuted instance 1 1", "P2.1.3 amended proved knots 1 6"]);
+    assert!(found.ends_with(&format!("Proved and checked: 2 certificates, in {out}\n")), "{found}");
+    assert!(names(folder.path()).contains("gone.statement"), "nothing is deleted");
+    let again = fs::read(folder.path().join("P2.1.3.printed.proof")).unwrap();
+    assert!(again == fs::read(certs().join("P2.1.3.printed.proof")).unwrap(), "it is overwritten");
+}
+
+/// A claim that is settled by cases only has no certificate, and none is invented.
+#[test]
+fn a_claim_that_is_not_stated_formally_has_no_certificate() {
+    let folder = tempfile::tempdir().unwrap();
+    let (code, found) =
+        run(&["prove", "--claim", "Conj3.1.weak.continuous", "--out", folder.path().to_str().unwrap()]);
+    assert_eq!((code, &found["checked"]), (0, &json!([])));
+    assert!(names(folder.path()).is_empty());
+}
+
+#[test]
+fn an_unknown_claim_is_not_proved() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("out");
+    let message =
+        refused(&mut knotproof(&["prove", "--claim", "T3.5", "--out", out.to_str().unwrap()]), "--claim");
+    assert_eq!(message, "--claim: there is no claim `T3.5`; there are T3.5.1, T3.5.2, T3.5.3, T3.5.4");
+    assert!(!out.exists(), "nothing is made for a request that is refused");
+}
+
+#[test]
+fn a_folder_that_cannot_be_written_is_refused_at_once() {
+    let file = tempfile::NamedTempFile::new().unwrap();
+    let path = file.path().to_str().unwrap();
+    let message = refused(&mut knotproof(&["prove", "--claim", "P2.1.3", "--out", path]), "--out");
+    assert!(message.starts_with(&format!("--out: cannot write {path}: ")), "{message}");
+    // A folder has the name of a file to be written.
+    let folder = tempfile::tempdir().unwrap();
+    fs::create_dir(folder.path().join("P2.1.3.printed.proof")).unwrap();
+    let out = folder.path().to_str().unwrap();
+    let message = refused(&mut knotproof(&["prove", "--claim", "P2.1.3", "--out", out]), "--out");
+    assert!(message.contains("cannot write") && message.contains("P2.1.3.printed.proof"), "{message}");
+}
+
+// verify
+
+const SOME: [&str; 3] = ["P3.3.2.printed", "T3.5.1.printed", "X.nurbs.degree-2"];
+
+#[test]
+fn a_folder_of_certificates_is_checked_in_the_order_of_the_names() {
+    let folder = copies(&SOME);
+    let path = folder.path().to_str().unwrap();
+    let (code, found) = run(&["verify", path]);
+    assert_eq!((code, &found["schema"]), (0, &json!("knotproof.verify/1")));
+    assert_eq!((&found["rejected"], &found["unknown"]), (&json!([]), &json!([])));
+    let expected = json!([
+        {"claim": "P3.3.2", "form": "printed", "verdict": "proved", "scope": "knots",
+            "degrees": [0, 1, 2, 3, 4, 5, 6, 7, 8], "sections": 9, "steps": 90},
+        {"claim": "T3.5.1", "form": "printed", "verdict": "refuted", "scope": "instance", "degrees": [1],
+            "sections": 1, "steps": 1},
+        {"claim": "X.nurbs", "form": "degree 2", "verdict": "proved", "scope": "knots", "degrees": [2],
+            "sections": 2, "steps": 12},
+    ]);
+    assert_eq!(found["checked"], expected);
+    let (code, found) = text(&["verify", path]);
+    assert_eq!(code, 0);
+    assert!(found.lines().any(|row| words(row) == "X.nurbs degree 2 proved knots 2 12"), "{found}");
+    assert!(found.ends_with("Accepted: 3; rejected: 0\n"), "{found}");
+}
+
+/// With no path it is the folder of the recorded ones, below the current folder.
+#[test]
+fn all_recorded_certificates_are_accepted_and_known() {
+    let root = env!("CARGO_MANIFEST_DIR");
+    let output = knotproof(&["verify", "--format", "json"]).current_dir(root).assert().code(0).stderr("");
+    let found: Value = serde_json::from_slice(&output.get_output().stdout).unwrap();
+    assert_eq!(found["checked"].as_array().unwrap().len() * 2, names(&certs()).len());
+    assert_eq!((&found["rejected"], &found["unknown"]), (&json!([]), &json!([])));
+
+    let elsewhere = tempfile::tempdir().unwrap();
+    let message = refused(knotproof(&["verify"]).current_dir(elsewhere.path()), "PATH");
+    assert!(message.starts_with("PATH: cannot read proofs/certs: "), "{message}");
+}
+
+#[test]
+fn single_files_and_folders_can_be_mixed() {
+    let (folder, other) = (copies(&SOME[..1]), copies(&SOME));
+    let file = other.path().join("T3.5.1.printed.statement");
+    let (code, found) = run(&["verify", file.to_str().unwrap(), folder.path().to_str().unwrap()]);
+    let claims: Vec<_> =
+        found["checked"].as_array().unwrap().iter().map(|checked| &checked["claim"]).collect();
+    assert_eq!((code, claims), (0, vec![&json!("T3.5.1"), &json!("P3.3.2")]));
+}
+
+#[test]
+fn a_damaged_proof_is_rejected_with_section_goal_and_rule() {
+    for (part, instead, reason) in [
+        ("(goal 1 (by (weights 1)))", "(goal 1 (orders))", "section 1, goal 1, rule orders: "),
+        ("(goal 2 (by", "(goal 3 (by", "section 1, goal 2: "),
+        ("(section 2", "(section 3", "section 2: "),
+        ("(section 9\n", "(section 9\n(lemma 1 (= 0 1) (by))", "section 9, lemma 1, rule by: "),
+        ("(proof 1", "(proof 2", "proof: line 1: "),
+        ("(weights 1)", "(weights x)", "proof: line "),
+    ] {
+        let folder = copies(&SOME);
+        let path = folder.path().join("P3.3.2.printed.proof");
+        edit(&path, part, instead);
+        let (code, found) = run(&["verify", folder.path().to_str().unwrap()]);
+        assert_eq!((code, found["checked"].as_array().unwrap().len()), (1, 2), "the others are checked");
+        let rejected = found["rejected"].as_array().unwrap();
+        assert_eq!(rejected.len(), 1);
+        assert_eq!(rejected[0]["file"], json!(folder.path().join("P3.3.2.printed.statement")));
+        let said = rejected[0]["reason"].as_str().unwrap();
+        assert!(said.starts_with(reason), "{instead}: {said}");
+        let (code, found) = text(&["verify", folder.path().to_str().unwrap()]);
+        assert_eq!(code, 1);
+        assert!(found.contains(&format!("P3.3.2.printed.statement: {said}\n")), "{found}");
+        assert!(found.ends_with("Accepted: 2; rejected: 1\n"), "{found}");
+    }
+}
+
+#[test]
+fn a_false_statement_is_rejected() {
+    let folder = copies(&SOME);
+    edit(&folder.path().join("P3.3.2.printed.statement"), "(- k i)", "i");
+    let (code, found) = run(&["verify", folder.path().to_str().unwrap()]);
+    assert_eq!(code, 1);
+    let reason = found["rejected"][0]["reason"].as_str().unwrap();
+    assert!(reason.starts_with("section 2, goal 1, rule by: "), "{reason}");
+}
+
+/// What is proved need not be the claim: the program says whether it knows the statement.
+#[test]
+fn a_statement_that_is_true_and_not_the_program_s_is_accepted_as_unknown() {
+    for (name, part, instead) in [
+        // Another claim, other words, another reason, fewer goals, the sides exchanged.
+        ("P3.3.2.printed", "(claim \"P3.3.2\")", "(claim \"P3.3.1\")"),
+        ("P3.3.2.printed", "(form printed)", "(form amended)"),
+        ("P3.3.2.printed", "(verdict proved)", "(verdict refuted)"),
+        ("P3.3.2.printed", "(scope knots)", "(scope alpha)"),
+        ("P3.3.2.printed", "(text \"", "(text \"Not: "),
+        ("P3.3.2.printed", "(because \"", "(because \"Trust me. "),
+        ("T3.5.1.printed", "0)", "-1)"),
+    ] {
+        let folder = copies(&SOME);
+        let path = folder.path().join(format!("{name}.statement"));
+        edit(&path, part, instead);
+        let (code, found) = run(&["verify", folder.path().to_str().unwrap()]);
+        assert_eq!((code, found["checked"].as_array().unwrap().len()), (0, 3), "{instead}: {found}");
+        assert_eq!((&found["rejected"], &found["unknown"]), (&json!([]), &json!([path])), "{instead}");
+        let (_, found) = text(&["verify", folder.path().to_str().unwrap()]);
+        let line =
+            format!("Accepted, but not the program's own statement of the claim: {}\n", path.display());
+        assert!(found.contains(&line), "{found}");
+    }
+}
+
+/// White space means nothing: the statement is the same.
+#[test]
+fn a_statement_laid_out_in_another_way_is_known() {
+    let folder = copies(&SOME);
+    let path = folder.path().join("X.nurbs.degree-2.statement");
+    let old = fs::read_to_string(&path).unwrap();
+    fs::write(&path, old.replace("\n", "\r\n\t")).unwrap();
+    let (code, found) = run(&["verify", folder.path().to_str().unwrap()]);
+    assert_eq!((code, &found["unknown"], &found["rejected"]), (0, &json!([]), &json!([])));
+}
+
+#[test]
+fn what_is_no_certificate_is_refused() {
+    let folder = copies(&SOME);
+    let at = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let refusal = |path: &str| refused(&mut knotproof(&["verify", path]), "PATH");
+    // The proof is not there.
+    fs::remove_file(at("T3.5.1.printed.proof")).unwrap();
+    let message = refusal(folder.path().to_str().unwrap());
+    assert!(message.contains("cannot read") && message.contains("T3.5.1.printed.proof"), "{message}");
+    // No statement, no certificate, nothing, no text.
+    let message = refusal(&at("P3.3.2.printed.proof"));
+    assert!(message.contains("is no certificate: give files NAME.statement"), "{message}");
+    assert!(refusal(&at("none.statement")).contains("cannot read"));
+    let empty = tempfile::tempdir().unwrap();
+    assert!(refusal(empty.path().to_str().unwrap()).contains("is no certificate"));
+    fs::write(at("X.nurbs.degree-2.proof"), b"(proof \xff").unwrap();
+    assert!(refusal(&at("X.nurbs.degree-2.statement")).contains("byte 7 is not UTF-8"));
+}
+
+/// Nothing of what stands in a file breaks the program.
+#[test]
+fn nonsense_is_rejected() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.statement");
+    let good = fs::read_to_string(certs().join("P3.3.2.printed.statement")).unwrap();
+    let deep = "(".repeat(100_000);
+    for statement in [
+        "",
+        "(",
+        ")",
+        "\"",
+        "statement",
+        "()",
+        "(statement 1)",
+        "(statement 1/0)",
+        "(proof 1)",
+        "é",
+        &deep,
+        &good,
+    ] {
+        fs::write(&path, statement).unwrap();
+        for proof in ["", "(", "(proof 1)", &deep] {
+            fs::write(path.with_extension("proof"), proof).unwrap();
+            let (code, found) = run(&["verify", path.to_str().unwrap()]);
+            assert_eq!((code, &found["checked"]), (1, &json!([])));
+            assert_eq!(found["rejected"].as_array().unwrap().len(), 1);
+        }
+    }
+}
+
+// explain
+
+#[test]
+fn a_proved_claim_is_explained() {
+    let (code, found) = text(&["explain", "T3.5.2"]);
+    assert_eq!(code, 0);
+    for part in [
+        "T3.5.2 (Theorem 3.5 (2))\n",
+        "As printed: proved (knots), degrees 0, 1, 2, 3, 4, 5, 6, 7, 8\n",
+        "  Positivity: ",
+        "  why: By D3.3 a function is 0 on a span",
+        "  certificate: proofs/certs/T3.5.2.printed.statement and .proof; checked by engine, prover, checker\n",
+    ] {
+        assert!(found.contains(part), "{part} in {found}");
+    }
+    assert!(!found.contains("goals:") && !found.contains("As amended"), "{found}");
+    let (_, found) = text(&["explain", "T3.5.2", "--goals"]);
+    assert!(
+        found.contains("  goals: (section (window A (- 0 k)") && found.contains("(> (G i k (in A 0)) 0)"),
+        "{found}"
+    );
+}
+
+#[test]
+fn a_refuted_claim_is_explained_with_witness_and_amendment() {
+    let (code, found) = text(&["explain", "T3.5.3"]);
+    assert_eq!(code, 0, "a claim that is refuted is explained all the same");
+    let place = |part: &str| found.find(part).unwrap_or_else(|| panic!("{part} in {found}"));
+    let parts = [
+        "T3.5.3 (Theorem 3.5 (3))\n",
+        "As printed: refuted\n",
+        "  Partition of unity: ",
+        "  witness: k = 1, U = (0, 0, 1, 2), α = -1, j = 2, x = 3/2: the claim says Σ G_i^1(3/2) = 1, but the sum is 2/3\n",
+        "  again: knotproof eval --degree 1 --knots 0,0,1,2 --alpha -1 --x 3/2 --derivatives 1\n",
+        "  why: All functions that exist",
+        "  certificate: proofs/certs/T3.5.3.printed.statement",
+        "As amended: proved (knots), degrees",
+        "  For t_j < t_{j+1}: ",
+        "  certificate: proofs/certs/T3.5.3.amended.statement",
+        "Note: ",
+    ];
+    assert!(parts.map(place).is_sorted(), "{found}");
+    assert_eq!(found.matches("certificate: ").count(), 2);
+}
+
+#[test]
+fn a_question_is_explained_degree_by_degree() {
+    let (_, found) = text(&["explain", "X.totalpositivity"]);
+    for part in [
+        "X.totalpositivity (not in the paper)\n",
+        "As printed: refuted\n",
+        "Degree 1: proved (knots), degrees 1\n",
+        "Degree 2: proved (knots), degrees 2\n",
+        "Degree 3: refuted\n",
+        "proofs/certs/X.totalpositivity.degree-3.statement",
+    ] {
+        assert!(found.contains(part), "{part} in {found}");
+    }
+    let (_, json) = run(&["explain", "X.totalpositivity", "--goals"]);
+    let parts = json["parts"].as_array().unwrap();
+    assert_eq!((&parts[0]["of"], &parts[2]["of"]), (&json!("as printed"), &json!("degree 2")));
+    assert!(parts[3]["goals"].as_str().unwrap().contains("(< (det"), "the witness as a goal");
+    assert!(parts[1]["goals"].as_str().unwrap().contains("(> (det"));
+}
+
+#[test]
+fn an_illustration_is_explained() {
+    let (_, found) = text(&["explain", "Ill5.1.fig7"]);
+    for part in [
+        "Ill5.1.fig7 (Illustration 5.1, Fig. 7)\n",
+        "  witness: instance = U0, k = 3, ",
+        "As amended: proved (alpha), degrees 3\n",
+        "  why: At x = t_{i+1} the value of G_i rises strictly with r",
+        "proofs/certs/Ill5.1.fig7.amended.statement",
+        "Note: The figure misleads",
+    ] {
+        assert!(found.contains(part), "{part} in {found}");
+    }
+}
+
+/// What is decided by cases only says so: there is no certificate, and no goals to show.
+#[test]
+fn a_claim_without_certificate_is_explained_without_one() {
+    let (_, found) = text(&["explain", "Conj3.1.weak.continuous", "--goals"]);
+    assert!(found.contains("As printed: proved (instance)"), "{found}");
+    assert!(
+        !found.contains("certificate:") && !found.contains("why:") && !found.contains("goals:"),
+        "{found}"
+    );
+}
+
+/// Every claim, with all that is recorded of it.
+#[test]
+fn every_claim_is_explained_as_json() {
+    let recorded = Baseline::recorded().unwrap();
+    for entry in &recorded.claims {
+        let (code, found) = run(&["explain", &entry.id, "--goals"]);
+        assert_eq!((code, &found["schema"]), (0, &json!("knotproof.explain/1")));
+        assert_eq!((&found["id"], &found["locator"]), (&json!(entry.id), &json!(entry.locator)));
+        let printed = ("as printed".to_owned(), &entry.as_printed);
+        let amended = entry.amended.iter().map(|finding| ("as amended".to_owned(), finding));
+        let degrees = entry.by_degree.iter().map(|of| (format!("degree {}", of.degree), &of.finding));
+        let expected: Vec<_> = [printed].into_iter().chain(amended).chain(degrees).collect();
+        let parts = found["parts"].as_array().unwrap();
+        assert_eq!(parts.len(), expected.len(), "{}", entry.id);
+        for (part, (of, finding)) in parts.iter().zip(expected) {
+            assert_eq!((&part["of"], &part["status"]), (&json!(of), &json!(finding.status)), "{}", entry.id);
+            assert!(!part["statement"].as_str().unwrap().is_empty());
+            for (name, value) in serde_json::to_value(finding).unwrap().as_object().unwrap() {
+                assert_eq!(&part[name], value, "{}, {of}: {name}", entry.id);
+            }
+            for name in ["idea", "goals"] {
+                let said = part.get(name).is_some_and(|text| !text.as_str().unwrap().is_empty());
+                assert_eq!(said, finding.certificate.is_some(), "{}, {of}: {name}", entry.id);
+            }
+        }
+    }
+    let (_, found) = run(&["explain", "T3.5.2"]);
+    assert!(found["parts"][0].get("goals").is_none() && found["parts"][0]["idea"].is_string());
+}
+
+#[test]
+fn an_unknown_claim_is_not_explained() {
+    let refusal = |name: &str| refused(&mut knotproof(&["explain", name]), "CLAIM");
+    assert_eq!(refusal("L3.1"), "CLAIM: there is no claim `L3.1`; there are L3.10");
+    assert!(refusal("t3.5").ends_with("there are T3.5.1, T3.5.2, T3.5.3, T3.5.4"));
+    assert!(refusal("").contains("phi.range"), "all of them");
+    knotproof(&["explain"]).assert().code(2).stdout("");
+}
+
+// All three
+
+#[test]
+fn help_has_an_example() {
+    for command in ["prove", "verify", "explain"] {
+        let (code, help) = text(&[command, "--help"]);
+        assert_eq!(code, 0);
+        assert!(help.contains("Examples:") && help.contains(&format!("  knotproof {command}")), "{help}");
+    }
+}
+
+#[test]
+fn a_closed_pipe_is_no_error() {
+    let folder = copies(&SOME);
+    let path = folder.path().to_str().unwrap();
+    for arguments in [
+        &["explain", "X.G1", "--goals"][..],
+        &["verify", path],
+        &["prove", "--claim", "P2.1.3", "--out", path],
+    ] {
+        for format in ["text", "json"] {
+            let mut child = Process::new(assert_cmd::cargo::cargo_bin("knotproof"))
+                .args(arguments)
+                .args(["--format", format])
+                .stdout(Stdio::piped())
+                .stderr(Stdio::piped())
+                .spawn()
+                .unwrap();
+            // The reader leaves before anything is written.
+            drop(child.stdout.take());
+            let output = child.wait_with_output().unwrap();
+            assert_eq!(
+                (output.status.code(), output.stderr.as_slice()),
+                (Some(0), &b""[..]),
+                "{arguments:?} {format}"
+            );
+        }
+    }
+}
