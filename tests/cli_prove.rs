@@ -129,8 +129,7 @@ fn proving_one_claim_says_nothing_of_other_files() {
 #[test]
 fn a_claim_that_is_not_stated_formally_has_no_certificate() {
     let folder = tempfile::tempdir().unwrap();
-    let (code, found) =
-        run(&["prove", "--claim", "Conj3.1.weak.continuous", "--out", folder.path().to_str().unwrap()]);
+    let (code, found) = run(&["prove", "--claim", "Rem5.1.approx", "--out", folder.path().to_str().unwrap()]);
     assert_eq!((code, &found["checked"]), (0, &json!([])));
     assert!(names(folder.path()).is_empty());
 }
@@ -211,29 +210,37 @@ fn single_files_and_folders_can_be_mixed() {
 
 #[test]
 fn a_damaged_proof_is_rejected_with_section_goal_and_rule() {
-    for (part, instead, reason) in [
+    let folder = copies(&SOME);
+    let path = |name: &str| folder.path().join(name);
+    let damages = [
         ("(goal 1 (by (weights 1)))", "(goal 1 (orders))", "section 1, goal 1, rule orders: "),
         ("(goal 2 (by", "(goal 3 (by", "section 1, goal 2: "),
         ("(section 2", "(section 3", "section 2: "),
         ("(section 9\n", "(section 9\n(lemma 1 (= 0 1) (by))", "section 9, lemma 1, rule by: "),
         ("(proof 1", "(proof 2", "proof: line 1: "),
         ("(weights 1)", "(weights x)", "proof: line "),
-    ] {
-        let folder = copies(&SOME);
-        let path = folder.path().join("P3.3.2.printed.proof");
-        edit(&path, part, instead);
-        let (code, found) = run(&["verify", folder.path().to_str().unwrap()]);
-        assert_eq!((code, found["checked"].as_array().unwrap().len()), (1, 2), "the others are checked");
-        let rejected = found["rejected"].as_array().unwrap();
-        assert_eq!(rejected.len(), 1);
-        assert_eq!(rejected[0]["file"], json!(folder.path().join("P3.3.2.printed.statement")));
-        let said = rejected[0]["reason"].as_str().unwrap();
-        assert!(said.starts_with(reason), "{instead}: {said}");
-        let (code, found) = text(&["verify", folder.path().to_str().unwrap()]);
-        assert_eq!(code, 1);
-        assert!(found.contains(&format!("P3.3.2.printed.statement: {said}\n")), "{found}");
-        assert!(found.ends_with("Accepted: 2; rejected: 1\n"), "{found}");
+    ];
+    for (number, (part, instead, _)) in damages.iter().enumerate() {
+        for extension in ["statement", "proof"] {
+            let copy = path(&format!("Z{number}.{extension}"));
+            fs::copy(path(&format!("P3.3.2.printed.{extension}")), copy).unwrap();
+        }
+        edit(&path(&format!("Z{number}.proof")), part, instead);
     }
+    let (code, found) = run(&["verify", folder.path().to_str().unwrap()]);
+    assert_eq!((code, found["checked"].as_array().unwrap().len()), (1, 3), "the others are checked");
+    let rejected = found["rejected"].as_array().unwrap();
+    assert_eq!(rejected.len(), damages.len());
+    let (code, found) = text(&["verify", folder.path().to_str().unwrap()]);
+    assert_eq!(code, 1);
+    for (number, (rejected, (_, instead, reason))) in rejected.iter().zip(damages).enumerate() {
+        let file = path(&format!("Z{number}.statement"));
+        let said = rejected["reason"].as_str().unwrap();
+        assert_eq!(rejected["file"], json!(file));
+        assert!(said.starts_with(reason), "{instead}: {said}");
+        assert!(found.contains(&format!("Rejected: {}: {said}\n", file.display())), "{found}");
+    }
+    assert!(found.ends_with("Accepted: 3; rejected: 6\n"), "{found}");
 }
 
 #[test]
@@ -249,8 +256,10 @@ fn a_false_statement_is_rejected() {
 /// What is proved need not be the claim: the program says whether it knows the statement.
 #[test]
 fn a_statement_that_is_true_and_not_the_program_s_is_accepted_as_unknown() {
-    for (name, part, instead) in [
-        // Another claim, other words, another reason, fewer goals, the sides exchanged.
+    let folder = copies(&SOME);
+    let path = |name: &str| folder.path().join(name);
+    // Another claim, another reading of it, other words, another reason; and a goal that says less.
+    let changes = [
         ("P3.3.2.printed", "(claim \"P3.3.2\")", "(claim \"P3.3.1\")"),
         ("P3.3.2.printed", "(form printed)", "(form amended)"),
         ("P3.3.2.printed", "(verdict proved)", "(verdict refuted)"),
@@ -258,14 +267,20 @@ fn a_statement_that_is_true_and_not_the_program_s_is_accepted_as_unknown() {
         ("P3.3.2.printed", "(text \"", "(text \"Not: "),
         ("P3.3.2.printed", "(because \"", "(because \"Trust me. "),
         ("T3.5.1.printed", "0)", "-1)"),
-    ] {
-        let folder = copies(&SOME);
-        let path = folder.path().join(format!("{name}.statement"));
-        edit(&path, part, instead);
-        let (code, found) = run(&["verify", folder.path().to_str().unwrap()]);
-        assert_eq!((code, found["checked"].as_array().unwrap().len()), (0, 3), "{instead}: {found}");
-        assert_eq!((&found["rejected"], &found["unknown"]), (&json!([]), &json!([path])), "{instead}");
-        let (_, found) = text(&["verify", folder.path().to_str().unwrap()]);
+    ];
+    for (number, (name, part, instead)) in changes.iter().enumerate() {
+        for extension in ["statement", "proof"] {
+            fs::copy(path(&format!("{name}.{extension}")), path(&format!("Z{number}.{extension}"))).unwrap();
+        }
+        edit(&path(&format!("Z{number}.statement")), part, instead);
+    }
+    let unknown: Vec<_> = (0..changes.len()).map(|number| path(&format!("Z{number}.statement"))).collect();
+    let (code, found) = run(&["verify", folder.path().to_str().unwrap()]);
+    assert_eq!((code, &found["rejected"], &found["unknown"]), (0, &json!([]), &json!(unknown)));
+    assert_eq!(found["checked"].as_array().unwrap().len(), SOME.len() + changes.len(), "they are accepted");
+    let (code, found) = text(&["verify", folder.path().to_str().unwrap()]);
+    assert_eq!(code, 0);
+    for path in unknown {
         let line =
             format!("Accepted, but not the program's own statement of the claim: {}\n", path.display());
         assert!(found.contains(&line), "{found}");
@@ -306,10 +321,9 @@ fn what_is_no_certificate_is_refused() {
 #[test]
 fn nonsense_is_rejected() {
     let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("a.statement");
     let good = fs::read_to_string(certs().join("P3.3.2.printed.statement")).unwrap();
     let deep = "(".repeat(100_000);
-    for statement in [
+    let statements = [
         "",
         "(",
         ")",
@@ -322,15 +336,18 @@ fn nonsense_is_rejected() {
         "é",
         &deep,
         &good,
-    ] {
-        fs::write(&path, statement).unwrap();
-        for proof in ["", "(", "(proof 1)", &deep] {
+    ];
+    let proofs = ["", "(", "(proof 1)", &deep];
+    for (i, statement) in statements.iter().enumerate() {
+        for (j, proof) in proofs.iter().enumerate() {
+            let path = folder.path().join(format!("{i}.{j}.statement"));
+            fs::write(&path, statement).unwrap();
             fs::write(path.with_extension("proof"), proof).unwrap();
-            let (code, found) = run(&["verify", path.to_str().unwrap()]);
-            assert_eq!((code, &found["checked"]), (1, &json!([])));
-            assert_eq!(found["rejected"].as_array().unwrap().len(), 1);
         }
     }
+    let (code, found) = run(&["verify", folder.path().to_str().unwrap()]);
+    assert_eq!((code, &found["checked"]), (1, &json!([])));
+    assert_eq!(found["rejected"].as_array().unwrap().len(), statements.len() * proofs.len());
 }
 
 // explain

@@ -117,3 +117,19 @@ impl fmt::Display for Proved {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_no_claim_has_any_more_is_stale() {
+        let folder = tempfile::tempdir().unwrap();
+        for name in ["A.1.printed.statement", "A.1.printed.proof", "A.1.proof", "B.statement", "notes.txt"] {
+            fs::write(folder.path().join(name), "").unwrap();
+        }
+        let known = ["A.1.printed".to_owned(), "C".to_owned()];
+        assert_eq!(stale(folder.path(), &known).unwrap(), ["A.1.proof", "B.statement"]);
+        assert!(stale(&folder.path().join("gone"), &known).is_err());
+    }
+}
