@@ -97,16 +97,28 @@ pub fn statement(
         (None, Form::Degree(k)) => formal_for_degree(claim.id, k),
         (None, form) => formal(claim.id, form == Form::Amended),
     };
-    let text = match (form, &claim.amended) {
-        (Form::Amended, Some(amended)) => amended.text(),
-        _ => claim.printed.text(),
-    };
+    let text = in_words(claim, form);
     let stated = |Formal { scope, degrees, because, sections }| {
         let sections = Sexp::parse_all(&sections)?;
-        let (claim, text, refuted) = (claim.id.to_owned(), text.to_owned(), witness.is_some());
+        let (claim, refuted) = (claim.id.to_owned(), witness.is_some());
         Ok(Statement { claim, form, refuted, scope, degrees, text, because, sections })
     };
     formal.map(stated).transpose()
+}
+
+/// The statement in words, with everything that has to be known to read it.
+fn in_words(claim: &Claim, form: Form) -> String {
+    let assuming = |form: &ClaimForm| match form.hypotheses() {
+        hypotheses if hypotheses.is_empty() => String::new(),
+        hypotheses => format!(" Assuming: {}.", hypotheses.join("; ")),
+    };
+    let printed = &claim.printed;
+    match (form, &claim.amended) {
+        (Form::Amended, Some(amended)) => {
+            format!("Printed: {} Amended: {}{}", printed.text(), amended.text(), assuming(amended))
+        }
+        _ => format!("{}{}", printed.text(), assuming(printed)),
+    }
 }
 
 /// Proves all formal statements about a claim that was judged: what is true of it, and what is false, by the witness that

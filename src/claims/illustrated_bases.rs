@@ -353,7 +353,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 close_to_classical(rational(1, 10)),
             ),
         )
-        .note("\"Close\" is our 1/10 of the largest possible value."),
+        .note("\"Close\" is our 1/10 of the largest possible value. The certificate shows that the largest deviation lies between 33/500 and 1/15."),
         Claim::new(
             "Rem5.1.conj",
             "Remark 5.1",
@@ -378,7 +378,7 @@ pub(super) fn claims() -> Vec<Claim> {
             "C6.larger",
             "Conclusion",
             Form::illustrated(
-                "The family contains the polynomial B-splines, of every knot vector, for α = ∞; and it is strictly larger: on U4 the functions for α = −1 are no piecewise polynomials.",
+                "The family contains the polynomial B-splines, of every knot vector, for α = ∞; and it is strictly larger: on U4 the function G_0² for α = −1 is no piecewise polynomial.",
                 each(&["U4"]),
                 every_basis(strictly_larger),
             ),

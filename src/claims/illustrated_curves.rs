@@ -261,7 +261,7 @@ pub(super) fn claims() -> Vec<Claim> {
             "Ill5.5.2",
             "Illustration 5.5 (2)",
             Form::illustrated(
-                "C5: the curve separates from the standard one as α → 0⁻ or α → 1⁺: |G_α(3) − G_∞(3)| grows strictly as α rises in (−∞, 0) and as it falls in (1, ∞), and tends to √8.",
+                "C5: the curve separates from the standard one as α → 0⁻ or α → 1⁺: at the parameter x = 3 the distance |G_α(x) − G_∞(x)| grows strictly as α rises in (−∞, 0) and as it falls in (1, ∞), and tends to √8.",
                 each(&["C5"]),
                 separates([TO_ZERO, TO_ONE]),
             ),
@@ -328,7 +328,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 },
             ),
         )
-        .note("Our formalisation of \"near a segment [d_i, d_{i+1}] the curve moves towards d_i for α in (−1,0) and towards d_{i+1} for α in (1,2)\"."),
+        .note("Our formalisation of \"near a segment [d_i, d_{i+1}] the curve moves towards d_i for α in (−1,0) and towards d_{i+1} for α in (1,2)\". It says nothing about distances, and read so the sentence fails: for P = (6, 2), α = −1/7, x = 7/10 the curve is near [d_1, d_2], and farther from d_1 than for α = ∞."),
         Claim::new(
             "Rem5.2",
             "Remark 5.2",

@@ -119,13 +119,12 @@ pub(super) fn claims() -> Vec<Claim> {
     let statement = |text, reading, except| {
         Form::Basis(Statement::new(text, conjecture(reading, except, 1)).given([DegreeAtLeast(1)]))
     };
-    let low_degree = |text, except| {
-        let conclusion = conjecture(Reading::Strong, except, 1);
+    let low_degree = |text, reading, except| {
+        let conclusion = conjecture(reading, except, 1);
         Form::Basis(Statement::new(text, conclusion).given([DegreeAtLeast(1), DegreeAtMost(2)]))
     };
-    const DROPS: &str = "The same for every i, unless t_{i+1} = t_{i+k+1} < t_m: then G_i^k rises to the limit 1 and drops to 0 there.";
-    const LOW_DROPS: &str = "The same for k = 1 and k = 2 and every i, unless t_{i+1} = t_{i+k+1} < t_m: then G_i^k rises to the limit 1 and drops to 0 there.";
-    const WEAK: &str = "For these cases only, and probably false: in floating point the two local maxima of G_0^3 on (0, 0, 5, 7, 8, 8, 8, 8) change their order between α = −1001/1000 and α = −1, so that somewhere in between they would be equal. That is not decided here.";
+    const LOW_DROPS: &str = "The same for k = 1 and k = 2 and every i with t_i < t_{i+k+1}, unless t_i < t_{i+1} = t_{i+k+1} < t_m: then G_i^k rises to the limit 1 and drops to 0 there.";
+    const WEAK: &str = "For these cases only, and false in general: on (0, 0, 5, 7, 8, 8, 8, 8) the two local maxima of G_0^3 change their order between α = −53/47 and α = −12/13, so that for some α in between they are equal. The engine looks at one rational α after the other and does not see that; nor is there a certificate yet.";
     const WHERE: &str = "Functions with t_i = t_{i+k+1} are 0 and left out.";
     const CONTINUOUS: &str = "Continuous is meant on (t_0, t_m). On the open support alone every function is continuous, those included that rise to a knot of multiplicity k + 1 and drop there.";
     vec![
@@ -138,7 +137,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 Except::Nothing,
             ),
         )
-        .amended(low_degree(LOW_DROPS, Except::Drops))
+        .amended(low_degree(LOW_DROPS, Reading::Strong, Except::Drops))
         .note(WHERE),
         Claim::new(
             "Conj3.1.weak",
@@ -149,7 +148,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 Except::Nothing,
             ),
         )
-        .amended(statement(DROPS, Reading::Weak, Except::Drops))
+        .amended(low_degree(LOW_DROPS, Reading::Weak, Except::Drops))
         .note(WHERE),
         Claim::new(
             "Conj3.1.strong.continuous",
@@ -160,7 +159,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 Except::Jumps,
             ),
         )
-        .amended(low_degree("The same for k = 1 and k = 2.", Except::Jumps))
+        .amended(low_degree("The same for k = 1 and k = 2, if t_i < t_{i+k+1}.", Reading::Strong, Except::Jumps))
         .note(CONTINUOUS),
         Claim::new(
             "Conj3.1.weak.continuous",

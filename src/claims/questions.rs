@@ -106,7 +106,8 @@ fn variation(case: &BasisCase, _: &mut Ledger) -> Judgement {
         return Err(Stop::Undecided("no curve was found that a line meets too often, near any knot".into()));
     };
     let heights = [integer(1), integer(0) - integer(1), integer(1)];
-    let mut c = vec![integer(0); case.n() + 1];
+    // All others −1: they add no change of sign to the polygon's, and no part of it lies in the line y = 0.
+    let mut c = vec![-integer(1); case.n() + 1];
     for column in 0..3 {
         // Cramer's rule.
         let mut replaced = rows.clone();
@@ -293,7 +294,7 @@ pub(super) fn claims() -> Vec<Claim> {
             "not in the paper",
             Form::Basis(
                 Statement::new(
-                    "Open U, no knot inside of multiplicity > k. Variation diminishing: no line in R² meets the curve more often than the control polygon.",
+                    "Open U, no knot inside of multiplicity > k. Variation diminishing: no line in R² meets the curve more often, counted by the parameter, than the control polygon.",
                     variation,
                 )
                 .given([Open, FiniteIndex, DegreeAtLeast(1), InnerMultiplicityAtMostDegree]),

@@ -406,7 +406,7 @@ pub(super) fn claims() -> Vec<Claim> {
             )),
         )
         .amended(Form::Basis(Statement::new(
-            "The same at every t_j that is not a knot inside (t_0, t_m) of multiplicity greater than k. (At such a knot some function jumps; its derivative still has limits from both sides.)",
+            "For any U, every G_i^k is left and right differentiable at every t_j inside (t_0, t_m) of multiplicity ≤ k, from the right at t_0 and from the left at t_m. (At a knot inside of multiplicity > k some function jumps; its derivative still has limits from both sides.)",
             one_sided_differentiable(false),
         )))
         .note("Differentiable from the left at x: the difference quotients with the value at x converge. At t_0 only the right side is meant, at t_m only the left one."),

@@ -63,7 +63,7 @@ const ENDS: &str = "(section (window A 0 (each s 1 k 0) some (each s 1 k any)) (
     (section (window A (- 0 k) (each s 1 k any) some (each s 1 k 0)) (goals (= (G 0 k (to A 0)) 1) \
     (each i (- 0 k) -1 (= (G i k (to A 0)) 0))))";
 
-const LIVING: &str = "By D3.3 a function is 0 on a span [t_j, t_{j+1}) unless j−k ≤ i ≤ j, and there it depends on t_{j−k+1}, …, t_{j+k} only; so one span with all the knots around it, at any distance ≥ 0, stands for every span of every knot vector.";
+const LIVING: &str = "By D3.3 a function is 0 on a span [t_j, t_{j+1}) unless j−k ≤ i ≤ j, and there it depends on t_{j−k+1}, …, t_{j+k} only; so one span with all the knots around it, at any distance ≥ 0, stands for every span of every knot vector. Near the ends of a vector, think of it as continued by any knots: a function that exists does not depend on them.";
 
 pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
     let statement = |degrees: RangeInclusive<usize>, because: &str, sections: &[&str]| {
@@ -85,10 +85,15 @@ pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
             "LIVING The sum of all k + 1 of them is 1. On a span k ≤ j ≤ n all exist. On any other span some i < 0 or i > n is among them: that function, which does not exist, would be positive, so that the sum of the others is less than 1.",
             &[SUM_IS_ONE, POSITIVE_INSIDE],
         ),
-        ("T3.5.4", true) | ("P4.3", true) => statement(
+        ("T3.5.4", true) => statement(
             0..=8,
-            "LIVING B is A in reverse. The reflection takes the span to the mirrored one, the coordinate u to 1/u, G_i to G_{n−i}, and to pass from α to 1 − α is to pass from r to 1/r. At a knot of multiplicity ≤ k the functions are continuous, at t_0 and t_m the limits count, so the equality holds at the knots too. At a knot inside of multiplicity > k some function is 1 while its mirror image is 0. For curves: the reflection exchanges d_i and d_{n−i}.",
+            "LIVING B is A in reverse. The reflection takes the span to the mirrored one, the coordinate u to 1/u, G_i to G_{n−i}, and to pass from α to 1 − α is to pass from r to 1/r. At a knot of multiplicity ≤ k the functions are continuous, at t_0 and t_m the limits count, so the equality holds at the knots too. At a knot inside of multiplicity > k some function is 1 from there on, while its mirror image is 0 there and beyond.",
             &[MIRRORED, CONTINUITY, UNSYMMETRIC],
+        ),
+        ("P4.3", true) => statement(
+            0..=8,
+            "LIVING B is A in reverse. The reflection takes the span to the mirrored one, the coordinate u to 1/u, G_i to G_{n−i}, and to pass from α to 1 − α is to pass from r to 1/r. At a knot of multiplicity ≤ k the functions are continuous, at t_0 and t_m the limits count, so the equality holds at the knots too. At a knot inside of multiplicity > k some function is 1 from there on, while its mirror image is 0 there and beyond. For curves on an open U: the sum of the functions is 1 on [t_0, t_m], so that the reflection, an affine map, takes Σ d_i G_i to Σ d_{n−i} G_i. Where a function differs from its mirror image, so do the curves for some symmetric polygon on a line.",
+            &[MIRRORED, CONTINUITY, UNSYMMETRIC, SUM_IS_ONE],
         ),
         ("L3.6", false) => statement(
             1..=8,

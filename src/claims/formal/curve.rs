@@ -31,7 +31,7 @@ pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
         ),
         ("P4.1.4", false) => statement(
             0..=8,
-            "Coordinate by coordinate, an affine map adds up multiples c_j of the coordinates and a constant e; by linearity it is enough to look at one coordinate d with d ↦ c·d + e.",
+            "U is open, so that all k + 1 functions of a span exist, and their sum is 1. Coordinate by coordinate, an affine map adds up multiples c_j of the coordinates and a constant e; by linearity it is enough to look at one coordinate d with d ↦ c·d + e.",
             &[&format!(
                 "(section (real c e (each i (- 0 k) 0 (d i))) {SPAN} (goals (each p 0 0 (= \
                  (+ (each i (- 0 k) 0 (* (+ (* c (d i)) e) (G i k (in A 0))))) \

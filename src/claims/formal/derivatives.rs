@@ -195,7 +195,7 @@ pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
         ),
         ("T3.11.2", true) => statement(
             1..=8,
-            "On the closed span every function is a quotient of polynomials whose denominator does not vanish, so its derivative has limits at both ends. At a knot of multiplicity ≤ k the function is continuous (second section), at t_0 and t_m the limit is the value: there the limits are the one-sided derivatives.",
+            "On the closed span every function is a quotient of polynomials whose denominator does not vanish, so its derivative has limits at both ends. At a knot of multiplicity ≤ k the function is continuous (second section), at t_0 and t_m the limit is the value: there the limits are the one-sided derivatives. That some function jumps at a knot inside of multiplicity > k is in T3.5.4.",
             &[
                 "(section (window A (- 0 k) (each s (- 0 k) -1 any) some (each s 1 k any)) (goals (each i (- 0 k) 0 (defined (DG i k (from A 0))) (defined (DG i k (to A 0))))))",
                 CONTINUITY,

@@ -8,7 +8,7 @@ use super::Formal;
 use super::example::{Example, of_degree};
 use super::place::Place;
 
-/// |G_i − the same for ∞| ≤ 1/15 on every span.
+/// |G_i − the same for ∞| < 1/15 on every closed span.
 fn near(on: &Example<'_>) -> String {
     let mut goals = String::new();
     for span in on.spans() {

@@ -138,7 +138,7 @@ pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
         ("Ill5.7.local", true) => statement(
             &[3],
             &format!(
-                "{ALPHA} The curves differ by a multiple of G_4, which is 0 on (0, 1) and positive on the three spans after it; at t_8 = t_m its limit is 0, and that of G_6 is 1. The knots are the same for the three curves."
+                "{ALPHA} The curves differ by a multiple of G_4, which is 0 on (0, 1] and positive on the three spans after it and at the knots between them; at t_8 = t_m its limit is 0, and that of G_6 is 1. The knots are the same for the three curves."
             ),
             sections(&all(&["C7a"]), "", |on| {
                 let mut goals: String = on
@@ -151,6 +151,9 @@ pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
                 if let Some(last) = on.spans().last() {
                     let (moved, end) = (on.function(4, Place::end(*last)), on.function(6, Place::end(*last)));
                     let _ = write!(goals, "(= {moved} 0) (= {end} 1)");
+                }
+                for (compare, span) in [('=', 4), ('>', 5), ('>', 6)] {
+                    let _ = write!(goals, "({compare} {} 0)", on.function(4, Place::start(span)));
                 }
                 goals
             }),

@@ -1,7 +1,7 @@
 //! The claims once more, in the formal language of certificates (`proofs/FORMAT.md`).
 //!
-//! A claim in words is judged by its conclusion on finitely many cases. Here is what is to be proved of it for every
-//! α, or for every knot vector and every α: goals about a window on a knot vector, and the reason why they are the
+//! A claim in words is judged by its conclusion on finitely many cases. Here is what is to be proved of it, for every
+//! knot vector and every α, or for every α, or of a witness that refutes it: goals about a window on a knot vector, and the reason why they are the
 //! claim. Nothing here proves anything: a prover looks for proofs of the goals, and a checker that knows neither
 //! reads them.
 

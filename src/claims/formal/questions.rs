@@ -45,7 +45,7 @@ fn minors_2() -> String {
     let all = [0, 1, 2];
     let triple = format!("(> (det {} {} {}) 0)", row(&all, 0), row(&all, 1), row(&all, 2));
     let at_ends = "(> (G -2 2 (from A 0)) 0) (>= (G -1 2 (from A 0)) 0) (= (+ (G -2 2 (from A 0)) (G -1 2 (from A 0))) 1) \
-        (> (G 0 2 (to A 0)) 0) (>= (G -1 2 (to A 0)) 0) (= (+ (G -1 2 (to A 0)) (G 0 2 (to A 0))) 1)";
+        (> (G 0 2 (to A 0)) 0) (>= (G -1 2 (to A 0)) 0) (= (+ (G -1 2 (to A 0)) (G 0 2 (to A 0))) 1) (= (G 0 2 (from A 0)) 0) (= (G -2 2 (to A 0)) 0)";
     format!(
         "(section (positive s p) (window A -2 any any some any any) (goals (> {} 0) (> {} 0) (> {} 0) {} {triple} {at_ends}))",
         beta(0, 0),
@@ -115,15 +115,15 @@ pub(super) fn formal_for_all(question: &str, amended: bool) -> Option<Formal> {
 pub(super) fn formal(question: &str, k: usize) -> Option<Formal> {
     let statement = |because: &str, sections: &[&str]| Some(Formal::on_all_knots(k..=k, because, sections));
     const BLOCKS_1: &str = "On a span, the two functions that live there have positive minors of order 2 at any two points, and at its ends one of them is 1. So a collocation matrix is a chain of blocks with two columns, of which two that follow each other have one column in common or none; by Laplace expansion along the rows of a block a minor is a product of minors of blocks, or 0.";
-    const BLOCKS_2: &str = "On a span let b_j and b_{j+1} be the points of the curve at its ends: b_j = G_{j−2}(t_j)·d_{j−2} + G_{j−1}(t_j)·d_{j−1} and b_{j+1} likewise, convex combinations of neighbours; in terms of b_j, d_{j−1}, b_{j+1} the curve has the factors β_0 = G_{j−2}/G_{j−2}(t_j), β_2 = G_j/G_j(t_{j+1}) and β_1 = 1 − β_0 − β_2. These are positive, and all their minors of order 2 and 3 at increasing points are. At the ends only one of them is not 0. So the collocation matrix is a product: a chain of blocks with three columns, of which two that follow each other share the column of a b (by Laplace expansion its minors are products of minors of blocks, or 0), times the matrix that makes the b and d from the d, each row with one or two neighbouring entries ≥ 0, moving to the right (its minors are ≥ 0 likewise). By the formula of Cauchy and Binet all minors of the product are ≥ 0. At a knot of multiplicity ≥ 3 the matrix falls apart in two.";
-    const VARIATION: &str = "A totally non-negative matrix does not increase the number of sign changes (Schoenberg, 1930), and the functions have the sum 1, so that a line meets the curve no more often than the polygon. Total positivity: ";
+    const BLOCKS_2: &str = "On a span let b_j and b_{j+1} be the points of the curve at its ends: b_j = G_{j−2}(t_j)·d_{j−2} + G_{j−1}(t_j)·d_{j−1} and b_{j+1} likewise, convex combinations of neighbours; in terms of b_j, d_{j−1}, b_{j+1} the curve has the factors β_0 = G_{j−2}/G_{j−2}(t_j), β_2 = G_j/G_j(t_{j+1}) and β_1 = 1 − β_0 − β_2. These are positive, and all their minors of order 2 and 3 at increasing points are. At the ends only one of them is not 0. So the collocation matrix is a product: a chain of blocks with three columns, of which two that follow each other share the column of a b (by Laplace expansion its minors are products of minors of blocks, or 0), times the matrix that makes the b and d from the d, in which a row b_j has two neighbouring entries ≥ 0, a row d_i the entry 1, and two rows b that follow each other are one column apart at a simple knot, while at a double knot b is one of the d (so its minors are ≥ 0 likewise). By the formula of Cauchy and Binet all minors of the product are ≥ 0. At a knot of multiplicity ≥ 3 the matrix falls apart in two.";
+    const VARIATION: &str = "A totally non-negative matrix does not increase the number of sign changes (Schoenberg, 1930), and the functions have the sum 1, so that this holds for the c_i less a small ε, and plus one, as well: the crossings of the line and, twice each, the points where the curve touches it from one side are no more than those of the polygon. If two consecutive control points lie on the line, the polygon meets it infinitely often. A function that is 0 everywhere is left out with its control point. Total positivity: ";
     match (question, k) {
         ("X.G1", 2) => statement(
             "The index −1 stands for the function with its second knot at the simple knot t_0. The two one-sided derivatives of every function are proportional to those of G_{−1}, whose product is positive: so the derivatives of every curve from the two sides are positive multiples of each other.",
             &[TANGENTS],
         ),
         ("X.totalpositivity", 1) => statement(BLOCKS_1, &[MINORS_1]),
-        ("X.totalpositivity", 2) => statement(BLOCKS_2, &[&minors_2()]),
+        ("X.totalpositivity", 2) => statement(BLOCKS_2, &[&minors_2(), SUM_IS_ONE]),
         ("X.variation", 1) => statement(&(VARIATION.to_owned() + BLOCKS_1), &[MINORS_1, SUM_IS_ONE]),
         ("X.variation", 2) => statement(&(VARIATION.to_owned() + BLOCKS_2), &[&minors_2(), SUM_IS_ONE]),
         ("X.nurbs", 1..=6) => statement(NURBS, &[LINEAR_FACTORS, &poles(k)]),

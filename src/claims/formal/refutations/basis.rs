@@ -32,13 +32,21 @@ pub(super) fn refutation(claim: &str, found: &Found<'_>) -> Refuted {
         }
         "T3.5.4" | "P4.3" => {
             let (x, i) = (x()?, i()?);
-            let left = found.value(&knots.mirror(&x), Side::Right, i)?;
-            let right = found.value(&x, Side::Right, n - i)?;
-            let right = format!("(at ((r (/ 1 r))) {right})");
-            (
-                "Left and right side of the claim for i at x, with 1/r for the index 1 − α.",
-                found.section(&differ(&left, &right)),
-            )
+            let difference = |i: usize| {
+                let left = found.value(&knots.mirror(&x), Side::Right, i)?;
+                let right = found.value(&x, Side::Right, n - i)?;
+                Some(format!("(- {left} (at ((r (/ 1 r))) {right}))"))
+            };
+            match claim {
+                "T3.5.4" => (
+                    "Left and right side of the claim for i at x, with 1/r for the index 1 − α, differ.",
+                    found.section(&differ(&difference(i)?, "0")),
+                ),
+                _ => (
+                    "The differences of the left and the right side of T3.5.4, for i and for n − i, are not the same. Take a polygon on a line, with d_{n−i} = −d_i = 1 and all other d = 0: it is symmetric, and the curve for 1 − α at x and the mirror image of the curve for α differ by the difference of these.",
+                    found.section(&differ(&difference(i)?, &difference(n - i)?)),
+                ),
+            }
         }
         "P3.1.3" | "P4.2.1" => {
             let (x, i) = (x()?, i()?);

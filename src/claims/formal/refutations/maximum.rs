@@ -40,7 +40,7 @@ fn rises_and_drops(found: &Found<'_>, i: usize) -> Refuted {
     ))
 }
 
-/// A knot where the continuous function falls before and rises after, while it is positive there and 0 at both ends.
+/// A knot where the continuous function falls before and rises after.
 fn two_maxima(found: &Found<'_>, i: usize) -> Refuted {
     let knots = found.knots();
     let slope = |x: &BigRational, side| found.basis.jets(x, side, 1)[i].coefficients()[1].clone();
@@ -59,7 +59,7 @@ fn two_maxima(found: &Found<'_>, i: usize) -> Refuted {
         let _ = write!(goals, "(= {} {})", value(Side::Left)?, value(Side::Right)?);
     }
     Some((
-        "The function is continuous, positive at the knot where it falls from the left and rises to the right, and it tends to 0 at the ends of its support or has its limits there: so there is a local maximum on either side of that knot.",
+        "The function is continuous, and positive at a knot where it falls from the left and rises to the right: on the part of its support on either side it is largest elsewhere than at that knot, which makes two local maxima.",
         found.section(&goals),
     ))
 }
