@@ -39,10 +39,28 @@ fn has_shape_of_finding(finding: &Value) {
     let has = |field: &str| finding.get(field).is_some();
     assert!(finding["statement"].is_string());
     match finding["status"].as_str().unwrap() {
-        "proved" => assert!(finding["scope"] == "instance" && !has("witness"), "{finding}"),
-        "refuted" => assert!(has("witness") && !has("scope"), "{finding}"),
+        "proved" => {
+            assert!(!has("witness") && !has("reason"), "{finding}");
+            // The widest scope: with a formal proof for every knot vector, else for this one.
+            if has("certificate") {
+                assert!(finding["certificate"].is_string() && finding["scope"] == "knots", "{finding}");
+                // What the engine leaves open here is settled by the proof alone.
+                let by = [json!(["engine", "prover", "checker"]), json!(["prover", "checker"])];
+                assert!(by.contains(&finding["checked_by"]), "{finding}");
+            } else {
+                assert_eq!(
+                    (&finding["scope"], &finding["checked_by"]),
+                    (&json!("instance"), &json!(["engine"]))
+                );
+            }
+        }
+        "refuted" => {
+            assert!(has("witness") && !has("scope") && !has("certificate"), "{finding}");
+            assert_eq!(finding["checked_by"], json!(["engine"]));
+        }
         "undecided" | "not-applicable" => {
             assert!(finding["reason"].is_string() && !has("scope") && !has("witness"), "{finding}");
+            assert!(!has("certificate"), "{finding}");
         }
         other => panic!("no such status: {other}"),
     }
@@ -96,9 +114,10 @@ fn all_fields_are_there() {
                 "amended": {
                     "statement": "For t_j < t_{j+1}: Σ_{i=0}^n G_i^k = 1 on [t_j, t_{j+1}) if and only if k ≤ j ≤ n, that is on [t_k, t_{n+1}); and there it is Σ_{i=j−k}^j G_i^k.",
                     "status": "proved",
-                    "scope": "instance",
+                    "scope": "knots",
                     "degrees": [1],
-                    "checked_by": ["engine"],
+                    "certificate": "T3.5.3.amended",
+                    "checked_by": ["engine", "prover", "checker"],
                 },
             },
             {
@@ -106,9 +125,10 @@ fn all_fields_are_there() {
                 "alpha": "-1",
                 "statement": "Every G_i^k is piecewise rational.",
                 "status": "proved",
-                "scope": "instance",
+                "scope": "knots",
                 "degrees": [1],
-                "checked_by": ["engine"],
+                "certificate": "P3.1.1.printed",
+                "checked_by": ["engine", "prover", "checker"],
             },
         ],
     });
@@ -145,7 +165,9 @@ fn without_a_choice_every_claim_about_instances_in_general_is_judged() {
 
 #[test]
 fn exit_codes() {
-    let on = |options: &[&str]| check(&[&["--instance", "U4", "--alpha", "-1"], options].concat()).0;
+    // In degree 3 nothing is known of X.variation without interior knots.
+    let instance = ["--degree", "3", "--knots", "0 0 0 0 1 1 1 1", "--alpha", "-1"];
+    let on = |options: &[&str]| check(&[&instance, options].concat()).0;
     assert_eq!(on(&["--property", "T3.5.3"]), 0);
     assert_eq!(on(&["--property", "T3.5.1"]), 1);
     assert_eq!(on(&["--property", "X.variation"]), 3);
@@ -208,7 +230,7 @@ fn an_unknown_scope_is_refused() {
     );
 }
 
-/// What is proved here is proved for one α: whoever asks for every α is not told "proved".
+/// What is refuted in general and holds here is proved for one α: whoever asks for every α is not told "proved".
 #[test]
 fn a_proof_that_reaches_less_far_than_asked_for_is_undecided() {
     let on = |scope| check(&["--instance", "U4", "--alpha", "-1", "--property", "T3.5.3", "--scope", scope]);
@@ -226,7 +248,40 @@ fn a_proof_that_reaches_less_far_than_asked_for_is_undecided() {
     let options = ["--instance", "U4", "--alpha", "-1", "--property", "T3.5.1", "--scope", "degree"];
     let (code, found) = check(&options);
     assert_eq!((code, statuses(&found)), (1, vec![("T3.5.1", "refuted")]));
-    assert_eq!(found["properties"][0]["amended"]["status"], "undecided");
+    let amended = &found["properties"][0]["amended"];
+    assert_eq!(amended["status"], "undecided");
+    assert_eq!(amended["reason"], "proved at scope knots only, and degree was asked for");
+}
+
+/// `--scope knots` is met by the claims that are proved formally, as printed or as amended, and by no others.
+#[test]
+fn a_formal_proof_reaches_every_knot_vector() {
+    let claims = ["T3.5.1", "T3.5.2", "T3.5.3", "Conj3.1.weak.continuous"];
+    let mut arguments = vec!["--instance", "U4", "--alpha", "-1", "--scope", "knots"];
+    arguments.extend(claims.iter().flat_map(|claim| ["--property", claim]));
+    let (code, found) = check(&arguments);
+    let expected = [
+        ("T3.5.1", "refuted"),
+        ("T3.5.2", "proved"),
+        // Refuted in general; true on an open vector.
+        ("T3.5.3", "undecided"),
+        // Settled by cases only.
+        ("Conj3.1.weak.continuous", "undecided"),
+    ];
+    assert_eq!((code, statuses(&found)), (1, expected.to_vec()));
+    let [support, positive, unity, weak] = properties(&found) else { panic!("four claims: {found}") };
+    for (finding, certificate) in [(&support["amended"], "T3.5.1.amended"), (positive, "T3.5.2.printed")] {
+        assert_eq!((&finding["status"], &finding["scope"]), (&json!("proved"), &json!("knots")));
+        assert_eq!((&finding["degrees"], &finding["certificate"]), (&json!([2]), &json!(certificate)));
+        assert_eq!(finding["checked_by"], json!(["engine", "prover", "checker"]));
+    }
+    for finding in [unity, weak] {
+        assert_eq!(finding["reason"], "proved at scope instance only, and knots was asked for");
+    }
+    assert_eq!(
+        check(&["--instance", "U4", "--alpha", "-1", "--scope", "knots", "--property", "T3.5.2"]).0,
+        0
+    );
 }
 
 #[test]
@@ -383,7 +438,7 @@ fn the_text_has_a_line_for_each_claim() {
         assert!(lines.iter().any(|words| line(&words)), "{id} {status} in {text}");
     }
     assert_eq!(text.matches("for every x:").count(), 2, "one part for each index");
-    let widths = text.lines().filter(|line| line.contains(" proved (instance)") && !line.contains("amended"));
+    let widths = text.lines().filter(|line| line.contains(" proved (") && !line.contains("amended"));
     let widths: Vec<_> = widths.map(|line| line.find("proved").unwrap()).collect();
     assert!(widths.windows(2).all(|pair| pair[0] == pair[1]), "the verdicts stand below each other: {text}");
     let counts = text.lines().last().unwrap();
@@ -402,11 +457,16 @@ fn the_text_shows_the_witness_and_the_limit() {
     };
     let refuted = text("T3.5.3");
     for part in
-        ["at j = 2, x = 3/2: it says Σ G_i^1(3/2) = 1; but the sum is 2/3", "amended: proved (instance)"]
+        ["at j = 2, x = 3/2: it says Σ G_i^1(3/2) = 1; but the sum is 2/3", "amended: proved (knots, k = 1) "]
     {
         assert!(refuted.contains(part), "{part} in {refuted}");
     }
-    assert!(text("X.totalpositivity").contains("undecided: no negative minor"), "the limit is named");
+    assert!(text("X.totalpositivity").contains("X.totalpositivity          proved (knots, k = 1)\n"));
+    // From degree 3 on it is refuted in general, and open on these knots.
+    let options = ["check", "--degree", "3", "--knots", "0 0 0 0 1 1 1 1", "--alpha", "-1", "--property"];
+    let output = knotproof(&[&options[..], &["X.totalpositivity"]].concat()).output().unwrap();
+    let limited = String::from_utf8(output.stdout).unwrap();
+    assert!(limited.contains("undecided: no negative minor"), "the limit is named: {limited}");
 }
 
 #[test]

@@ -118,8 +118,14 @@ fn the_text_has_a_row_for_each_claim_and_the_counts() {
         let row = text.lines().find(|line| line.trim_start().starts_with(id)).unwrap();
         row.split_whitespace().collect::<Vec<_>>().join(" ")
     };
-    assert_eq!(row("P2.1.3"), "P2.1.3 Proposition 2.1 (3) refuted proved (knots)");
-    assert_eq!(row("R2.2.1"), "R2.2.1 Remark 2.2 (1) proved (knots)");
+    assert_eq!(row("claim"), "claim where as printed as amended certificate checked by");
+    // The certificate is that of the statement that stands.
+    let checked_by = "engine, prover, checker";
+    assert_eq!(
+        row("P2.1.3"),
+        format!("P2.1.3 Proposition 2.1 (3) refuted proved (knots) P2.1.3.amended {checked_by}")
+    );
+    assert_eq!(row("R2.2.1"), format!("R2.2.1 Remark 2.2 (1) proved (knots) R2.2.1.printed {checked_by}"));
     for part in
         ["As printed: 1 proved, 1 refuted.", "As amended, where refuted: 1 proved.", "f64 against exact: "]
     {
