@@ -107,6 +107,54 @@ fn every_status_says_what_it_has_to() {
     }
 }
 
+/// A verdict about all α or all knots rests on a certificate; one about the cases that were tried, on the engine.
+#[test]
+fn every_verdict_says_who_came_to_it() {
+    let mut certified = 0;
+    for (name, finding) in all_findings() {
+        let by: Vec<_> = finding.checked_by.iter().map(String::as_str).collect();
+        let expected: &[&[&str]] =
+            match (finding.status.as_str(), &finding.certificate, finding.scope.as_deref()) {
+                ("proved", None, Some("instance")) | ("refuted", None, None) => &[&["engine"]],
+                ("refuted", Some(_), None) => &[&["engine", "prover", "checker"]],
+                // What no finite number of cases settles may have a proof all the same.
+                ("proved", Some(_), Some("knots" | "alpha")) => {
+                    &[&["engine", "prover", "checker"], &["prover", "checker"]]
+                }
+                ("undecided" | "not-formal", None, None) => &[&[]],
+                other => panic!("{name}: {other:?}"),
+            };
+        assert!(expected.contains(&by.as_slice()), "{name}: {by:?}");
+        certified += usize::from(finding.certificate.is_some());
+    }
+    assert!(certified > 130, "only {certified} certificates");
+}
+
+/// The certificates of a report are those in proofs/certs, and each is about the finding that names it.
+#[test]
+fn every_certificate_of_the_report_is_there() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("proofs/certs");
+    let mut named = BTreeSet::new();
+    for record in &REPORT.claims {
+        for (name, finding) in findings(record) {
+            let Some(certificate) = &finding.certificate else { continue };
+            assert!(named.insert(certificate.clone()), "{certificate} is named twice");
+            assert!(certificate.starts_with(&format!("{}.", record.id)), "{name}: {certificate}");
+            let text =
+                fs::read_to_string(folder.join(format!("{certificate}.statement"))).expect("it is there");
+            let proof = fs::read_to_string(folder.join(format!("{certificate}.proof"))).expect("it is there");
+            let checked = knotproof_checker::check(&text, &proof).expect("it is accepted");
+            assert_eq!((&checked.claim, &checked.verdict), (&record.id, &finding.status), "{name}");
+            if finding.status == "proved" {
+                assert_eq!(Some(&checked.scope), finding.scope.as_ref(), "{name}");
+                let about_weight = finding.degrees.is_empty();
+                assert!(about_weight || checked.degrees == finding.degrees, "{name}");
+            }
+        }
+    }
+    assert_eq!(fs::read_dir(folder).expect("it is a folder").count(), 2 * named.len());
+}
+
 #[test]
 fn every_proof_says_on_how_much_it_rests() {
     for record in &REPORT.claims {
@@ -203,6 +251,16 @@ fn the_table_in_the_readme_is_the_recorded_one() {
     assert!(readme == expected, "the table is out of date: run `cargo run --release -- report --record`");
     for id in IDS {
         assert_eq!(readme.matches(&format!("| `{id}` |")).count(), 1, "{id}");
+    }
+    // What the table says of a claim is its verdict with its scope.
+    for (row, entry) in readme.lines().filter(|line| line.starts_with("| `")).zip(&recorded.claims) {
+        let said = |finding: &Finding| match &finding.scope {
+            Some(scope) => format!("{} ({scope})", finding.status),
+            None => finding.status.clone(),
+        };
+        let amended = entry.amended.as_ref().map(said).unwrap_or_default();
+        let verdicts = format!(" {} | {amended} |", said(&entry.as_printed));
+        assert!(row.ends_with(&verdicts), "{row}: {verdicts}");
     }
 }
 
