@@ -118,7 +118,7 @@ fn every_verdict_says_who_came_to_it() {
                 ("proved", None, Some("instance")) | ("refuted", None, None) => &[&["engine"]],
                 ("refuted", Some(_), None) => &[&["engine", "prover", "checker"]],
                 // What no finite number of cases settles may have a proof all the same.
-                ("proved", Some(_), Some("knots" | "alpha")) => {
+                ("proved", Some(_), Some("knots" | "alpha" | "instance")) => {
                     &[&["engine", "prover", "checker"], &["prover", "checker"]]
                 }
                 ("undecided" | "not-formal", None, None) => &[&[]],
@@ -252,15 +252,20 @@ fn the_table_in_the_readme_is_the_recorded_one() {
     for id in IDS {
         assert_eq!(readme.matches(&format!("| `{id}` |")).count(), 1, "{id}");
     }
-    // What the table says of a claim is its verdict with its scope.
+    // What the table says of a claim is its verdict with its reach, and where the certificates are.
     for (row, entry) in readme.lines().filter(|line| line.starts_with("| `")).zip(&recorded.claims) {
-        let said = |finding: &Finding| match &finding.scope {
-            Some(scope) => format!("{} ({scope})", finding.status),
+        let said = |finding: &Finding| match finding.reach() {
+            Some(reach) => format!("{} ({reach})", finding.status),
             None => finding.status.clone(),
         };
         let amended = entry.amended.as_ref().map(said).unwrap_or_default();
-        let verdicts = format!(" {} | {amended} |", said(&entry.as_printed));
-        assert!(row.ends_with(&verdicts), "{row}: {verdicts}");
+        assert!(row.contains(&format!(" {} | {amended} |", said(&entry.as_printed))), "{row}");
+        let degrees = entry.by_degree.iter().map(|of| &of.finding);
+        let all = std::iter::once(&entry.as_printed).chain(&entry.amended).chain(degrees);
+        for certificate in all.filter_map(|finding| finding.certificate.as_ref()) {
+            let link = format!("(proofs/certs/{certificate}.statement)");
+            assert!(row.contains(&link), "{row}: {link}");
+        }
     }
 }
 
