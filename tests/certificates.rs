@@ -1,7 +1,7 @@
 //! Formal statements, their proofs and the checker, without the engine: the statements are those of the recorded
 //! verdicts.
 
-#![allow(clippy::unwrap_used, reason = "helpers of tests")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
 
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::fs;
