@@ -265,7 +265,7 @@ fn a_statement_that_is_true_and_not_the_program_s_is_accepted_as_unknown() {
         ("P3.3.2.printed", "(form printed)", "(form amended)"),
         ("P3.3.2.printed", "(verdict proved)", "(verdict refuted)"),
         ("P3.3.2.printed", "(scope knots)", "(scope alpha)"),
-        ("P3.3.2.printed", "(text \"", "(text \"Not: "),
+        ("P3.3.2.printed", "Open U", "Not: open U"),
         ("P3.3.2.printed", "(because \"", "(because \"Trust me. "),
         ("T3.5.1.printed", "0)", "-1)"),
     ];
