@@ -224,10 +224,6 @@ impl fmt::Display for Check {
             if let Some(amended) = &property.amended {
                 writeln!(f, "      amended: {} {}", styled(&amended.finding), amended.statement)?;
             }
-            if let (Some(reason), "undecided") = (&property.finding.reason, property.finding.status.as_str())
-            {
-                writeln!(f, "      {reason}")?;
-            }
         }
         let tally: Tally = self.properties.iter().map(|property| &property.finding).collect();
         write!(f, "\n{tally}")
