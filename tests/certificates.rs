@@ -9,8 +9,8 @@ use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
 use knotproof::certificate::{
-    Certificate, EvaluationError, Evaluator, Form, Formula, GoalError, ProofError, Section, Sexp, Statement,
-    StatementError, Unfolding, prove, statement,
+    Certificate, Class, EvaluationError, Evaluator, Form, Formula, GoalError, ProofError, Section, Sexp,
+    Statement, StatementError, Unfolding, prove, statement,
 };
 use knotproof::claims::{Scope, claims};
 use knotproof::report::{Baseline, Finding};
@@ -924,6 +924,39 @@ fn arithmetic_terms_have_their_values() {
             HashMap::from([(a, integer(5)), (b, rational(2, 3)), (u, integer(7)), (at("r"), integer(3))]);
         let found = evaluator.term(left).unwrap_or_else(|error| panic!("{term}: {error}"));
         assert_eq!(found.evaluate(&value, |v| numbers[&v].clone()), Some(value), "{term}");
+    }
+}
+
+/// What the coefficients and the signs of the parameters show, and no more.
+#[test]
+fn signs_are_read_from_the_coefficients() {
+    use Class::{Nonnegative, Positive, Real};
+    for (term, sign) in [
+        ("a", Positive),
+        ("b", Nonnegative),
+        ("c", Real),
+        ("0", Nonnegative),
+        ("3", Positive),
+        ("-3", Real),
+        ("(+ a b)", Positive),
+        ("(* a b)", Nonnegative),
+        ("(+ b (* a b))", Nonnegative),
+        ("(+ 1 b)", Positive),
+        ("(+ a c)", Real),
+        ("(^ c 2)", Real),
+        ("(- a b)", Real),
+        ("(/ b (+ 1 a))", Nonnegative),
+        ("(/ (- a) (- (- 1) a))", Positive),
+        ("(* u r)", Positive),
+        ("(t A 1)", Positive),
+        ("(t A 2)", Positive),
+        ("(- (t A 2) (t A 1))", Nonnegative),
+    ] {
+        let declarations = "(real c) (nonnegative b) (positive a) (window A 0 some any)";
+        let sections = about(&[1], declarations, &format!("(= {term} 0)")).expand().unwrap();
+        let evaluator = Evaluator::new(&sections[0], Unfolding::default()).unwrap();
+        let Formula::Equal(left, _) = &sections[0].goals[0] else { panic!("an equation") };
+        assert_eq!(evaluator.class_of(&evaluator.term(left).unwrap()), sign, "{term}");
     }
 }
 
