@@ -5,12 +5,14 @@
 //! | [`BigRational`] | exact ordered field | the exact value at a point |
 //! | `f64` | field up to rounding | the value that a CAD program would get |
 //! | [`Jet`] over any scalar | algebra | one-sided derivatives of any order |
+//! | [`BigInt`](num_bigint::BigInt) | ring | numerators without a single division |
 //! | [`Polynomial`] | ring | identities in weights that are polynomials |
 //! | [`Multivariate`] | ring | identities over the integers in many variables, of [`Monomial`]s: ratio, gaps, weights |
 //! | [`RationalFunction`] | exact field | the piece itself: a statement about every x of a span |
 //! | [`Quotient`] | exact field | the same for every ratio, or all gaps, at once: denominators stay factored |
 
 pub mod axioms;
+mod big_integer;
 mod decimal;
 mod factors;
 mod float;

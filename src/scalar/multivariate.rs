@@ -6,7 +6,7 @@ use std::fmt;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
+use num_traits::{One, Signed};
 
 use super::monomial::Monomial;
 use super::product::{Terms, degrees, merged, product};
@@ -65,9 +65,9 @@ impl Multivariate {
     pub fn from_terms(terms: impl IntoIterator<Item = (Monomial, BigInt)>) -> Self {
         let mut sums = BTreeMap::new();
         for (m, c) in terms {
-            *sums.entry(m).or_insert_with(BigInt::zero) += c;
+            *sums.entry(m).or_insert(BigInt::ZERO) += c;
         }
-        Self { terms: sums.into_iter().rev().filter(|(_, c)| !c.is_zero()).collect() }
+        Self { terms: sums.into_iter().rev().filter(|(_, c)| *c != BigInt::ZERO).collect() }
     }
 
     /// The terms by falling monomial, coefficients other than 0; none for 0.
@@ -93,7 +93,7 @@ impl Multivariate {
     #[must_use]
     pub fn as_constant(&self) -> Option<BigInt> {
         match self.terms.as_slice() {
-            [] => Some(BigInt::zero()),
+            [] => Some(BigInt::ZERO),
             [(Monomial::ONE, c)] => Some(c.clone()),
             _ => None,
         }
@@ -160,7 +160,7 @@ impl Multivariate {
     /// The greatest common divisor of the coefficients: positive, and 0 for 0 alone.
     #[must_use]
     pub fn content(&self) -> BigInt {
-        self.common_divisor(BigInt::zero())
+        self.common_divisor(BigInt::ZERO)
     }
 
     /// gcd of `with` ≥ 0 and all coefficients.
@@ -239,14 +239,14 @@ impl Multivariate {
             let m = m.divided_by(leading)?;
             bound.divided_by(&m)?;
             let (d, rest) = d.div_rem(c);
-            if !rest.is_zero() {
+            if rest != BigInt::ZERO {
                 return None;
             }
             for (n, e) in divisor.terms.iter().skip(1) {
                 let at = m.times(n);
                 let sum = remainder.entry(at).or_default();
                 *sum -= &d * e;
-                if sum.is_zero() {
+                if *sum == BigInt::ZERO {
                     remainder.remove(&at);
                 }
             }
@@ -305,7 +305,7 @@ impl Multivariate {
 /// The monomial with coefficient 1.
 impl From<Monomial> for Multivariate {
     fn from(m: Monomial) -> Self {
-        Self { terms: vec![(m, BigInt::one())] }
+        Self { terms: vec![(m, BigInt::from(1))] }
     }
 }
 

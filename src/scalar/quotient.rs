@@ -3,7 +3,6 @@
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::One;
 
 use super::factors::{Factors, as_variable, combined, expanded, factored};
 use super::monomial::Monomial;
@@ -55,7 +54,7 @@ impl Quotient {
     /// The polynomial N as N/1.
     #[must_use]
     pub fn from_polynomial(numerator: Multivariate) -> Self {
-        Self { numerator, divisor: BigInt::one(), factors: Vec::new() }
+        Self { numerator, divisor: BigInt::from(1), factors: Vec::new() }
     }
 
     /// The constant function.
@@ -154,7 +153,7 @@ impl Quotient {
     /// As [`Multivariate::substitute`] does.
     #[must_use]
     pub fn substitute(&self, v: usize, value: &Multivariate) -> Option<Self> {
-        let constant = BigRational::new(BigInt::one(), self.divisor.clone());
+        let constant = BigRational::new(BigInt::from(1), self.divisor.clone());
         let mut result = Self::from_polynomial(self.numerator.substitute(v, value));
         for (factor, power) in &self.factors {
             let factor = Self::from_polynomial(factor.substitute(v, value));

@@ -100,7 +100,7 @@ pub fn parse_rational(text: &str) -> Result<BigRational, NumberError> {
     let magnitude = if let Some((numerator, denominator)) = lower.split_once('/') {
         let read = |part: &str| digits(part, 10).filter(|_| !part.is_empty()).ok_or_else(malformed);
         let (numerator, denominator) = (read(numerator)?, read(denominator)?);
-        if denominator.is_zero() {
+        if denominator == BigInt::ZERO {
             return Err(NumberError::ZeroDenominator(text.to_owned()));
         }
         BigRational::new(numerator, denominator)
@@ -148,7 +148,7 @@ fn digits(text: &str, base: u32) -> Option<BigInt> {
     if !text.chars().all(|c| c.is_digit(base)) {
         return None;
     }
-    if text.is_empty() { Some(BigInt::zero()) } else { BigInt::parse_bytes(text.as_bytes(), base) }
+    if text.is_empty() { Some(BigInt::ZERO) } else { BigInt::parse_bytes(text.as_bytes(), base) }
 }
 
 /// numerator / denominator in lowest terms.

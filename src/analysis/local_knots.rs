@@ -1,0 +1,241 @@
+//! One basis function by its own knots, over any ring: numerators and denominators without a division.
+
+use thiserror::Error;
+
+use crate::scalar::{Polynomial, Ring};
+use crate::spline::{Span, Weights, triangle};
+
+/// The local knot vector t_i ≤ t_{i+1} ≤ … ≤ t_{i+k+1} of one function G_i^k, by its k + 1 gaps, and the slope
+/// ratio r = p/q as the pair (p, q): all that the function depends on, besides the place of t_i (D3.3).
+///
+/// The gaps and the ratio may be numbers, intervals, or polynomials in a parameter: what is computed are sums and
+/// products only. Every gap stands for a number ≥ 0, and p and q for numbers > 0; a gap is an empty span if and
+/// only if it is the 0 of its ring.
+///
+/// ```
+/// use knotproof::analysis::LocalKnots;
+/// use num_bigint::BigInt;
+///
+/// // The hat function on (0, 1, 3): u/(1 + u) on its first span, 1/(1 + u) on its second.
+/// let [one, two] = [1, 2].map(BigInt::from);
+/// let hat = LocalKnots::new(vec![one.clone(), two], (one.clone(), one))?;
+/// let quotients: Vec<_> = hat.spans().map(|s| hat.on_span(s).unwrap()).collect();
+/// assert_eq!(quotients[0].numerator.coefficients(), [0, 1].map(BigInt::from));
+/// // The sign of its derivative is that of P′Q − PQ′: it rises, then it falls.
+/// let slopes: Vec<_> = quotients.iter().map(|quotient| quotient.slope()).collect();
+/// assert_eq!(slopes[0].coefficients(), [BigInt::from(1)]);
+/// assert!(slopes[1].coefficients().iter().all(|c| *c < BigInt::from(0)));
+/// # Ok::<(), knotproof::analysis::LocalKnotsError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct LocalKnots<R> {
+    gaps: Vec<R>,
+    ratio: (R, R),
+}
+
+/// Why a list of gaps belongs to no function.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+pub enum LocalKnotsError {
+    /// No gap at all: degree −1.
+    #[error("a function of degree k has k + 1 gaps between its knots, and here is none")]
+    NoGap,
+    /// The function is 0.
+    #[error("all knots of the function are the same, so it is 0 everywhere (D3.3)")]
+    Empty,
+}
+
+/// G = P/Q on one span, in its [positive coordinate](super::positive_coordinate) u. Over numbers ≥ 0 all
+/// coefficients of P and Q are ≥ 0.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SpanQuotient<R> {
+    /// P.
+    pub numerator: Polynomial<R>,
+    /// Q, a product of linear polynomials; deg P ≤ deg Q.
+    pub denominator: Polynomial<R>,
+}
+
+impl<R: Ring> SpanQuotient<R> {
+    /// P′Q − PQ′, which has the sign of dG/du, and so of dG/dx, at every u > 0.
+    ///
+    /// dG/dx = (P′Q − PQ′)(1 + u)²/(Q²·(t_{s+1} − t_s)).
+    #[must_use]
+    pub fn slope(&self) -> Polynomial<R> {
+        let (p, q) = (&self.numerator, &self.denominator);
+        p.derivative().times(q).minus(&p.times(&q.derivative()))
+    }
+}
+
+impl<R: Ring> LocalKnots<R> {
+    /// From t_{i+1} − t_i, …, t_{i+k+1} − t_{i+k}, and (p, q) for r = p/q.
+    ///
+    /// # Errors
+    /// [`LocalKnotsError`], if there is no gap, or only empty ones.
+    pub fn new(gaps: Vec<R>, ratio: (R, R)) -> Result<Self, LocalKnotsError> {
+        match gaps.iter().find(|gap| !gap.is_zero()) {
+            Some(_) => Ok(Self { gaps, ratio }),
+            None if gaps.is_empty() => Err(LocalKnotsError::NoGap),
+            None => Err(LocalKnotsError::Empty),
+        }
+    }
+
+    /// k.
+    #[must_use]
+    pub fn degree(&self) -> usize {
+        self.gaps.len() - 1
+    }
+
+    /// The gaps.
+    #[must_use]
+    pub fn gaps(&self) -> &[R] {
+        &self.gaps
+    }
+
+    /// The numbers s, from 0 to k, of the spans [t_{i+s}, t_{i+s+1}) that are not empty.
+    pub fn spans(&self) -> impl Iterator<Item = usize> {
+        (0..self.gaps.len()).filter(|&s| !self.gaps[s].is_zero())
+    }
+
+    /// The function on span s; `None` if that is empty, or there is none.
+    ///
+    /// The triangle runs over numerators. With L_{a,b} = A + Bu the denominator of the weight of [t_a, t_b], the
+    /// denominator of G_i^d on the span is the product of L_{a,b} over all i ≤ a ≤ s < b ≤ i + d + 1 but (a, b) =
+    /// (i, i + d + 1). From G_i^{d−1} to G_i^d the factors with b = i + d + 1, and from G_i^{d−1} to G_{i−1}^d
+    /// those with a = i − 1, are new.
+    #[must_use]
+    pub fn on_span(&self, s: usize) -> Option<SpanQuotient<R>> {
+        self.gaps.get(s).filter(|gap| !gap.is_zero())?;
+        let weights = Numerators::new(self, s);
+        let function = triangle(&weights, Span::assumed(s), self.degree(), self.gaps.len());
+        let all_but_the_whole = (0..=s)
+            .flat_map(|a| (s + 1..=self.gaps.len()).map(move |b| (a, b)))
+            .filter(|&(a, b)| (a, b) != (0, self.gaps.len()));
+        let denominator = weights.product(all_but_the_whole);
+        Some(SpanQuotient { numerator: function.get(0)?.clone(), denominator })
+    }
+}
+
+/// The weights of one span times the new factors of the denominators.
+struct Numerators<R> {
+    span: usize,
+    last: usize,
+    /// Entry a, for the knot t_a ≤ t_s: p·((t_s − t_a) + (t_{s+1} − t_a)·u).
+    rises: Vec<Polynomial<R>>,
+    /// Entry b − s − 1, for the knot t_b ≥ t_{s+1}: q·((t_b − t_s) + (t_b − t_{s+1})·u).
+    falls: Vec<Polynomial<R>>,
+}
+
+impl<R: Ring> Numerators<R> {
+    fn new(knots: &LocalKnots<R>, span: usize) -> Self {
+        let gap = &knots.gaps[span];
+        let distances = |gaps: &mut dyn Iterator<Item = &R>| {
+            let mut sum = gap.zero();
+            let mut list = vec![sum.clone()];
+            for gap in gaps {
+                sum = sum.plus(gap);
+                list.push(sum.clone());
+            }
+            list
+        };
+        let (p, q) = &knots.ratio;
+        let mut before = distances(&mut knots.gaps[..span].iter().rev());
+        before.reverse();
+        let after = distances(&mut knots.gaps[span + 1..].iter());
+        let linear = |constant: R, slope: R| Polynomial::new(constant, [slope]);
+        let rise = |distance: &R| linear(p.times(distance), p.times(&distance.plus(gap)));
+        let fall = |distance: &R| linear(q.times(&distance.plus(gap)), q.times(distance));
+        Self {
+            span,
+            last: knots.gaps.len(),
+            rises: before.iter().map(rise).collect(),
+            falls: after.iter().map(fall).collect(),
+        }
+    }
+
+    /// q·(t_b − x)·(1 + u).
+    fn fall(&self, b: usize) -> &Polynomial<R> {
+        &self.falls[b - self.span - 1]
+    }
+
+    /// ∏ L_{a,b}.
+    fn product(&self, intervals: impl Iterator<Item = (usize, usize)>) -> Polynomial<R> {
+        intervals.fold(self.one(), |product, (a, b)| product.times(&self.rises[a].plus(self.fall(b))))
+    }
+}
+
+impl<R: Ring> Weights for Numerators<R> {
+    type Scalar = Polynomial<R>;
+
+    fn one(&self) -> Polynomial<R> {
+        self.rises[0].one()
+    }
+
+    /// What does not lead to a function of these knots is not needed, and 0 here.
+    fn pair(&self, i: usize, d: usize) -> (Polynomial<R>, Polynomial<R>) {
+        let (s, end) = (self.span, i + d);
+        let up = if end < self.last {
+            self.rises[i].times(&self.product((i + 1..=s).map(|a| (a, end + 1))))
+        } else {
+            self.one().zero()
+        };
+        let down = match i.checked_sub(1) {
+            Some(before) => self.fall(end).times(&self.product((s + 1..end).map(|b| (before, b)))),
+            None => self.one().zero(),
+        };
+        (up, down)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use num_bigint::BigInt;
+
+    use crate::analysis::Pieces;
+    use crate::scalar::{BigRational, RationalFunction, integer};
+    use crate::spline::{Basis, Index, KnotVector};
+
+    /// The same functions as by the triangle over rational functions, on spans of every kind.
+    #[test]
+    fn the_quotients_are_the_pieces() {
+        for gaps in
+            [&[2][..], &[1, 0], &[1, 2, 1], &[0, 0, 3], &[1, 2, 0, 3], &[2, 0, 1, 1, 5], &[1, 0, 0, 2, 0, 1]]
+        {
+            for (p, q) in [(1, 1), (1, 2), (7, 3)] {
+                let big = gaps.iter().map(|&gap| BigInt::from(gap)).collect();
+                let local = LocalKnots::new(big, (p.into(), q.into())).unwrap();
+                let k = local.degree();
+                let mut knots = vec![integer(0); k + 1];
+                for &gap in gaps {
+                    knots.push(&knots[knots.len() - 1] + integer(gap));
+                }
+                knots.extend(vec![knots[knots.len() - 1].clone(); k]);
+                let ratio = BigRational::new(p.into(), q.into());
+                let basis = Basis::new(KnotVector::new(knots).unwrap(), k, Index::from_ratio(ratio).unwrap())
+                    .unwrap();
+                for span in Pieces::of(&basis).spans() {
+                    let quotient = local.on_span(span.span.index() - k).unwrap();
+                    let over_rationals = |p: &Polynomial<BigInt>| {
+                        let mut c = p.coefficients().iter().map(|c| BigRational::from_integer(c.clone()));
+                        Polynomial::new(c.next().unwrap(), c)
+                    };
+                    let [p, q] = [&quotient.numerator, &quotient.denominator].map(over_rationals);
+                    assert_eq!(RationalFunction::new(&p, &q), Some(span.function(k)), "{gaps:?}");
+                    assert_eq!(
+                        quotient.denominator.degree(),
+                        (span.span.index() - k + 1) * (2 * k + 1 - span.span.index()) - 1
+                    );
+                }
+                let empty = gaps.iter().position(|gap| *gap == 0);
+                assert!(empty.is_none_or(|s| local.on_span(s).is_none()));
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_no_function_is_refused() {
+        let [zero, one] = [0, 1].map(BigInt::from);
+        let new = |gaps| LocalKnots::new(gaps, (one.clone(), one.clone()));
+        assert_eq!(new(vec![]), Err(LocalKnotsError::NoGap));
+        assert_eq!(new(vec![zero.clone(), zero]), Err(LocalKnotsError::Empty));
+    }
+}
