@@ -322,6 +322,8 @@ impl ExactField for Quotient {}
 
 #[cfg(test)]
 mod tests {
+    use num_traits::One;
+
     use super::*;
     use num_traits::Signed;
 
