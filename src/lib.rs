@@ -63,7 +63,7 @@
 //! 2. [`spline`]: indices, knots, the recursion, curves. It reads like sections 2 to 4 of the paper.
 //! 3. [`analysis`]: whole pieces, and decisions about every x.
 //! 4. [`claims`]: the paper's statements and their verdicts; [`certificate`]: proofs of their formal statements, for
-//!    every knot vector or every α, which an independent checker reads; `search` will stand on this floor too.
+//!    every knot vector or every α, which an independent checker reads; [`search`]: counterexamples to the conjecture.
 //! 5. [`float`]: how far `f64` is from the exact values; [`report`]: what the reader gets to see.
 //! 6. [`cli`]: the program `knotproof`.
 //!
@@ -106,4 +106,5 @@ pub mod cli;
 pub mod float;
 pub mod report;
 pub mod scalar;
+pub mod search;
 pub mod spline;

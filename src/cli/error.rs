@@ -10,6 +10,7 @@ use crate::certificate::CertificateError;
 use crate::claims::Fault;
 use crate::report::{BaselineError, END, ReportError, START};
 use crate::scalar::NumberError;
+use crate::search::{MergeError, PartError, RecordError};
 use crate::spline::{BasisError, CurveError, KnotError};
 
 use super::exit::Exit;
@@ -203,6 +204,55 @@ pub enum CliError {
         /// What was given.
         path: PathBuf,
     },
+    /// Something that a search needs was not given.
+    #[error("{argument} is missing: {purpose}")]
+    Needed {
+        /// The option.
+        argument: &'static str,
+        /// What to give with it.
+        purpose: &'static str,
+    },
+    /// A search that cannot begin.
+    #[error("{argument}: {error}")]
+    Search {
+        /// The option to blame.
+        argument: &'static str,
+        /// What is wrong.
+        error: PartError,
+    },
+    /// A file that holds no part of a search, or a damaged one.
+    #[error("{argument}: {}: {error}; nothing was overwritten", path.display())]
+    SearchFile {
+        /// The option.
+        argument: &'static str,
+        /// The file.
+        path: PathBuf,
+        /// What is wrong.
+        error: Box<RecordError>,
+    },
+    /// A file with another search than the one that is asked for.
+    #[error(
+        "{argument}: {}: it belongs to another search: {what} differs; nothing was overwritten, so name another \
+         file, or ask for the same",
+        path.display()
+    )]
+    OtherSearch {
+        /// The option.
+        argument: &'static str,
+        /// The file.
+        path: PathBuf,
+        /// The option that differs.
+        what: &'static str,
+    },
+    /// Shards that do not make up a search.
+    #[error("FILE: {0}; nothing was written")]
+    Merge(MergeError),
+    /// Threads that cannot be had.
+    #[error("--threads: {reason}")]
+    Threads {
+        /// Why not.
+        reason: String,
+    },
     /// A claim could not be certified: this program has a bug.
     #[error("internal error: {0}; please report this bug with the command line")]
     Certificate(#[from] CertificateError),
@@ -248,6 +298,12 @@ impl CliError {
             Self::NotGeneral { .. } => Some("--property"),
             Self::Baseline { .. } => Some("--baseline"),
             Self::NoTable => Some("--record"),
+            Self::Needed { argument, .. }
+            | Self::Search { argument, .. }
+            | Self::SearchFile { argument, .. }
+            | Self::OtherSearch { argument, .. } => Some(argument),
+            Self::Merge(_) => Some("FILE"),
+            Self::Threads { .. } => Some("--threads"),
             Self::Recorded(_)
             | Self::Conversion { .. }
             | Self::Certificate(_)

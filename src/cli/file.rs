@@ -57,13 +57,21 @@ impl InstanceFile {
 /// # Errors
 /// [`CliError::File`], also if it is too long or no text.
 pub(super) fn read(argument: &'static str, path: &Path) -> Result<String, CliError> {
+    read_up_to(LENGTH_LIMIT, argument, path)
+}
+
+/// [`read`] with a limit of its own.
+///
+/// # Errors
+/// [`CliError::File`], also if it is too long or no text.
+pub(super) fn read_up_to(limit: u64, argument: &'static str, path: &Path) -> Result<String, CliError> {
     let failed = |error| CliError::File { argument, action: "read", path: path.to_owned(), error };
     let mut bytes = Vec::new();
     let file = File::open(path).map_err(failed)?;
-    file.take(LENGTH_LIMIT + 1).read_to_end(&mut bytes).map_err(failed)?;
+    file.take(limit + 1).read_to_end(&mut bytes).map_err(failed)?;
     let invalid = |message: String| failed(io::Error::new(io::ErrorKind::InvalidData, message));
-    if bytes.len() as u64 > LENGTH_LIMIT {
-        return Err(invalid(format!("it is longer than {LENGTH_LIMIT} bytes, which no such file needs")));
+    if bytes.len() as u64 > limit {
+        return Err(invalid(format!("it is longer than {limit} bytes, which no such file needs")));
     }
     let text = String::from_utf8(bytes)
         .map_err(|error| invalid(format!("byte {} is not UTF-8 text", error.utf8_error().valid_up_to())))?;

@@ -4,6 +4,7 @@
 //! [`Output`], as text or as JSON. What is wrong with a request is a [`CliError`]: one message, exit code 2,
 //! and nothing on standard output.
 
+mod atomic;
 mod bezier;
 mod check;
 mod error;
@@ -14,12 +15,14 @@ mod explain;
 mod file;
 mod instance;
 mod lists;
+mod merge;
 mod output;
 mod place;
 mod progress;
 mod prove;
 mod report;
 mod schema;
+mod search;
 mod table;
 mod usage;
 mod verdict;
@@ -63,6 +66,8 @@ enum Command {
     Explain(explain::Args),
     Prove(prove::Args),
     Verify(verify::Args),
+    Search(Box<search::Args>),
+    Merge(merge::Args),
     Schema(schema::Args),
 }
 
@@ -76,6 +81,8 @@ impl Command {
             Self::Explain(args) => explain::run(args, output),
             Self::Prove(args) => prove::run(args, output),
             Self::Verify(args) => verify::run(args, output),
+            Self::Search(args) => search::run(args, output),
+            Self::Merge(args) => merge::run(args, output),
             Self::Schema(args) => schema::run(args, output),
         }
     }

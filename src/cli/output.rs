@@ -75,6 +75,14 @@ impl Output {
         write(&serde_json::to_string_pretty(result).map_err(io::Error::from)?)
     }
 
+    /// Writes text as it is.
+    ///
+    /// # Errors
+    /// [`CliError::Output`] if standard output takes no more, for any reason but a closed pipe.
+    pub fn text(&self, text: &str) -> Result<(), CliError> {
+        write(text)
+    }
+
     /// Writes one error message to standard error.
     pub fn error(&self, message: &str, argument: Option<&str>) {
         let text = match self.format {

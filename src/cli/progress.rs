@@ -24,6 +24,12 @@ impl Progress {
         }
         self.bar.set_message(name.to_owned());
     }
+
+    /// So many steps are done, and this is what there is to say of them.
+    pub(super) fn reach(&self, steps: u64, note: &str) {
+        self.bar.set_position(steps);
+        self.bar.set_message(note.to_owned());
+    }
 }
 
 impl Drop for Progress {

@@ -1,0 +1,253 @@
+//! The command `search`: counterexamples to Conjecture 3.1.
+
+mod text;
+
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+use clap::ValueEnum;
+
+use crate::search::{Goal, Limits, Part, PartError, Sample, Search, Shard, Space, SpaceError};
+
+use super::atomic::write_atomically;
+use super::error::CliError;
+use super::exit::Exit;
+use super::file::read_up_to;
+use super::instance::{WholeNumberError, whole_number};
+use super::output::{Format, Output};
+use super::progress::Progress;
+
+pub(super) use text::Summary;
+
+/// Searches for basis functions with more than one maximum (Conjecture 3.1): all of them in order of size, or a random sample.
+///
+/// A function is given by the gaps between its own k + 2 knots and by α; scaling the gaps, and reversing them together with the
+/// conjugate index 1 − α, changes nothing of its shape, so only one of each such family is searched: coprime whole gaps,
+/// and α < 0 or ∞. Its size is the sum of the gaps plus the height of α (the larger of numerator and denominator).
+/// Functions that jump are left out. Every case is decided exactly.
+///
+/// Findings are shrunk as far as they go, and each is listed once, with the command that shows it again. The result depends on what is
+/// searched only, not on threads, shards or interruptions.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLE, verbatim_doc_comment)]
+pub(super) struct Args {
+    /// The degree k, from 1 to 16.
+    #[arg(long, value_name = "K", value_parser = whole_number, allow_hyphen_values = true)]
+    degree: Option<usize>,
+    /// What to look for; `several` if not given.
+    #[arg(long, value_enum)]
+    find: Option<Find>,
+    /// All cases up to this size, smallest first; 8 if nothing else is asked for.
+    #[arg(long, value_name = "SIZE", value_parser = number, allow_hyphen_values = true, conflicts_with = "count")]
+    limit: Option<u64>,
+    /// Of those only the ones with no larger gap.
+    #[arg(long, value_name = "GAP", value_parser = number, allow_hyphen_values = true, conflicts_with = "count")]
+    limit_gap: Option<u64>,
+    /// Of those only the ones with α of no larger height.
+    #[arg(long, value_name = "HEIGHT", value_parser = number, allow_hyphen_values = true, conflicts_with = "count")]
+    limit_height: Option<u64>,
+    /// So many random cases, instead of all up to a size.
+    #[arg(long, value_name = "N", value_parser = number, allow_hyphen_values = true)]
+    count: Option<u64>,
+    /// The seed of random cases; 0 if not given. Case c of a seed is always the same.
+    #[arg(long, value_name = "S", value_parser = number, allow_hyphen_values = true)]
+    seed: Option<u64>,
+    /// Random gaps differ by factors up to 2^B, spread evenly over the logarithms, and so does the slope ratio; 9 if not given.
+    #[arg(long, value_name = "B", value_parser = number, allow_hyphen_values = true)]
+    spread: Option<u64>,
+    /// Only part I of N, I from 0. `knotproof merge` puts the parts together.
+    #[arg(long, value_name = "I/N", allow_hyphen_values = true)]
+    shard: Option<String>,
+    /// Keeps the state of the search in this file, and goes on from it if it is there already. Once the search is finished, the
+    /// file is its result, as with `--format json`.
+    #[arg(long, value_name = "FILE")]
+    checkpoint: Option<PathBuf>,
+    /// Goes on from this checkpoint, and keeps the state there; what is searched stands in the file.
+    #[arg(long, value_name = "FILE", conflicts_with = "checkpoint")]
+    resume: Option<PathBuf>,
+    /// The number of threads; all cores if not given.
+    #[arg(long, value_name = "N", value_parser = whole_number, allow_hyphen_values = true)]
+    threads: Option<usize>,
+}
+
+const EXAMPLE: &str = "\
+Examples:
+  knotproof search --degree 3
+  knotproof search --degree 4 --limit 14 --limit-height 3 --format json
+  knotproof search --degree 5 --find most --count 100000 --seed 1
+  knotproof search --degree 3 --find equal --limit 12 --shard 0/4 --checkpoint shard-0.jsonl
+  knotproof search --resume shard-0.jsonl
+With --format json each finding is one line, and the last line says what was searched.
+Exit code 1: something was found; 0: nothing.";
+
+/// What to look for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Find {
+    /// Functions with more than one local maximum.
+    Several,
+    /// Those with the largest number of local maxima.
+    Most,
+    /// Functions whose two largest maxima are equal for some α of an interval.
+    Equal,
+}
+
+impl From<Find> for Goal {
+    fn from(find: Find) -> Self {
+        match find {
+            Find::Several => Self::Several,
+            Find::Most => Self::Most,
+            Find::Equal => Self::Equal,
+        }
+    }
+}
+
+/// The limit on the size if nothing else is asked for: a second or so up to degree 4.
+const DEFAULT_LIMIT: u64 = 8;
+const DEFAULT_SPREAD: u64 = 9;
+/// The longest file that is read: a million findings.
+const LONGEST: u64 = 1 << 30;
+/// The time between two checkpoints.
+const PAUSE: Duration = Duration::from_secs(2);
+
+/// Searches, and prints what was found.
+pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
+    if args.threads == Some(0) {
+        return Err(CliError::Threads { reason: "a search needs 1 thread at least".to_owned() });
+    }
+    let (mut part, file) = args.part()?;
+    if let Some((option, path)) = &file {
+        save(option, path, &part)?;
+    }
+    // For rayon 0 threads are all that there are.
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(args.threads.unwrap_or(0)).build();
+    let pool = pool.map_err(|error| CliError::Threads { reason: error.to_string() })?;
+    let total = part.range().end - part.range().start;
+    let progress = Progress::new(usize::try_from(total).unwrap_or(usize::MAX));
+    progress.reach(part.done(), "");
+    let mut saved = Instant::now();
+    pool.install(|| {
+        part.run(|part| {
+            progress.reach(part.done(), &format!("{} found", part.findings().len()));
+            match &file {
+                Some((option, path)) if part.is_complete() || saved.elapsed() >= PAUSE => {
+                    saved = Instant::now();
+                    save(option, path, part)
+                }
+                _ => Ok(()),
+            }
+        })
+    })?;
+    drop(progress);
+    match output.format() {
+        Format::Json => output.text(&part.to_text().map_err(std::io::Error::from)?)?,
+        Format::Text => output.text(&Summary(&part).to_string())?,
+    }
+    Ok(if part.findings().is_empty() { Exit::Holds } else { Exit::Refuted })
+}
+
+fn save(option: &'static str, path: &Path, part: &Part) -> Result<(), CliError> {
+    write_atomically(option, path, &part.to_text().map_err(std::io::Error::from)?)
+}
+
+/// The part of a search in a file, as [`Part::to_text`] has written it.
+pub(super) fn read_part(option: &'static str, path: &Path) -> Result<Part, CliError> {
+    let text = read_up_to(LONGEST, option, path)?;
+    Part::parse(&text).map_err(|error| CliError::SearchFile { argument: option, path: path.to_owned(), error: Box::new(error) })
+}
+
+impl Args {
+    /// What to do, and the file to keep it in.
+    fn part(&self) -> Result<(Part, Option<(&'static str, PathBuf)>), CliError> {
+        let shard = match &self.shard {
+            None => None,
+            Some(text) => Some(text.parse::<Shard>().map_err(|error| blame(error.into()))?),
+        };
+        let (option, path) = match (&self.resume, &self.checkpoint) {
+            (Some(path), _) => ("--resume", path),
+            (None, Some(path)) => ("--checkpoint", path),
+            (None, None) => return Ok((self.new_part(shard)?, None)),
+        };
+        if self.resume.is_none() && !path.exists() {
+            return Ok((self.new_part(shard)?, Some((option, path.clone()))));
+        }
+        let found = read_part(option, path)?;
+        let mut differs = self.differs(&found, shard);
+        if self.resume.is_none() {
+            // What is not given counts as well, by its default.
+            let new = self.new_part(shard)?;
+            let same = found.search() == new.search() && found.shard() == new.shard();
+            differs = differs.or((!same).then_some("an option that is not given"));
+        }
+        match differs {
+            None => Ok((found, Some((option, path.clone())))),
+            Some(what) => Err(CliError::OtherSearch { argument: option, path: path.clone(), what }),
+        }
+    }
+
+    fn new_part(&self, shard: Option<Shard>) -> Result<Part, CliError> {
+        Part::new(self.search()?, shard.unwrap_or(Shard::WHOLE)).map_err(blame)
+    }
+
+    /// What is asked for, with what is not given filled in.
+    fn search(&self) -> Result<Search, CliError> {
+        let purpose = "give the degree of the functions, such as --degree 3";
+        let degree = self.degree.ok_or(CliError::Needed { argument: "--degree", purpose })?;
+        let space = match self.count {
+            Some(count) => {
+                let spread = self.spread.unwrap_or(DEFAULT_SPREAD);
+                let spread = u32::try_from(spread).unwrap_or(u32::MAX);
+                Space::Random(Sample { count, seed: self.seed.unwrap_or(0), spread })
+            }
+            None if self.seed.is_some() || self.spread.is_some() => {
+                let purpose = "a seed and a spread are for random cases; say how many, such as --count 10000";
+                return Err(CliError::Needed { argument: "--count", purpose });
+            }
+            None => Space::Exhaustive(Limits {
+                size: self.limit.unwrap_or(DEFAULT_LIMIT),
+                gap: self.limit_gap,
+                height: self.limit_height,
+            }),
+        };
+        Ok(Search { degree, find: self.find.map_or(Goal::Several, Goal::from), space })
+    }
+
+    /// The first option that asks for something else than what a file has.
+    fn differs(&self, found: &Part, shard: Option<Shard>) -> Option<&'static str> {
+        let search = found.search();
+        let (limits, sample) = match &search.space {
+            Space::Exhaustive(limits) => (Some(limits), None),
+            Space::Random(sample) => (None, Some(sample)),
+        };
+        let differ = |given: Option<u64>, found: Option<u64>| given.is_some() && given != found;
+        let options = [
+            ("--degree", self.degree.is_some_and(|degree| degree != search.degree)),
+            ("--find", self.find.is_some_and(|find| Goal::from(find) != search.find)),
+            ("--limit", differ(self.limit, limits.map(|limits| limits.size))),
+            ("--limit-gap", differ(self.limit_gap, limits.and_then(|limits| limits.gap))),
+            ("--limit-height", differ(self.limit_height, limits.and_then(|limits| limits.height))),
+            ("--count", differ(self.count, sample.map(|sample| sample.count))),
+            ("--seed", differ(self.seed, sample.map(|sample| sample.seed))),
+            ("--spread", differ(self.spread, sample.map(|sample| sample.spread.into()))),
+            ("--shard", shard.is_some_and(|shard| shard != found.shard())),
+        ];
+        options.into_iter().find(|(_, differs)| *differs).map(|(option, _)| option)
+    }
+}
+
+/// The option that has to change.
+fn blame(error: PartError) -> CliError {
+    let argument = match &error {
+        PartError::Shard(_) => "--shard",
+        PartError::Space(SpaceError::Degree(_)) => "--degree",
+        PartError::Space(SpaceError::Empty(_) | SpaceError::TooLarge(_)) => "--limit",
+        PartError::Space(SpaceError::NoCase) => "--count",
+        PartError::Space(SpaceError::Spread(_)) => "--spread",
+    };
+    CliError::Search { argument, error }
+}
+
+/// A whole number ≥ 0, also on machines that count to less.
+fn number(text: &str) -> Result<u64, WholeNumberError> {
+    let number = whole_number(text)?;
+    u64::try_from(number).map_err(|_| WholeNumberError::TooLarge)
+}

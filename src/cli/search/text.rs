@@ -1,0 +1,80 @@
+//! What `search` and `merge` print for people.
+
+use std::fmt;
+
+use anstyle::Style;
+
+use crate::search::{FindingRecord, Goal, Part, Space};
+
+use super::super::table::plain;
+
+const HEADING: Style = Style::new().bold();
+
+/// The result of a search, as text.
+pub(in super::super) struct Summary<'a>(pub(in super::super) &'a Part);
+
+impl fmt::Display for Summary<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(part) = self;
+        let (search, tally, findings) = (part.search(), part.tally(), part.findings());
+        writeln!(f, "Degree {}, {}", search.degree, space(&search.space))?;
+        if !part.shard().is_whole() {
+            writeln!(f, "Shard {} of these", part.shard())?;
+        }
+        writeln!(
+            f,
+            "{} cases, each decided: {} by intervals, {} exactly; {} have more than one local maximum",
+            tally.cases(),
+            tally.by_intervals,
+            tally.exactly,
+            tally.several
+        )?;
+        let what = match search.find {
+            Goal::Several => "more than one local maximum".to_owned(),
+            Goal::Most if findings.is_empty() => "more than one local maximum".to_owned(),
+            Goal::Most => format!("{} local maxima, the most of all", findings.most_maxima()),
+            Goal::Equal => "two equal largest maxima for some α".to_owned(),
+        };
+        if findings.is_empty() {
+            return write!(f, "\nNone has {what}.");
+        }
+        writeln!(f, "\n{HEADING}Functions with {what}: {}{HEADING:#}, shrunk, smallest first", findings.len())?;
+        let mut table = plain(["gaps", "α", "maxima", "cases"].map(str::to_owned).to_vec());
+        for record in findings.records() {
+            table.add_row([
+                record.gaps.join(" "),
+                alpha(record),
+                record.witness.local_maxima.to_string(),
+                record.cases.to_string(),
+            ]);
+        }
+        writeln!(f, "{}", table.trim_fmt())?;
+        writeln!(f, "\n{HEADING}To see them{HEADING:#}")?;
+        findings.records().try_for_each(|record| writeln!(f, "{}", record.reproduce))
+    }
+}
+
+fn alpha(record: &FindingRecord) -> String {
+    match &record.witness.equal {
+        None => record.alpha.clone(),
+        Some(equal) => format!("{} to {}", equal.alpha[0], equal.alpha[1]),
+    }
+}
+
+fn space(space: &Space) -> String {
+    match space {
+        Space::Exhaustive(limits) => {
+            let mut text = format!("all functions up to size {}", limits.size);
+            for (limit, name) in [(limits.gap, "gaps"), (limits.height, "heights of α")] {
+                if let Some(limit) = limit {
+                    text += &format!(", {name} up to {limit}");
+                }
+            }
+            text
+        }
+        Space::Random(sample) => format!(
+            "{} random functions, seed {}, gaps and ratios spread over factors up to 2^{}",
+            sample.count, sample.seed, sample.spread
+        ),
+    }
+}

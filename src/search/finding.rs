@@ -1,0 +1,359 @@
+//! What a search has found: shrunk, each once, with a witness and the command that shows it.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+use crate::analysis::ExtremumKind;
+use crate::scalar::{BigRational, parse_rational};
+use crate::spline::Index;
+
+use super::candidate::Candidate;
+use super::decide::local_maxima;
+use super::equal::{Crossing, Side};
+use super::extrema::turns;
+use super::shrink::{shrink, smaller_gaps};
+use super::space::Goal;
+
+/// The schema of every line of a result, and what a line of it is.
+pub(super) const SCHEMA: &str = "knotproof.search/1";
+const FINDING: &str = "finding";
+
+/// A function that was looked for, in normal form.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Finding {
+    candidate: Candidate,
+    maxima: usize,
+    crossing: Option<Crossing>,
+}
+
+/// Findings, each once, in the order of candidates. How it was put together does not matter: each operation is
+/// commutative and associative.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Findings {
+    entries: BTreeMap<Candidate, Entry>,
+}
+
+/// A finding with its record, which takes longer to compute than everything else.
+#[derive(Debug, Clone, PartialEq)]
+struct Entry {
+    finding: Finding,
+    record: FindingRecord,
+}
+
+/// A finding as the line of a file; rational numbers are strings.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FindingRecord {
+    /// `knotproof.search/1`.
+    pub schema: String,
+    /// `finding`.
+    pub record: String,
+    /// k.
+    pub degree: usize,
+    /// The gaps between the knots of the function.
+    pub gaps: Vec<String>,
+    /// A full knot vector with the function on it.
+    pub knots: Vec<String>,
+    /// α; for equal maxima the lower end of the interval of indices.
+    pub alpha: String,
+    /// i.
+    pub index: usize,
+    /// What shows it.
+    pub witness: Witness,
+    /// The command that computes it again.
+    pub reproduce: String,
+    /// The position of the first case that led to it.
+    pub found_at: u64,
+    /// The number of cases that led to it.
+    pub cases: u64,
+}
+
+/// The extrema of a finding, on its full knot vector.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Witness {
+    /// How many local maxima there are at α.
+    pub local_maxima: usize,
+    /// From left to right.
+    pub extrema: Vec<ExtremumRecord>,
+    /// For equal maxima: the proof that they exist at some index of an interval.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub equal: Option<EqualRecord>,
+}
+
+/// A local maximum or minimum.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ExtremumRecord {
+    /// `maximum` or `minimum`.
+    pub kind: String,
+    /// Bounds of x, equal if it is known exactly.
+    pub interval: [String; 2],
+    /// Is it at a knot?
+    pub at_knot: bool,
+}
+
+/// A [`Crossing`].
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct EqualRecord {
+    /// Between these indices the two largest maxima are equal at least once.
+    pub alpha: [String; 2],
+    /// A point between them, for all indices of the interval lower than…
+    pub valley: String,
+    /// …this one.
+    pub above_valley: String,
+    /// The side of the valley that is higher at the first index, and at the second.
+    pub higher: [String; 2],
+    /// At either index, a value between the largest ones of the two sides.
+    pub separated_by: [String; 2],
+}
+
+/// Why a line is no finding of the search.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum FindingError {
+    /// The numbers cannot be read, or are no candidate.
+    #[error("its gaps and α are no candidate in normal form")]
+    Candidate,
+    /// Computed again, it is not what the search looks for.
+    #[error("computed again, the function does not have what was found")]
+    Refuted,
+    /// Computed again, it comes out differently.
+    #[error("computed again, its record is another one")]
+    Different,
+}
+
+impl Finding {
+    /// What a case leads to, if it has what is looked for: shrunk as far as it goes. `at_least`: the least number of
+    /// local maxima that is of interest. It depends on the goal and the case only.
+    #[must_use]
+    pub(super) fn from_case(goal: Goal, candidate: &Candidate, maxima: usize, at_least: usize) -> Option<Self> {
+        if maxima < at_least.max(2) {
+            return None;
+        }
+        match goal {
+            Goal::Several => Some(Self::of(shrink(candidate.clone(), |c| local_maxima(c).maxima > 1))),
+            Goal::Most => Some(Self::of(shrink(candidate.clone(), |c| local_maxima(c).maxima == maxima))),
+            Goal::Equal => Some(shrunk_crossing(Crossing::near(candidate)?)).map(Self::of_crossing),
+        }
+    }
+
+    fn of(candidate: Candidate) -> Self {
+        let maxima = local_maxima(&candidate).maxima;
+        Self { candidate, maxima, crossing: None }
+    }
+
+    fn of_crossing(crossing: Crossing) -> Self {
+        Self { crossing: Some(crossing.clone()), ..Self::of(crossing.candidate()) }
+    }
+
+    /// The function; for equal maxima at the lower end of the interval of indices.
+    #[must_use]
+    pub fn candidate(&self) -> &Candidate {
+        &self.candidate
+    }
+
+    /// How many local maxima it has there.
+    #[must_use]
+    pub fn maxima(&self) -> usize {
+        self.maxima
+    }
+
+    /// Equal maxima are the same finding if the gaps are: any α leads to the same place.
+    fn key(&self) -> Candidate {
+        match &self.crossing {
+            None => self.candidate.clone(),
+            Some(_) => Candidate::assumed(self.candidate.gaps().to_vec(), (1, 1)),
+        }
+    }
+
+    fn record(&self, found_at: u64, cases: u64) -> FindingRecord {
+        let (candidate, full) = (&self.candidate, self.candidate.full_knots());
+        let knots: Vec<_> = full.knots.iter().map(ToString::to_string).collect();
+        let extrema = turns(candidate).into_iter().map(|turn| ExtremumRecord {
+            kind: match turn.kind {
+                ExtremumKind::Maximum => "maximum".to_owned(),
+                ExtremumKind::Minimum => "minimum".to_owned(),
+            },
+            interval: <[BigRational; 2]>::from(turn.interval()).map(|x| x.to_string()),
+            at_knot: turn.at_knot(),
+        });
+        let equal = self.crossing.as_ref().map(EqualRecord::of);
+        let indices = match &equal {
+            None => format!("--alpha {}", candidate.index()),
+            Some(equal) => format!("--alpha {} --alpha {}", equal.alpha[0], equal.alpha[1]),
+        };
+        FindingRecord {
+            schema: SCHEMA.to_owned(),
+            record: FINDING.to_owned(),
+            degree: candidate.degree(),
+            gaps: candidate.gaps().iter().map(ToString::to_string).collect(),
+            reproduce: format!(
+                "knotproof shape --degree {} --knots \"{}\" {indices} --index {}",
+                candidate.degree(),
+                knots.join(" "),
+                full.index
+            ),
+            knots,
+            alpha: candidate.index().to_string(),
+            index: full.index,
+            witness: Witness { local_maxima: self.maxima, extrema: extrema.collect(), equal },
+            found_at,
+            cases,
+        }
+    }
+}
+
+/// A crossing on the smallest gaps near, each time looked for from the middle of the last one.
+fn shrunk_crossing(mut crossing: Crossing) -> Crossing {
+    let next = |crossing: &Crossing| {
+        let gaps = crossing.candidate().gaps().to_vec();
+        let mut smaller: Vec<_> = smaller_gaps(&gaps)
+            .into_iter()
+            .filter_map(|gaps| Candidate::new(gaps, crossing.middle()).ok())
+            .map(|candidate| candidate.normal_form())
+            .collect();
+        smaller.sort();
+        smaller.dedup();
+        let several = |candidate: &Candidate| local_maxima(candidate).maxima > 1;
+        let smaller = smaller.iter().filter(|candidate| candidate.gaps().iter().sum::<u64>() < gaps.iter().sum());
+        smaller.filter(|candidate| several(candidate)).find_map(Crossing::near)
+    };
+    while let Some(smaller) = next(&crossing) {
+        crossing = smaller;
+    }
+    crossing
+}
+
+impl EqualRecord {
+    fn of(crossing: &Crossing) -> Self {
+        let [lower, upper] = crossing.at_ends();
+        let side = |side| match side {
+            Side::Left => "left".to_owned(),
+            Side::Right => "right".to_owned(),
+        };
+        let [valley, above_valley] = crossing.points().clone().map(|x| x.to_string());
+        Self {
+            alpha: crossing.indices().map(|alpha| alpha.to_string()),
+            valley,
+            above_valley,
+            higher: [side(lower.0), side(upper.0)],
+            separated_by: [lower.1.to_string(), upper.1.to_string()],
+        }
+    }
+}
+
+impl Findings {
+    /// Adds what the case at a position has led to.
+    pub(super) fn add(&mut self, finding: &Finding, position: u64) {
+        self.add_counted(finding, position, 1);
+    }
+
+    fn add_counted(&mut self, finding: &Finding, position: u64, cases: u64) {
+        match self.entries.get_mut(&finding.key()) {
+            None => {
+                let record = finding.record(position, cases);
+                self.entries.insert(finding.key(), Entry { finding: finding.clone(), record });
+            }
+            Some(entry) => {
+                let (position, cases) = (entry.record.found_at.min(position), entry.record.cases + cases);
+                if finding.rank() < entry.finding.rank() {
+                    *entry = Entry { finding: finding.clone(), record: finding.record(position, cases) };
+                } else {
+                    (entry.record.found_at, entry.record.cases) = (position, cases);
+                }
+            }
+        }
+    }
+
+    /// Adds the findings of another part of the same search.
+    pub(super) fn merge(&mut self, other: Self) {
+        for Entry { finding, record } in other.entries.into_values() {
+            self.add_counted(&finding, record.found_at, record.cases);
+        }
+    }
+
+    /// Keeps those with the largest number of local maxima.
+    pub(super) fn keep_most(&mut self) {
+        let most = self.most_maxima();
+        self.entries.retain(|_, entry| entry.finding.maxima == most);
+    }
+
+    /// The largest number of local maxima of a finding; 0 if there is none.
+    #[must_use]
+    pub fn most_maxima(&self) -> usize {
+        self.entries.values().map(|entry| entry.finding.maxima).max().unwrap_or(0)
+    }
+
+    /// How many there are.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.entries.len()
+    }
+
+    /// Is there none?
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.entries.is_empty()
+    }
+
+    /// The findings, smallest first.
+    pub fn iter(&self) -> impl Iterator<Item = &Finding> {
+        self.entries.values().map(|entry| &entry.finding)
+    }
+
+    /// Their records, smallest first.
+    pub fn records(&self) -> impl Iterator<Item = &FindingRecord> {
+        self.entries.values().map(|entry| &entry.record)
+    }
+
+    /// Adds a finding from a file, after computing all of it again.
+    pub(super) fn add_record(
+        &mut self,
+        goal: Goal,
+        degree: usize,
+        record: &FindingRecord,
+    ) -> Result<(), FindingError> {
+        let finding = Finding::from_record(goal, degree, record)?;
+        let entry = Entry { record: finding.record(record.found_at, record.cases), finding };
+        if entry.record != *record || self.entries.contains_key(&entry.finding.key()) {
+            return Err(FindingError::Different);
+        }
+        self.entries.insert(entry.finding.key(), entry);
+        Ok(())
+    }
+}
+
+impl Finding {
+    fn from_record(goal: Goal, degree: usize, record: &FindingRecord) -> Result<Self, FindingError> {
+        let gaps: Option<Vec<u64>> = record.gaps.iter().map(|gap| gap.parse().ok()).collect();
+        let index: Option<Index> = record.alpha.parse().ok();
+        let candidate = gaps.zip(index).and_then(|(gaps, index)| {
+            let (p, q) = (index.ratio().numer().try_into().ok()?, index.ratio().denom().try_into().ok()?);
+            Candidate::new(gaps, (p, q)).ok()
+        });
+        let candidate = candidate.filter(|candidate| candidate.degree() == degree && candidate.is_normal());
+        let candidate = candidate.ok_or(FindingError::Candidate)?;
+        let finding = match (goal, &record.witness.equal) {
+            (Goal::Equal, Some(equal)) => {
+                let points = [&equal.valley, &equal.above_valley].map(|x| parse_rational(x).ok());
+                let ratio = |alpha: &String| super::equal::ratio(&parse_rational(alpha).ok()?);
+                match (points, [ratio(&equal.alpha[1]), ratio(&equal.alpha[0])]) {
+                    ([Some(c), Some(d)], [Some(low), Some(high)]) => {
+                        Crossing::new(candidate.gaps(), [low, high], [c, d]).map(Self::of_crossing)
+                    }
+                    _ => None,
+                }
+            }
+            _ => Some(Self::of(candidate)),
+        };
+        finding.filter(|finding| finding.maxima > 1).ok_or(FindingError::Refuted)
+    }
+
+    /// Which of two findings about the same function is kept.
+    fn rank(&self) -> (&Candidate, Option<[BigRational; 2]>) {
+        (&self.candidate, self.crossing.as_ref().map(Crossing::indices))
+    }
+}

@@ -1,0 +1,39 @@
+//! Floor 4: the search for counterexamples to Conjecture 3.1, over single functions in normal form.
+//!
+//! A [`Search`] is data: a degree, a [`Goal`] and a [`Space`] of candidates, all within limits or a random sample. Its
+//! [`Cases`] stand at positions, so a [`Shard`] is a range of them; a [`Part`] is how far such a shard has come. It
+//! runs in parallel, is written to text and read back at any time, and [`merge`]d with the others. Nothing but the
+//! search itself has an influence on the result, to the byte.
+
+mod candidate;
+mod cases;
+mod compositions;
+mod decide;
+mod equal;
+mod exhaustive;
+mod extrema;
+mod finding;
+mod merge;
+mod part;
+mod random;
+mod record;
+mod shard;
+mod shrink;
+mod space;
+
+pub use candidate::{Candidate, CandidateError, FullKnots};
+pub use cases::Cases;
+pub use compositions::Compositions;
+pub use decide::{Count, Means, local_maxima};
+pub use equal::{Crossing, Side};
+pub use exhaustive::Exhaustive;
+pub use finding::{EqualRecord, ExtremumRecord, Finding, FindingError, FindingRecord, Findings, Witness};
+pub use merge::{MergeError, merge};
+pub use part::{Part, PartError, Tally};
+pub use random::Random;
+pub use record::{Decided, RecordError, SummaryRecord};
+pub use shard::{Shard, ShardError};
+pub use shrink::{shrink, smaller};
+pub use space::{
+    Goal, HIGHEST_DEGREE, LARGEST_SIZE, Limits, Sample, Search, Space, SpaceError, WIDEST_SPREAD,
+};

@@ -1,0 +1,202 @@
+//! How far a search, or a shard of it, has come, and what it has found.
+
+use std::ops::Range;
+
+use rayon::prelude::*;
+
+use super::cases::Cases;
+use super::decide::{Means, local_maxima};
+use super::finding::{Finding, Findings};
+use super::shard::{Shard, ShardError};
+use super::space::{Goal, Search, SpaceError};
+
+/// A shard of a search, or the whole of it, up to some position.
+///
+/// It is worked off in units of positions, in parallel, and put together in their order. What comes out depends on
+/// the search and the shard only: not on threads, nor on how often the work was interrupted.
+#[derive(Debug, Clone)]
+pub struct Part {
+    pub(super) search: Search,
+    pub(super) shard: Shard,
+    pub(super) cases: Cases,
+    pub(super) range: Range<u64>,
+    /// The positions from the start of the range up to this one are done.
+    pub(super) done: u64,
+    pub(super) tally: Tally,
+    pub(super) findings: Findings,
+}
+
+/// Numbers of cases.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Tally {
+    /// Those decided by intervals.
+    pub by_intervals: u64,
+    /// Those decided in exact arithmetic.
+    pub exactly: u64,
+    /// Those with more than one local maximum.
+    pub several: u64,
+}
+
+/// Positions in a unit of work, and units between two looks at what has been done.
+const UNIT: u64 = 64;
+const BATCH: u64 = 64;
+
+impl Tally {
+    /// All of them.
+    #[must_use]
+    pub fn cases(&self) -> u64 {
+        self.by_intervals + self.exactly
+    }
+
+    pub(super) fn add(&mut self, other: Self) {
+        self.by_intervals += other.by_intervals;
+        self.exactly += other.exactly;
+        self.several += other.several;
+    }
+}
+
+/// Why a search cannot begin.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum PartError {
+    /// There is nothing to search, or too much.
+    #[error(transparent)]
+    Space(#[from] SpaceError),
+    /// The shard does not fit to it.
+    #[error(transparent)]
+    Shard(#[from] ShardError),
+}
+
+impl Part {
+    /// A shard of the search, with nothing done.
+    ///
+    /// # Errors
+    /// [`PartError`], if the search is empty or too large, or the shard is empty.
+    pub fn new(search: Search, shard: Shard) -> Result<Self, PartError> {
+        let cases = Cases::of(&search)?;
+        let range = shard.range(cases.positions())?;
+        let done = range.start;
+        Ok(Self {
+            search,
+            shard,
+            cases,
+            range,
+            done,
+            tally: Tally::default(),
+            findings: Findings::default(),
+        })
+    }
+
+    /// What is searched.
+    #[must_use]
+    pub fn search(&self) -> &Search {
+        &self.search
+    }
+
+    /// Which part of it.
+    #[must_use]
+    pub fn shard(&self) -> Shard {
+        self.shard
+    }
+
+    /// All cases of the search.
+    #[must_use]
+    pub fn cases(&self) -> &Cases {
+        &self.cases
+    }
+
+    /// The positions of the part.
+    #[must_use]
+    pub fn range(&self) -> Range<u64> {
+        self.range.clone()
+    }
+
+    /// How many positions of the part are done.
+    #[must_use]
+    pub fn done(&self) -> u64 {
+        self.done - self.range.start
+    }
+
+    /// Is there nothing left to do?
+    #[must_use]
+    pub fn is_complete(&self) -> bool {
+        self.done == self.range.end
+    }
+
+    /// The numbers of cases so far.
+    #[must_use]
+    pub fn tally(&self) -> Tally {
+        self.tally
+    }
+
+    /// The findings so far.
+    #[must_use]
+    pub fn findings(&self) -> &Findings {
+        &self.findings
+    }
+
+    /// Works on from where it is, and looks in after every few thousand positions.
+    ///
+    /// # Errors
+    /// What the look-in returns, which stops the work; the part can be continued.
+    ///
+    /// ```
+    /// use knotproof::search::{Goal, Limits, Part, Search, Shard, Space};
+    ///
+    /// let space = Space::Exhaustive(Limits { size: 7, gap: None, height: None });
+    /// let search = Search { degree: 3, find: Goal::Several, space };
+    /// let mut part = Part::new(search, Shard::WHOLE)?;
+    /// part.run(|_| Ok::<(), knotproof::search::PartError>(()))?;
+    /// assert!(part.is_complete());
+    /// assert_eq!(part.tally().cases(), part.cases().count());
+    /// # Ok::<(), knotproof::search::PartError>(())
+    /// ```
+    pub fn run<E>(&mut self, mut look_in: impl FnMut(&Self) -> Result<(), E>) -> Result<(), E> {
+        while !self.is_complete() {
+            let end = self.range.end.min(self.done.saturating_add(UNIT * BATCH));
+            let starts: Vec<u64> = (self.done..end).step_by(usize::try_from(UNIT).unwrap_or(1)).collect();
+            // Of the largest number of maxima: what has fewer than some finding is none.
+            let at_least = match self.search.find {
+                Goal::Most => self.findings.most_maxima(),
+                Goal::Several | Goal::Equal => 0,
+            };
+            let unit = |start: &u64| self.unit(*start..end.min(start + UNIT), at_least);
+            let units: Vec<Unit> = starts.par_iter().map(unit).collect();
+            for unit in units {
+                self.tally.add(unit.tally);
+                for (position, finding) in &unit.findings {
+                    self.findings.add(finding, *position);
+                }
+            }
+            if self.search.find == Goal::Most {
+                self.findings.keep_most();
+            }
+            self.done = end;
+            look_in(self)?;
+        }
+        Ok(())
+    }
+
+    fn unit(&self, range: Range<u64>, at_least: usize) -> Unit {
+        let mut unit = Unit::default();
+        for (position, candidate) in self.cases.between(range) {
+            let count = local_maxima(&candidate);
+            match count.by {
+                Means::Intervals => unit.tally.by_intervals += 1,
+                Means::Exact => unit.tally.exactly += 1,
+            }
+            if count.maxima > 1 {
+                unit.tally.several += 1;
+                let finding = Finding::from_case(self.search.find, &candidate, count.maxima, at_least);
+                unit.findings.extend(finding.map(|finding| (position, finding)));
+            }
+        }
+        unit
+    }
+}
+
+/// What came of some positions.
+#[derive(Debug, Default)]
+struct Unit {
+    tally: Tally,
+    findings: Vec<(u64, Finding)>,
+}

@@ -1,0 +1,234 @@
+//! Results as text: one line of JSON for each finding, and a last one that says what was searched.
+
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+use super::finding::{FindingError, FindingRecord, SCHEMA};
+use super::part::{Part, PartError, Tally};
+use super::shard::{Shard, ShardError};
+use super::space::Search;
+
+/// The version that results carry: another one may draw or order cases differently.
+const VERSION: &str = env!("CARGO_PKG_VERSION");
+const SUMMARY: &str = "summary";
+
+/// The last line: what was searched, how far, and a checksum of it all.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SummaryRecord {
+    /// `knotproof.search/1`.
+    pub schema: String,
+    /// `summary`.
+    pub record: String,
+    /// The version of the program.
+    pub version: String,
+    /// What is looked for, and where.
+    pub search: Search,
+    /// The number of positions of the whole space.
+    pub positions: u64,
+    /// The number of cases of the whole space.
+    pub count: u64,
+    /// Which shard this is, if it is not the whole.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shard: Option<String>,
+    /// The first position of this part.
+    pub from: u64,
+    /// The position after its last one.
+    pub to: u64,
+    /// The position after the last one that is done.
+    pub done: u64,
+    /// The number of cases that were decided.
+    pub cases: u64,
+    /// How.
+    pub decided: Decided,
+    /// How many of them have more than one local maximum.
+    pub several: u64,
+    /// The number of findings.
+    pub findings: usize,
+    /// CRC-32 of all that is before, in 8 hexadecimal digits.
+    pub checksum: String,
+}
+
+/// Cases by what decided them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Decided {
+    /// By intervals with outward rounding.
+    pub by_intervals: u64,
+    /// In exact arithmetic.
+    pub exactly: u64,
+}
+
+/// Why a text is not the result of a search.
+#[derive(Debug, Error)]
+pub enum RecordError {
+    /// The last line is no summary.
+    #[error("the last line is no summary of a search ({0}): the file is cut off, or something else")]
+    NoSummary(String),
+    /// Another version of the program.
+    #[error("it was written by version {0}, and this is version {VERSION}: search again, or use that version")]
+    Version(String),
+    /// A line is no finding.
+    #[error("line {line}: {error}: the file is damaged")]
+    Line {
+        /// From 1.
+        line: usize,
+        /// What is wrong.
+        error: serde_json::Error,
+    },
+    /// A finding does not stand.
+    #[error("line {line}: {error}: the file is damaged")]
+    Finding {
+        /// From 1.
+        line: usize,
+        /// What is wrong.
+        error: FindingError,
+    },
+    /// What it says of the space is not so.
+    #[error("{0}: the file is damaged")]
+    Space(#[from] PartError),
+    /// Numbers that do not add up, or a wrong checksum.
+    #[error("{0}: the file is damaged")]
+    Damaged(&'static str),
+}
+
+/// Enough of a summary to tell who wrote it.
+#[derive(Deserialize)]
+struct Origin {
+    schema: String,
+    version: String,
+}
+
+impl Part {
+    /// The lines, each with its line break: a complete part is what `merge` reads, any other one what a search is
+    /// resumed from. [`parse`](Self::parse) reads it back.
+    ///
+    /// # Errors
+    /// If the serializer fails, which it does not for these types.
+    pub fn to_text(&self) -> Result<String, serde_json::Error> {
+        let mut text = String::new();
+        for record in self.findings.records() {
+            text.push_str(&serde_json::to_string(record)?);
+            text.push('\n');
+        }
+        let mut summary = self.summary();
+        let line = serde_json::to_string(&summary)?;
+        summary.checksum = format!("{:08x}", crc32fast::hash((text.clone() + &line).as_bytes()));
+        text.push_str(&serde_json::to_string(&summary)?);
+        text.push('\n');
+        Ok(text)
+    }
+
+    /// The last line, without its checksum.
+    #[must_use]
+    pub fn summary(&self) -> SummaryRecord {
+        let Tally { by_intervals, exactly, several } = self.tally;
+        SummaryRecord {
+            schema: SCHEMA.to_owned(),
+            record: SUMMARY.to_owned(),
+            version: VERSION.to_owned(),
+            search: self.search.clone(),
+            positions: self.cases.positions(),
+            count: self.cases.count(),
+            shard: (!self.shard.is_whole()).then(|| self.shard.to_string()),
+            from: self.range.start,
+            to: self.range.end,
+            done: self.done,
+            cases: self.tally.cases(),
+            decided: Decided { by_intervals, exactly },
+            several,
+            findings: self.findings.len(),
+            checksum: String::new(),
+        }
+    }
+
+    /// Reads what [`to_text`](Self::to_text) has written, and accepts nothing else: every finding is computed again, all
+    /// numbers have to fit, and the text has to be the same, byte by byte, when it is written again.
+    ///
+    /// # Errors
+    /// [`RecordError`], for the first thing that is wrong.
+    pub fn parse(text: &str) -> Result<Self, RecordError> {
+        let mut lines: Vec<&str> = text.lines().collect();
+        let last = lines.pop().ok_or_else(|| RecordError::NoSummary("there is no line".to_owned()))?;
+        let no_summary = |error: serde_json::Error| RecordError::NoSummary(error.to_string());
+        let origin: Origin = serde_json::from_str(last).map_err(no_summary)?;
+        if origin.schema == SCHEMA && origin.version != VERSION {
+            return Err(RecordError::Version(origin.version));
+        }
+        let summary: SummaryRecord = serde_json::from_str(last).map_err(no_summary)?;
+        let shard = match &summary.shard {
+            None => Ok(Shard::WHOLE),
+            Some(shard) => shard.parse().map_err(|error: ShardError| RecordError::Space(error.into())),
+        };
+        let mut part = Self::new(summary.search.clone(), shard?)?;
+        if !(part.range.start..=part.range.end).contains(&summary.done) {
+            return Err(RecordError::Damaged("the position that is done lies outside of the part"));
+        }
+        part.done = summary.done;
+        let Decided { by_intervals, exactly } = summary.decided;
+        part.tally = Tally { by_intervals, exactly, several: summary.several };
+        if by_intervals.checked_add(exactly).is_none_or(|cases| cases > part.done()) {
+            return Err(RecordError::Damaged("there are more cases than positions"));
+        }
+        for (line, text) in (1..).zip(lines) {
+            let record: FindingRecord =
+                serde_json::from_str(text).map_err(|error| RecordError::Line { line, error })?;
+            part.findings
+                .add_record(part.search.find, part.search.degree, &record)
+                .map_err(|error| RecordError::Finding { line, error })?;
+        }
+        match part.to_text() {
+            Ok(again) if again == text => Ok(part),
+            _ => Err(RecordError::Damaged("its content and its checksum do not fit together")),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::search::{Goal, Limits, Space};
+
+    fn part(find: Goal, size: u64) -> Part {
+        let space = Space::Exhaustive(Limits { size, gap: None, height: None });
+        let mut part = Part::new(Search { degree: 3, find, space }, Shard::WHOLE).unwrap();
+        part.run(|_| Ok::<(), ()>(())).unwrap();
+        part
+    }
+
+    #[test]
+    fn what_is_written_is_read_back() {
+        for find in [Goal::Several, Goal::Most, Goal::Equal] {
+            let part = part(find, 8);
+            let text = part.to_text().unwrap();
+            assert_eq!(text.lines().count(), part.findings().len() + 1);
+            assert_eq!(Part::parse(&text).unwrap().to_text().unwrap(), text);
+        }
+        assert!(!part(Goal::Several, 8).findings().is_empty());
+    }
+
+    /// Whatever byte is changed or missing at the end.
+    #[test]
+    fn damage_is_noticed() {
+        let text = part(Goal::Several, 8).to_text().unwrap();
+        for place in 0..text.len() {
+            let mut bytes = text.clone().into_bytes();
+            bytes[place] ^= 1;
+            if let Ok(text) = String::from_utf8(bytes) {
+                assert!(Part::parse(&text).is_err(), "byte {place}");
+            }
+            if text.is_char_boundary(place) {
+                assert!(Part::parse(&text[..place]).is_err(), "cut at {place}");
+            }
+        }
+        assert!(Part::parse(&(text.clone() + "\n")).is_err());
+        assert!(Part::parse(&(text.clone() + &text)).is_err());
+    }
+
+    #[test]
+    fn another_version_is_named() {
+        let text = part(Goal::Several, 7).to_text().unwrap();
+        let other = text.replace(&format!("\"version\":\"{VERSION}\""), "\"version\":\"0.0.9\"");
+        assert!(matches!(Part::parse(&other), Err(RecordError::Version(version)) if version == "0.0.9"));
+    }
+}

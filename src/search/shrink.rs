@@ -1,0 +1,125 @@
+//! Smaller candidates near a candidate, and the descent to one that has none with the same property.
+
+use super::candidate::Candidate;
+
+/// Goes from a candidate to smaller ones for as long as one of its [`smaller`] neighbours has the property, to the first
+/// of them in order each time; the result has no such neighbour. It depends on the candidate and the property only.
+///
+/// ```
+/// use knotproof::search::{Candidate, local_maxima, shrink};
+///
+/// let found = Candidate::new(vec![2003, 1009, 997, 1], (3007, 5000))?.normal_form();
+/// assert_eq!(local_maxima(&found).maxima, 2);
+/// let smallest = shrink(found, |candidate| local_maxima(candidate).maxima > 1);
+/// assert!(smallest.size() < 10 && local_maxima(&smallest).maxima > 1);
+/// # Ok::<(), knotproof::search::CandidateError>(())
+/// ```
+pub fn shrink(mut candidate: Candidate, has_property: impl Fn(&Candidate) -> bool) -> Candidate {
+    while let Some(next) = smaller(&candidate).into_iter().find(&has_property) {
+        candidate = next;
+    }
+    candidate
+}
+
+/// The neighbours of a candidate that are smaller than it in the order of candidates, in that order, all in normal
+/// form: its gaps rounded to a coarser scale, or one gap made 0, halved, one less, or equal to its neighbour; or α replaced by a
+/// simpler one, from the Stern–Brocot path to it (its convergents, and some between).
+#[must_use]
+pub fn smaller(candidate: &Candidate) -> Vec<Candidate> {
+    let gaps = smaller_gaps(candidate.gaps()).into_iter().map(|gaps| (gaps, candidate.ratio()));
+    let ratios = simpler_ratios(candidate.ratio()).into_iter().map(|ratio| (candidate.gaps().to_vec(), ratio));
+    let new = gaps.chain(ratios).filter_map(|(gaps, ratio)| Candidate::new(gaps, ratio).ok());
+    let mut list: Vec<_> = new.map(|new| new.normal_form()).filter(|new| new < candidate).collect();
+    list.sort();
+    list.dedup();
+    list
+}
+
+/// Lists with smaller gaps.
+pub(super) fn smaller_gaps(gaps: &[u64]) -> Vec<Vec<u64>> {
+    let largest = gaps.iter().copied().max().unwrap_or(0);
+    let mut lists = Vec::new();
+    for scale in scales().take_while(|&scale| scale < largest) {
+        let rounded = |gap: u64| {
+            let product = 2 * u128::from(gap) * u128::from(scale) + u128::from(largest);
+            u64::try_from(product / (2 * u128::from(largest))).unwrap_or(gap)
+        };
+        lists.push(gaps.iter().map(|&gap| rounded(gap)).collect());
+        // The same without new empty spans.
+        lists.push(gaps.iter().map(|&gap| rounded(gap).max(gap.min(1))).collect());
+    }
+    for (place, &gap) in gaps.iter().enumerate().filter(|(_, gap)| **gap > 0) {
+        let neighbours = [place.checked_sub(1), Some(place + 1)].into_iter().flatten();
+        let neighbours = neighbours.filter_map(|place| gaps.get(place).copied());
+        for value in [0, gap / 2, gap - 1].into_iter().chain(neighbours).filter(|&value| value < gap) {
+            let mut list = gaps.to_vec();
+            list[place] = value;
+            lists.push(list);
+        }
+    }
+    lists
+}
+
+/// 1, 2, …, 12, 16, 24, 32, 48, …: few, and none far from the next.
+fn scales() -> impl Iterator<Item = u64> {
+    (1..=12).chain((4..62).flat_map(|bits| [1 << bits, 3 << (bits - 1)]))
+}
+
+/// Ratios p/q < 1 on the Stern–Brocot path from 0/1, 1/0 to a/b, where α = −a/b and p/q = a/(a + b): the simplest
+/// fraction of any interval around a/b is on that path. Of a long run into one direction, 1, 2, 3 steps and then twice as
+/// many each time.
+fn simpler_ratios((p, q): (u64, u64)) -> Vec<(u64, u64)> {
+    let (mut a, mut b) = (p, q - p.min(q));
+    // Two fractions around a/b: the last ones that the path turned at, the nearer one second.
+    let (mut before, mut last) = ((0, 1), (1, 0));
+    let mut ratios = Vec::new();
+    // For α = ∞ nothing is simpler.
+    while b > 0 {
+        let steps = a / b;
+        for n in std::iter::successors(Some(1), |&n| Some(if n < 3 { n + 1 } else { 2 * n }))
+            .take_while(|&n| n < steps)
+            .chain((steps > 0).then_some(steps))
+        {
+            let (c, d) = (before.0 + n * last.0, before.1 + n * last.1);
+            if c > 0 && d > 0 {
+                ratios.push((c, c + d));
+            }
+        }
+        (before, last) = (last, (before.0 + steps * last.0, before.1 + steps * last.1));
+        (a, b) = (b, a % b);
+    }
+    ratios
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::search::local_maxima;
+
+    #[test]
+    fn neighbours_are_smaller_and_normal() {
+        for (gaps, ratio) in [(&[2003, 1009, 997, 1][..], (3007, 5000)), (&[2, 1, 1, 0], (3, 5)), (&[1, 1], (1, 1))] {
+            let candidate = Candidate::new(gaps.to_vec(), ratio).unwrap();
+            let list = smaller(&candidate);
+            assert!(list.iter().all(|c| c.is_normal() && *c < candidate && c.degree() == candidate.degree()));
+            assert!(list.windows(2).all(|pair| pair[0] < pair[1]));
+        }
+    }
+
+    #[test]
+    fn the_path_to_a_ratio_holds_the_simplest_fractions_near_it() {
+        // α = −22/7 (r = 22/29): 1/1, 2/1, 3/1, then 4/1 (the first step back), 7/2, 10/3, 16/5, 22/7, and r = c/(c + d).
+        let path: Vec<_> = simpler_ratios((22, 29)).iter().map(|(c, sum)| (*c, sum - c)).collect();
+        assert_eq!(path, [(1, 1), (2, 1), (3, 1), (4, 1), (7, 2), (10, 3), (19, 6), (22, 7)]);
+        assert!(simpler_ratios((1, 1)).is_empty());
+    }
+
+    #[test]
+    fn the_result_has_the_property_and_no_smaller_neighbour_has_it() {
+        let several = |candidate: &Candidate| local_maxima(candidate).maxima > 1;
+        let found = Candidate::new(vec![2003, 1009, 997, 1], (3007, 5000)).unwrap();
+        let smallest = shrink(found, several);
+        assert!(several(&smallest) && !smaller(&smallest).iter().any(several));
+        assert_eq!(shrink(smallest.clone(), several), smallest);
+    }
+}
