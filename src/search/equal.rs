@@ -85,8 +85,8 @@ impl Crossing {
                 None => bits += 1,
             }
         }
-        let outer = [near, far?];
-        let mut inner = outer;
+        let mut inner = [near, far?];
+        let outer = [candidate.ratio(), inner[1]];
         for _ in 0..BISECTIONS {
             let middle = between(inner[0], inner[1])?;
             let lead = lead(gaps, middle)?;

@@ -142,7 +142,7 @@ impl Row {
 }
 
 /// (p, q) with p/q < 1 for all α = −p/(q − p) of the height, by rising p/q; for height 1 also (1, 1), that is ∞.
-fn ratios_of_height(height: u64) -> Vec<(u64, u64)> {
+pub(super) fn ratios_of_height(height: u64) -> Vec<(u64, u64)> {
     // α = −a/b with max(a, b) = h: r = a/(a + b), which rises with a/b.
     let below = (1..height).map(|a| (a, height));
     let above = (1..height).rev().map(|b| (height, b));

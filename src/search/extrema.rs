@@ -168,6 +168,9 @@ mod tests {
                 // Two enclosures of one number meet.
                 let (low, high) = turn.value();
                 assert!(low <= extremum.value.1 && extremum.value.0 <= high);
+                let mut turn = turn.clone();
+                (0..3).for_each(|_| turn.refine());
+                let (low, high) = turn.value();
                 assert!(high - low < BigRational::new(1.into(), 1000.into()));
             }
         }

@@ -137,7 +137,7 @@ mod tests {
         for find in [Goal::Several, Goal::Most, Goal::Equal] {
             for space in [
                 Space::Exhaustive(Limits { size: 8, gap: None, height: None }),
-                Space::Random(Sample { count: 700, seed: 3, spread: 9 }),
+                Space::Random(Sample { count: 330, seed: 3, spread: 9 }),
             ] {
                 let whole = shards(find, &space, 1).remove(0).1.to_text().unwrap();
                 for of in [2, 5] {

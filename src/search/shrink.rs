@@ -1,6 +1,7 @@
 //! Smaller candidates near a candidate, and the descent to one that has none with the same property.
 
 use super::candidate::Candidate;
+use super::exhaustive::ratios_of_height;
 
 /// Goes from a candidate to smaller ones for as long as one of its [`smaller`] neighbours has the property, to the first
 /// of them in order each time; the result has no such neighbour. It depends on the candidate and the property only.
@@ -21,15 +22,23 @@ pub fn shrink(mut candidate: Candidate, has_property: impl Fn(&Candidate) -> boo
     candidate
 }
 
-/// The neighbours of a candidate that are smaller than it in the order of candidates, in that order, all in normal
-/// form: its gaps rounded to a coarser scale, or one gap made 0, halved, one less, or equal to its neighbour; or α replaced by a
-/// simpler one, from the Stern–Brocot path to it (its convergents, and some between).
+/// The neighbours of a candidate that are smaller than it in the order of candidates, in that order, all in normal form.
+///
+/// The gaps are the same, or all rounded to a coarser scale, or one of them is made 0, halved, one less, or equal to its
+/// neighbour. The index is the same, or one on the Stern–Brocot path to it (its convergents, and some between), or, with other
+/// gaps, one of height up to 5 that differs by a factor up to 2.
 #[must_use]
 pub fn smaller(candidate: &Candidate) -> Vec<Candidate> {
-    let gaps = smaller_gaps(candidate.gaps()).into_iter().map(|gaps| (gaps, candidate.ratio()));
-    let ratios = simpler_ratios(candidate.ratio()).into_iter().map(|ratio| (candidate.gaps().to_vec(), ratio));
-    let new = gaps.chain(ratios).filter_map(|(gaps, ratio)| Candidate::new(gaps, ratio).ok());
-    let mut list: Vec<_> = new.map(|new| new.normal_form()).filter(|new| new < candidate).collect();
+    let simpler = simpler_ratios(candidate.ratio());
+    let mut near = simple_ratios_near(candidate.ratio());
+    near.extend(&simpler);
+    near.push(candidate.ratio());
+    let all_pairs = |gaps: Vec<u64>, ratios: &[(u64, u64)]| {
+        let new = ratios.iter().filter_map(|&ratio| Candidate::new(gaps.clone(), ratio).ok());
+        new.map(|new| new.normal_form()).filter(|new| new < candidate).collect::<Vec<_>>()
+    };
+    let mut list = all_pairs(candidate.gaps().to_vec(), &simpler);
+    list.extend(smaller_gaps(candidate.gaps()).into_iter().flat_map(|gaps| all_pairs(gaps, &near)));
     list.sort();
     list.dedup();
     list
@@ -89,6 +98,16 @@ fn simpler_ratios((p, q): (u64, u64)) -> Vec<(u64, u64)> {
         (a, b) = (b, a % b);
     }
     ratios
+}
+
+/// The ratios of all α < 0 of height up to 5 that differ from the given one by a factor up to 2.
+fn simple_ratios_near((p, q): (u64, u64)) -> Vec<(u64, u64)> {
+    let (a, b) = (u128::from(p), u128::from(q - p.min(q)));
+    let near = |(c, sum): &(u64, u64)| {
+        let (c, d) = (u128::from(*c), u128::from(sum - c));
+        d > 0 && a * d <= 2 * b * c && b * c <= 2 * a * d
+    };
+    (1..=5).flat_map(ratios_of_height).filter(near).collect()
 }
 
 #[cfg(test)]
