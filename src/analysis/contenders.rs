@@ -56,6 +56,17 @@ impl Height {
         }
     }
 
+    /// [`enclosure`](Self::enclosure), at most `width` > 0 apart.
+    pub(super) fn enclosure_within(&mut self, width: &BigRational) -> (BigRational, BigRational) {
+        loop {
+            let (lo, hi) = self.enclosure();
+            if !width.is_positive() || &hi - &lo <= *width {
+                return (lo, hi);
+            }
+            self.refine();
+        }
+    }
+
     fn refine(&mut self) {
         if let Self::At(at) = self {
             let width = (at.1.hi() - at.1.lo()) / BigInt::from(1_u32 << STEP);

@@ -2,6 +2,7 @@
 
 use num_rational::BigRational;
 
+use super::contenders::Height;
 use super::roots::IsolatedRoot;
 
 /// Maximum or minimum.
@@ -61,6 +62,37 @@ pub struct Extremum {
     pub at_knot: bool,
     /// (lo, hi) with lo ≤ value ≤ hi, equal if the value is known exactly, as at every rational place.
     pub value: (BigRational, BigRational),
+    /// What the value is computed from.
+    pub(super) height: Height,
+}
+
+impl Extremum {
+    /// Narrows the place and the value until both intervals are at most `width` > 0 long. What is exact, and the
+    /// ends of a plateau, stay as they are.
+    ///
+    /// ```
+    /// use knotproof::analysis::{Pieces, Shape};
+    /// use knotproof::scalar::{integer, rational};
+    /// use knotproof::spline::{Basis, KnotVector};
+    ///
+    /// let knots = KnotVector::new([0, 0, 0, 1, 2, 2, 2].map(integer).to_vec())?;
+    /// let basis = Basis::new(knots, 2, "5".parse()?)?;
+    /// let mut maximum = Shape::of(&basis, &Pieces::of(&basis), 1).extrema()[0].clone();
+    /// let width = rational(1, 1 << 50);
+    /// maximum.refine_to(&width);
+    /// let (lo, hi) = maximum.place.interval();
+    /// assert!(hi - lo <= width && &maximum.value.1 - &maximum.value.0 <= width);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn refine_to(&mut self, width: &BigRational) {
+        let Place::Irrational { lo, hi, root } = &mut self.place else { return };
+        // x = start + y·length on the span.
+        let length = (&*hi - &*lo) / (root.hi() - root.lo());
+        let start = &*lo - root.lo() * &length;
+        root.refine_to(&(width / &length));
+        (*lo, *hi) = (&start + root.lo() * &length, start + root.hi() * length);
+        self.value = self.height.enclosure_within(width);
+    }
 }
 
 /// A discontinuity.

@@ -13,6 +13,7 @@ mod rational_bezier;
 mod roots;
 mod shape;
 mod sign;
+mod slopes;
 mod supremum;
 
 pub use decision::{
@@ -29,4 +30,5 @@ pub use rational_bezier::RationalBezier;
 pub use roots::{IsolatedRoot, count_positive_roots, positive_roots};
 pub use shape::Shape;
 pub use sign::Sign;
+pub use slopes::{KnotSlopes, knot_slopes};
 pub use supremum::{ClosedCoordinate, Enclosure, SupremumError, supremum};

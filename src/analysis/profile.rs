@@ -191,11 +191,12 @@ fn kind(left: Ordering, right: Ordering) -> Option<ExtremumKind> {
 
 impl Features {
     fn extremum(&mut self, kind: ExtremumKind, place: Place, station: &Station, role: Role) {
-        let value = station.height.clone().enclosure();
+        let mut height = station.height.clone();
+        let value = height.enclosure();
         if kind == ExtremumKind::Maximum {
             self.contenders.push(Contender { height: station.height.clone(), role });
         }
-        self.extrema.push(Extremum { kind, place, at_knot: station.at_knot, value });
+        self.extrema.push(Extremum { kind, place, at_knot: station.at_knot, value, height });
     }
 }
 

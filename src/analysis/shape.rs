@@ -1,5 +1,7 @@
 //! The shape of a basis function: where it rises, falls, stays and jumps, exactly.
 
+use num_rational::BigRational;
+
 use crate::spline::Basis;
 
 use super::contenders::attained_once;
@@ -64,6 +66,13 @@ impl Shape {
     #[must_use]
     pub fn extrema(&self) -> &[Extremum] {
         &self.features.extrema
+    }
+
+    /// Narrows every extremum, as [`Extremum::refine_to`] does.
+    pub fn refine_to(&mut self, width: &BigRational) {
+        for extremum in &mut self.features.extrema {
+            extremum.refine_to(width);
+        }
     }
 
     /// The local maxima, from left to right.

@@ -3,12 +3,13 @@
 use std::collections::HashSet;
 use std::ffi::OsString;
 use std::path::Path;
+use std::str::FromStr;
 
 use num_rational::BigRational;
 use thiserror::Error;
 
 use crate::claims::{Instance, instances, instances_named};
-use crate::spline::{Basis, Curve, CurveError, Index, KnotError, KnotVector, Point};
+use crate::spline::{Basis, Curve, CurveError, Index, IndexError, KnotError, KnotVector, Point};
 
 use super::error::CliError;
 use super::exact::Exact;
@@ -17,7 +18,7 @@ use super::lists::{numbers, points};
 use super::place::Place;
 
 /// What a command works on. Options override what an instance brings along.
-#[derive(Debug, clap::Args)]
+#[derive(Debug, Clone, clap::Args)]
 pub(super) struct InstanceArgs {
     /// An instance of the paper (U0 to U13, C5, C6a, C6b, C7a to C7c, S1 to S7), or a JSON file as in
     /// `knotproof schema`.
@@ -32,11 +33,27 @@ pub(super) struct InstanceArgs {
     /// The index α: less than 0, greater than 1, or inf. Replaces the indices of an instance; may be repeated
     /// where several make sense.
     #[arg(long, value_name = "A", allow_hyphen_values = true)]
-    alpha: Vec<Index>,
+    alpha: Vec<IndexChoice>,
     /// The control points of a curve: "0,2 3/2,5 5/2,4", "(0,2),(3/2,5)", "0 2; 3/2 5" or JSON. With commas only,
     /// or none, points of one coordinate: "0 1 4".
     #[arg(long, value_name = "POINTS", allow_hyphen_values = true)]
     points: Option<String>,
+}
+
+/// A value of `--alpha`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+enum IndexChoice {
+    One(Index),
+    /// `all`, for the commands that take the index as unknown.
+    All,
+}
+
+impl FromStr for IndexChoice {
+    type Err = IndexError;
+
+    fn from_str(text: &str) -> Result<Self, IndexError> {
+        if text.trim().eq_ignore_ascii_case("all") { Ok(Self::All) } else { text.parse().map(Self::One) }
+    }
 }
 
 /// The argument that picks one basis function.
@@ -101,7 +118,7 @@ impl InstanceArgs {
         let degree = degree.ok_or_else(|| missing("--degree", "give the degree, such as --degree 2"))?;
         let (knots, place) =
             knots.ok_or_else(|| missing("--knots", "give the knots, such as --knots \"0 0 0 1 2 2 2\""))?;
-        let mut indices = if self.alpha.is_empty() { given.indices } else { self.alpha.clone() };
+        let mut indices = self.indices()?.unwrap_or(given.indices);
         let mut seen = HashSet::new();
         indices.retain(|index| seen.insert(index.clone()));
         if indices.is_empty() {
@@ -118,6 +135,22 @@ impl InstanceArgs {
         };
         let cases = indices.into_iter().map(case).collect::<Result<_, CliError>>()?;
         Ok(Subject { label: given.label, cases })
+    }
+
+    /// The indices of `--alpha`, if there are any.
+    fn indices(&self) -> Result<Option<Vec<Index>>, CliError> {
+        let one = |choice: &IndexChoice| match choice {
+            IndexChoice::One(index) => Ok(index.clone()),
+            IndexChoice::All => Err(CliError::AllIndices),
+        };
+        let indices = self.alpha.iter().map(one).collect::<Result<Vec<_>, _>>()?;
+        Ok((!indices.is_empty()).then_some(indices))
+    }
+
+    /// Is `--alpha all` what is asked for? Then there is one case, and its index stands for nothing.
+    pub(super) fn every_index(&self) -> Option<Self> {
+        let stand_in = vec![IndexChoice::One(Index::infinity())];
+        (self.alpha == [IndexChoice::All]).then(|| Self { alpha: stand_in, ..self.clone() })
     }
 
     /// A paper instance if the name is known, a file otherwise.

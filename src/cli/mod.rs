@@ -23,6 +23,7 @@ mod prove;
 mod report;
 mod schema;
 mod search;
+mod shape;
 mod table;
 mod usage;
 mod verdict;
@@ -62,6 +63,7 @@ enum Command {
     Eval(Box<eval::Args>),
     Bezier(Box<bezier::Args>),
     Check(Box<check::Args>),
+    Shape(Box<shape::Args>),
     Report(report::Args),
     Explain(explain::Args),
     Prove(prove::Args),
@@ -77,6 +79,7 @@ impl Command {
             Self::Eval(args) => eval::run(args, output),
             Self::Bezier(args) => bezier::run(args, output),
             Self::Check(args) => check::run(args, output),
+            Self::Shape(args) => shape::run(args, output),
             Self::Report(args) => report::run(args, output),
             Self::Explain(args) => explain::run(args, output),
             Self::Prove(args) => prove::run(args, output),

@@ -1,0 +1,188 @@
+//! The command `shape`: local maxima and minima, plateaus, jumps and slopes of basis functions.
+
+mod text;
+
+use num_rational::BigRational;
+use num_traits::Signed;
+use serde::Serialize;
+
+use crate::analysis::{
+    Extremum, ExtremumKind, Jump, KnotSlopes, Pieces, Place, Shape as FunctionShape, knot_slopes,
+};
+use crate::scalar::parse_rational;
+use crate::spline::Basis;
+
+use super::error::CliError;
+use super::exact::Exact;
+use super::exit::Exit;
+use super::instance::{FunctionArgs, InstanceArgs};
+use super::output::Output;
+use super::progress::Progress;
+
+/// Local maxima, minima, plateaus, jumps and slopes of basis functions, exactly.
+///
+/// A local maximum is a point, or a maximal interval of constancy, where the function is larger than everywhere
+/// close by on both sides; outside of its support it is 0. `strong`: there is exactly one. `weak`: the supremum
+/// is attained at exactly one point.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLE)]
+pub(super) struct Args {
+    #[command(flatten)]
+    instance: InstanceArgs,
+    #[command(flatten)]
+    function: FunctionArgs,
+    /// The longest interval for a place or a value that is not known exactly.
+    #[arg(long, value_name = "W", value_parser = parse_rational, allow_hyphen_values = true, default_value = "0x1p-20")]
+    width: BigRational,
+}
+
+const EXAMPLE: &str = r#"Exit codes: 0 every function has exactly one local maximum, 1 one has none or several.
+
+Examples:
+  knotproof shape --instance U4 --alpha -1
+  knotproof shape --degree 3 --knots "0 0 0 0 1 2 4 4" --alpha 5/2 --index 2 --width 1e-12"#;
+
+/// The result: its fields are the JSON.
+#[derive(Debug, Serialize)]
+struct Shapes {
+    schema: &'static str,
+    degree: usize,
+    knots: Vec<Exact>,
+    functions: Vec<Function>,
+    #[serde(skip)]
+    label: Option<String>,
+}
+
+/// One function with one index.
+#[derive(Debug, Serialize)]
+struct Function {
+    index: usize,
+    alpha: String,
+    support: [Exact; 2],
+    local_maxima: usize,
+    local_minima: usize,
+    strong: bool,
+    /// `null` if that is not decided.
+    weak: Option<bool>,
+    extrema: Vec<Turn>,
+    jumps: Vec<Step>,
+    slopes: Vec<Slopes>,
+}
+
+/// A local maximum or minimum.
+#[derive(Debug, Serialize)]
+struct Turn {
+    kind: &'static str,
+    interval: [Exact; 2],
+    at_knot: bool,
+    /// Is the whole interval a maximal interval of constancy?
+    plateau: bool,
+    value: [Exact; 2],
+}
+
+/// A discontinuity.
+#[derive(Debug, Serialize)]
+struct Step {
+    at: Exact,
+    left: Exact,
+    right: Exact,
+}
+
+/// One-sided slopes at a knot; `null` where nothing lies on that side.
+#[derive(Debug, Serialize)]
+struct Slopes {
+    at: Exact,
+    left: Option<Exact>,
+    right: Option<Exact>,
+}
+
+/// Finds the shapes and prints them.
+pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
+    if !args.width.is_positive() {
+        return Err(CliError::Width(args.width.clone()));
+    }
+    let subject = args.instance.resolve()?;
+    let bases: Vec<Basis> = subject.cases.into_iter().map(|case| case.basis).collect();
+    let mut functions = Vec::new();
+    let progress = Progress::new(bases.len());
+    for basis in &bases {
+        progress.step(&format!("α = {}", basis.index()));
+        functions.extend(shapes(basis, args.function.chosen(basis)?, &args.width));
+    }
+    drop(progress);
+    let Some(first) = bases.first() else { unreachable!("an instance has an index") };
+    let all_strong = functions.iter().all(|function| function.strong);
+    output.result(&Shapes {
+        schema: "knotproof.shape/1",
+        degree: first.degree(),
+        knots: exact(first.knots().knots()),
+        functions,
+        label: subject.label,
+    })?;
+    Ok(if all_strong { Exit::Holds } else { Exit::Refuted })
+}
+
+/// The shape of the one function asked for, or of each.
+fn shapes(basis: &Basis, index: Option<usize>, width: &BigRational) -> Vec<Function> {
+    let pieces = Pieces::of(basis);
+    let chosen = index.map_or(0..=basis.n(), |i| i..=i);
+    chosen
+        .map(|i| {
+            let mut shape = FunctionShape::of(basis, &pieces, i);
+            shape.refine_to(width);
+            Function::new(basis, i, &shape)
+        })
+        .collect()
+}
+
+impl Function {
+    fn new(basis: &Basis, index: usize, shape: &FunctionShape) -> Self {
+        let (from, to) = basis.support(index);
+        Self {
+            index,
+            alpha: basis.index().to_string(),
+            support: [from, to].map(|end| Exact(end.clone())),
+            local_maxima: shape.local_maxima().count(),
+            local_minima: shape.local_minima().count(),
+            strong: shape.strong(),
+            weak: shape.weak(),
+            extrema: shape.extrema().iter().map(Turn::from).collect(),
+            jumps: shape.jumps().iter().map(Step::from).collect(),
+            slopes: knot_slopes(basis, index).into_iter().map(Slopes::from).collect(),
+        }
+    }
+}
+
+impl From<&Extremum> for Turn {
+    fn from(extremum: &Extremum) -> Self {
+        let (lo, hi) = extremum.place.interval();
+        let (least, most) = &extremum.value;
+        Self {
+            kind: match extremum.kind {
+                ExtremumKind::Maximum => "maximum",
+                ExtremumKind::Minimum => "minimum",
+            },
+            interval: [lo, hi].map(|x| Exact(x.clone())),
+            at_knot: extremum.at_knot,
+            plateau: matches!(extremum.place, Place::Plateau { .. }),
+            value: [least, most].map(|value| Exact(value.clone())),
+        }
+    }
+}
+
+impl From<&Jump> for Step {
+    fn from(jump: &Jump) -> Self {
+        let [at, left, right] = [&jump.at, &jump.left, &jump.right].map(|x| Exact(x.clone()));
+        Self { at, left, right }
+    }
+}
+
+impl From<KnotSlopes> for Slopes {
+    fn from(slopes: KnotSlopes) -> Self {
+        Self { at: Exact(slopes.at), left: slopes.left.map(Exact), right: slopes.right.map(Exact) }
+    }
+}
+
+fn exact(numbers: &[BigRational]) -> Vec<Exact> {
+    numbers.iter().cloned().map(Exact).collect()
+}

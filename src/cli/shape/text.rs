@@ -1,0 +1,72 @@
+//! What `shape` prints for people.
+
+use std::fmt;
+
+use anstyle::Style;
+
+use crate::scalar::decimal;
+
+use super::super::exact::Exact;
+use super::super::table::plain;
+use super::{Function, Shapes};
+
+const HEADING: Style = Style::new().bold();
+/// Significant digits of an approximation.
+const DIGITS: usize = 10;
+
+impl fmt::Display for Shapes {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(label) = &self.label {
+            writeln!(f, "Instance {label}")?;
+        }
+        writeln!(f, "Knots {}, degree {}", tuple(&self.knots), self.degree)?;
+        self.functions.iter().try_for_each(|function| function.fmt(f))
+    }
+}
+
+impl fmt::Display for Function {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [from, to] = &self.support;
+        writeln!(f, "\n{HEADING}G_{}, α = {}, on [{from}, {to}]{HEADING:#}", self.index, self.alpha)?;
+        let weak = match self.weak {
+            Some(true) => "the supremum is attained at exactly one point",
+            Some(false) => "the supremum is not attained at exactly one point",
+            None => "whether the supremum is attained at exactly one point is undecided",
+        };
+        let maxima = if self.local_maxima == 1 { "maximum" } else { "maxima" };
+        writeln!(f, "{} local {maxima}; {weak}", self.local_maxima)?;
+        let mut extrema = plain(["", "x", "≈", "value ≈", "at"].map(str::to_owned).to_vec());
+        for turn in &self.extrema {
+            let [lo, hi] = &turn.interval;
+            let at = match (turn.plateau, turn.at_knot) {
+                (true, _) => "plateau",
+                (false, true) => "knot",
+                (false, false) => "",
+            };
+            let place = if lo == hi { lo.to_string() } else { format!("[{lo}, {hi}]") };
+            let [value, _] = &turn.value;
+            extrema.add_row([turn.kind, &place, &near(lo), &near(value), at]);
+        }
+        if !self.extrema.is_empty() {
+            writeln!(f, "{}", extrema.trim_fmt())?;
+        }
+        for jump in &self.jumps {
+            writeln!(f, "Jump at {} from {} to {}", jump.at, jump.left, jump.right)?;
+        }
+        let mut slopes = plain(["knot", "slope from the left", "from the right"].map(str::to_owned).to_vec());
+        for slope in &self.slopes {
+            let side = |side: &Option<Exact>| side.as_ref().map_or("–".to_owned(), ToString::to_string);
+            slopes.add_row([slope.at.to_string(), side(&slope.left), side(&slope.right)]);
+        }
+        writeln!(f, "{}", slopes.trim_fmt())
+    }
+}
+
+fn near(x: &Exact) -> String {
+    decimal(&x.0, DIGITS)
+}
+
+fn tuple(numbers: &[Exact]) -> String {
+    let numbers: Vec<_> = numbers.iter().map(ToString::to_string).collect();
+    format!("({})", numbers.join(", "))
+}
