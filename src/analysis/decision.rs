@@ -55,7 +55,11 @@ impl SignPattern {
 /// ```
 #[must_use]
 pub fn sign_pattern(p: &Polynomial<BigRational>) -> SignPattern {
-    let polynomial = IntegerPolynomial::from_rational(p);
+    signs_of(IntegerPolynomial::from_rational(p))
+}
+
+/// [`sign_pattern`] of a polynomial that is in integers already.
+pub(super) fn signs_of(polynomial: IntegerPolynomial) -> SignPattern {
     let roots = roots_of(polynomial.clone());
     let mut between = Vec::with_capacity(roots.len() + 1);
     let mut low = integer(0);

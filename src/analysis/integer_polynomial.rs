@@ -25,6 +25,11 @@ impl IntegerPolynomial {
         Self::primitive(p.coefficients().iter().map(|c| c.numer() * (&common / c.denom())).collect())
     }
 
+    /// The positive multiple with coprime coefficients of a polynomial that is in integers already.
+    pub(super) fn from_integer(p: &Polynomial<BigInt>) -> Self {
+        Self::primitive(p.coefficients().to_vec())
+    }
+
     /// Drops leading zeros and divides by the (positive) content.
     fn primitive(mut coefficients: Vec<BigInt>) -> Self {
         while coefficients.last().is_some_and(Zero::is_zero) {

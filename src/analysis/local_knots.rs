@@ -57,11 +57,37 @@ pub struct SpanQuotient<R> {
 impl<R: Ring> SpanQuotient<R> {
     /// P′Q − PQ′, which has the sign of dG/du, and so of dG/dx, at every u > 0.
     ///
-    /// dG/dx = (P′Q − PQ′)(1 + u)²/(Q²·(t_{s+1} − t_s)).
+    /// dG/dx = (P′Q − PQ′)(1 + u)²/(Q²·(t_{s+1} − t_s)). The coefficient of u^(m−1) is summed as
+    ///
+    /// Σ_{i > j, i + j = m} (i − j)(p_i q_j − p_j q_i),
+    ///
+    /// in which nothing is left that cancels for all P and Q: an interval for it is as narrow as it can be, and
+    /// the degree is at most 2 deg Q − 2.
     #[must_use]
     pub fn slope(&self) -> Polynomial<R> {
-        let (p, q) = (&self.numerator, &self.denominator);
-        p.derivative().times(q).minus(&p.times(&q.derivative()))
+        let degree = self.numerator.degree().max(self.denominator.degree());
+        let zero = self.denominator.leading().zero();
+        if degree == 0 {
+            return Polynomial::constant(zero);
+        }
+        let padded = |p: &Polynomial<R>| {
+            let mut coefficients = p.coefficients().to_vec();
+            coefficients.resize(degree + 1, zero.clone());
+            coefficients
+        };
+        let (p, q) = (padded(&self.numerator), padded(&self.denominator));
+        let one = zero.one();
+        let naturals: Vec<R> =
+            std::iter::successors(Some(zero.clone()), |n| Some(n.plus(&one))).take(degree + 1).collect();
+        let coefficient = |m: usize| {
+            let term = |i: usize| {
+                let j = m - i;
+                naturals[i - j].times(&p[i].times(&q[j]).minus(&p[j].times(&q[i])))
+            };
+            let highest = m.min(degree);
+            (m / 2 + 1..highest).fold(term(highest), |sum, i| sum.plus(&term(i)))
+        };
+        Polynomial::new(coefficient(1), (2..2 * degree).map(coefficient))
     }
 }
 
@@ -76,6 +102,12 @@ impl<R: Ring> LocalKnots<R> {
             None if gaps.is_empty() => Err(LocalKnotsError::NoGap),
             None => Err(LocalKnotsError::Empty),
         }
+    }
+
+    /// The same knots in another ring, to which only 0 may go as 0.
+    pub(super) fn map<T: Ring>(&self, image: impl Fn(&R) -> T) -> LocalKnots<T> {
+        let (p, q) = &self.ratio;
+        LocalKnots { gaps: self.gaps.iter().map(&image).collect(), ratio: (image(p), image(q)) }
     }
 
     /// k.
@@ -106,11 +138,7 @@ impl<R: Ring> LocalKnots<R> {
         self.gaps.get(s).filter(|gap| !gap.is_zero())?;
         let weights = Numerators::new(self, s);
         let function = triangle(&weights, Span::assumed(s), self.degree(), self.gaps.len());
-        let all_but_the_whole = (0..=s)
-            .flat_map(|a| (s + 1..=self.gaps.len()).map(move |b| (a, b)))
-            .filter(|&(a, b)| (a, b) != (0, self.gaps.len()));
-        let denominator = weights.product(all_but_the_whole);
-        Some(SpanQuotient { numerator: function.get(0)?.clone(), denominator })
+        Some(SpanQuotient { numerator: function.get(0)?.clone(), denominator: weights.denominator() })
     }
 }
 
@@ -122,6 +150,10 @@ struct Numerators<R> {
     rises: Vec<Polynomial<R>>,
     /// Entry b − s − 1, for the knot t_b ≥ t_{s+1}: q·((t_b − t_s) + (t_b − t_{s+1})·u).
     falls: Vec<Polynomial<R>>,
+    /// Entry b − s − 1, and in it entry c, for 0 < c ≤ s + 1: ∏ L_{a,b} over all a with s ≥ a > s − c.
+    columns: Vec<Vec<Polynomial<R>>>,
+    /// Entry a, and in it entry c: ∏ L_{a,b} over all b with s < b ≤ s + c.
+    rows: Vec<Vec<Polynomial<R>>>,
 }
 
 impl<R: Ring> Numerators<R> {
@@ -143,12 +175,14 @@ impl<R: Ring> Numerators<R> {
         let linear = |constant: R, slope: R| Polynomial::new(constant, [slope]);
         let rise = |distance: &R| linear(p.times(distance), p.times(&distance.plus(gap)));
         let fall = |distance: &R| linear(q.times(&distance.plus(gap)), q.times(distance));
-        Self {
-            span,
-            last: knots.gaps.len(),
-            rises: before.iter().map(rise).collect(),
-            falls: after.iter().map(fall).collect(),
-        }
+        let rises: Vec<Polynomial<R>> = before.iter().map(rise).collect();
+        let falls: Vec<Polynomial<R>> = after.iter().map(fall).collect();
+        let whole: Vec<Vec<Polynomial<R>>> =
+            rises.iter().map(|rise| falls.iter().map(|fall| rise.plus(fall)).collect()).collect();
+        let column = |b: usize| running_products(whole.iter().rev().map(|row| &row[b]), &rises[0]);
+        let columns = (0..falls.len()).map(column).collect();
+        let rows = whole[..span].iter().map(|row| running_products(row[..row.len() - 1].iter(), &rises[0]));
+        Self { span, last: knots.gaps.len(), rows: rows.collect(), columns, rises, falls }
     }
 
     /// q·(t_b − x)·(1 + u).
@@ -156,10 +190,27 @@ impl<R: Ring> Numerators<R> {
         &self.falls[b - self.span - 1]
     }
 
-    /// ∏ L_{a,b}.
-    fn product(&self, intervals: impl Iterator<Item = (usize, usize)>) -> Polynomial<R> {
-        intervals.fold(self.one(), |product, (a, b)| product.times(&self.rises[a].plus(self.fall(b))))
+    /// ∏ L_{a,b} over all (a, b) but the whole support (0, k + 1).
+    fn denominator(&self) -> Polynomial<R> {
+        let full = self.rises.len();
+        let last = self.columns.len() - 1;
+        let columns = self.columns.iter().enumerate();
+        columns
+            .map(|(b, column)| &column[if b == last { full - 1 } else { full }])
+            .fold(self.one(), |product, column| product.times(column))
     }
+}
+
+/// 1, f_1, f_1·f_2, …
+fn running_products<'a, R: Ring + 'a>(
+    factors: impl Iterator<Item = &'a Polynomial<R>>,
+    like: &Polynomial<R>,
+) -> Vec<Polynomial<R>> {
+    let mut products = vec![like.one()];
+    for factor in factors {
+        products.push(products[products.len() - 1].times(factor));
+    }
+    products
 }
 
 impl<R: Ring> Weights for Numerators<R> {
@@ -173,12 +224,12 @@ impl<R: Ring> Weights for Numerators<R> {
     fn pair(&self, i: usize, d: usize) -> (Polynomial<R>, Polynomial<R>) {
         let (s, end) = (self.span, i + d);
         let up = if end < self.last {
-            self.rises[i].times(&self.product((i + 1..=s).map(|a| (a, end + 1))))
+            self.rises[i].times(&self.columns[end - s][s - i])
         } else {
             self.one().zero()
         };
         let down = match i.checked_sub(1) {
-            Some(before) => self.fall(end).times(&self.product((s + 1..end).map(|b| (before, b)))),
+            Some(before) => self.fall(end).times(&self.rows[before][end - 1 - s]),
             None => self.one().zero(),
         };
         (up, down)

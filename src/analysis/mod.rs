@@ -7,6 +7,7 @@ mod factored;
 mod integer_polynomial;
 mod linear;
 mod local_knots;
+mod monotonicity;
 mod pieces;
 mod profile;
 mod rational_bezier;
@@ -23,6 +24,7 @@ pub use decision::{
 pub use extremum::{Extremum, ExtremumKind, Jump, Place};
 pub use linear::{coefficient_rows, common_numerators, in_span, is_combination, rank};
 pub use local_knots::{LocalKnots, LocalKnotsError, SpanQuotient};
+pub use monotonicity::{Monotonicity, Route, SpanMonotonicity};
 pub use pieces::{
     Piece, Pieces, SpanPieces, constant, coordinate_between, coordinate_of, positive_coordinate,
 };

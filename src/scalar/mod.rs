@@ -4,6 +4,7 @@
 //! |---|---|---|
 //! | [`BigRational`] | exact ordered field | the exact value at a point |
 //! | `f64` | field up to rounding | the value that a CAD program would get |
+//! | [`Interval`] | ring up to rounding | bounds of the exact value: a sign that is certain, or none |
 //! | [`Jet`] over any scalar | algebra | one-sided derivatives of any order |
 //! | [`BigInt`](num_bigint::BigInt) | ring | numerators without a single division |
 //! | [`Polynomial`] | ring | identities in weights that are polynomials |
@@ -16,6 +17,7 @@ mod big_integer;
 mod decimal;
 mod factors;
 mod float;
+mod interval;
 mod jet;
 mod monomial;
 mod multivariate;
@@ -28,6 +30,7 @@ mod ring;
 
 pub use decimal::decimal;
 pub use float::{exact_value, ulp};
+pub use interval::Interval;
 pub use jet::Jet;
 pub use monomial::Monomial;
 pub use multivariate::Multivariate;

@@ -23,10 +23,7 @@ impl<S: Ring> Polynomial<S> {
     pub fn new(first: S, rest: impl IntoIterator<Item = S>) -> Self {
         let mut coefficients = vec![first];
         coefficients.extend(rest);
-        while coefficients.len() > 1 && coefficients.last().is_some_and(S::is_zero) {
-            coefficients.pop();
-        }
-        Self { coefficients }
+        Self::from_coefficients(coefficients)
     }
 
     /// The variable u, in the ring that `like` belongs to.
@@ -36,12 +33,11 @@ impl<S: Ring> Polynomial<S> {
     }
 
     /// From coefficients of which there is at least one.
-    fn from_coefficients(coefficients: Vec<S>) -> Self {
-        let mut coefficients = coefficients.into_iter();
-        match coefficients.next() {
-            Some(first) => Self::new(first, coefficients),
-            None => unreachable!("a polynomial has at least one coefficient"),
+    fn from_coefficients(mut coefficients: Vec<S>) -> Self {
+        while coefficients.len() > 1 && coefficients.last().is_some_and(S::is_zero) {
+            coefficients.pop();
         }
+        Self { coefficients }
     }
 
     /// c₀, …, c_n.
@@ -131,8 +127,9 @@ impl<S: Ring> Polynomial<S> {
     fn zip_with(&self, rhs: &Self, operation: impl Fn(&S, &S) -> S) -> Self {
         let zero = self.coefficients[0].zero();
         let length = self.coefficients.len().max(rhs.coefficients.len());
-        let at = |p: &Self, i: usize| p.coefficients.get(i).unwrap_or(&zero).clone();
-        Self::from_coefficients((0..length).map(|i| operation(&at(self, i), &at(rhs, i))).collect())
+        let at = |i: usize| [self, rhs].map(|p| p.coefficients.get(i).unwrap_or(&zero));
+        let apply = |[a, b]: [&S; 2]| operation(a, b);
+        Self::from_coefficients((0..length).map(at).map(apply).collect())
     }
 }
 
@@ -150,14 +147,13 @@ impl<S: Ring> Ring for Polynomial<S> {
         self.zip_with(rhs, S::minus)
     }
     fn times(&self, rhs: &Self) -> Self {
-        let zero = self.coefficients[0].zero();
-        let mut product = vec![zero; self.coefficients.len() + rhs.coefficients.len() - 1];
-        for (i, a) in self.coefficients.iter().enumerate() {
-            for (j, b) in rhs.coefficients.iter().enumerate() {
-                product[i + j] = product[i + j].plus(&a.times(b));
-            }
-        }
-        Self::from_coefficients(product)
+        let (a, b) = (&self.coefficients, &rhs.coefficients);
+        let coefficient = |n: usize| {
+            let (first, last) = (n.saturating_sub(rhs.degree()), n.min(self.degree()));
+            let others = a[first + 1..=last].iter().zip(b[n - last..n - first].iter().rev());
+            others.fold(a[first].times(&b[n - first]), |sum, (a, b)| sum.plus(&a.times(b)))
+        };
+        Self::from_coefficients((0..=self.degree() + rhs.degree()).map(coefficient).collect())
     }
     fn negate(&self) -> Self {
         Self { coefficients: self.coefficients.iter().map(S::negate).collect() }

@@ -1,0 +1,216 @@
+//! Where one function rises and where it falls, as signs: how often it turns, without the places.
+
+use std::cmp::Ordering;
+
+use num_bigint::BigInt;
+use num_traits::Zero;
+
+use crate::scalar::{Interval, Polynomial};
+
+use super::decision::signs_of;
+use super::integer_polynomial::IntegerPolynomial;
+use super::local_knots::LocalKnots;
+use super::sign::Sign;
+
+/// The signs of the derivative of one G_i^k, span by span.
+///
+/// Exact and for every x. On each span the slope P′Q − PQ′ is computed over [`Interval`]s first; where the signs
+/// of its coefficients leave a choice, it is computed over integers, and its roots are isolated.
+///
+/// ```
+/// use knotproof::analysis::{LocalKnots, Monotonicity, Sign};
+/// use num_bigint::BigInt;
+///
+/// // G_2³ on (0, 0, 0, 0, 1, 2, 4, 4) for α = 5/2 has the local knots 0, 0, 1, 2, 4 and r = 5/3.
+/// let gaps = [0, 1, 1, 2].map(BigInt::from).to_vec();
+/// let monotonicity = Monotonicity::of(&LocalKnots::new(gaps, (5.into(), 3.into()))?);
+/// assert_eq!(monotonicity.local_maxima(), Some(2));
+/// // Its first span is empty; on the second and the third it rises, then falls.
+/// assert_eq!(monotonicity.spans()[1].signs, [Sign::Positive, Sign::Negative]);
+/// # Ok::<(), knotproof::analysis::LocalKnotsError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Monotonicity {
+    spans: Vec<SpanMonotonicity>,
+    continuous: bool,
+}
+
+/// The signs of the derivative on one span.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SpanMonotonicity {
+    /// The number s of the span [t_{i+s}, t_{i+s+1}).
+    pub span: usize,
+    /// The signs between the points of the open span where the derivative changes its sign, from left to right:
+    /// two neighbours are never equal. A single [`Sign::Zero`] if the function is constant on the span.
+    pub signs: Vec<Sign>,
+    /// How they were found.
+    pub route: Route,
+}
+
+/// How the signs on a span were decided. Both ways are exact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Route {
+    /// By intervals: their signs sufficed.
+    Intervals,
+    /// By integers, since the intervals left a choice.
+    Integers,
+}
+
+impl Monotonicity {
+    /// That of the function with these local knots; gaps ≥ 0 and p, q > 0, as [`LocalKnots`] asks.
+    #[must_use]
+    pub fn of(knots: &LocalKnots<BigInt>) -> Self {
+        let over_intervals = knots.map(|number: &BigInt| Interval::from(number));
+        let on_span = |span: usize| {
+            let certain = over_intervals.on_span(span).and_then(|quotient| certain_signs(&quotient.slope()));
+            match certain {
+                Some(signs) => Some(SpanMonotonicity { span, signs, route: Route::Intervals }),
+                None => {
+                    let signs = exact_signs(&knots.on_span(span)?.slope());
+                    Some(SpanMonotonicity { span, signs, route: Route::Integers })
+                }
+            }
+        };
+        // A knot of multiplicity k + 1 takes k gaps, at one end or the other.
+        let empty = |gaps: &[BigInt]| gaps.iter().all(Zero::is_zero);
+        let (gaps, k) = (knots.gaps(), knots.degree());
+        let continuous = !empty(&gaps[..k]) && !empty(&gaps[1..]);
+        Self { spans: knots.spans().filter_map(on_span).collect(), continuous }
+    }
+
+    /// The spans that are not empty, from left to right.
+    #[must_use]
+    pub fn spans(&self) -> &[SpanMonotonicity] {
+        &self.spans
+    }
+
+    /// Is the function continuous, 0 outside of its support? It jumps where a knot has multiplicity k + 1, that
+    /// is if its first k gaps are empty, or its last k. Then it lives on one span.
+    #[must_use]
+    pub fn continuous(&self) -> bool {
+        self.continuous
+    }
+
+    /// The number of local maxima of a continuous function; `None` if it is not continuous, since then it depends
+    /// on what the function is taken for outside of its support ([`Shape`](super::Shape) says that).
+    ///
+    /// A plateau with smaller values on both sides counts once.
+    #[must_use]
+    pub fn local_maxima(&self) -> Option<usize> {
+        self.turns(Sign::Positive, Sign::Negative)
+    }
+
+    /// The number of local minima inside the support of a continuous function; `None` if it is not continuous.
+    ///
+    /// A plateau with larger values on both sides counts once.
+    #[must_use]
+    pub fn local_minima(&self) -> Option<usize> {
+        self.turns(Sign::Negative, Sign::Positive)
+    }
+
+    /// How often the one sign is followed by the other, plateaus left out.
+    fn turns(&self, before: Sign, after: Sign) -> Option<usize> {
+        let mut signs = self.spans.iter().flat_map(|span| &span.signs).filter(|sign| **sign != Sign::Zero);
+        let mut last = signs.next()?;
+        let mut count = 0;
+        for sign in signs {
+            count += usize::from((*last, *sign) == (before, after));
+            last = sign;
+        }
+        self.continuous.then_some(count)
+    }
+}
+
+/// The signs on (0, ∞) of every polynomial with coefficients in these intervals, if Descartes' rule shows them.
+///
+/// Let c_a and c_b be the first and the last coefficient other than [0, 0], and both of certain sign: so they are
+/// the lowest and the highest term of every such polynomial, and its signs close to 0 and to ∞. Let v be the
+/// largest number of sign variations that any choice of signs for the coefficients has, 0 included where an
+/// interval contains it. By Descartes' rule there are at most v positive roots, with multiplicity, and as many as
+/// v up to an even number. If v ≤ 1, there is one simple root if the signs of c_a and c_b differ, and none if they
+/// agree.
+///
+/// v is found in one pass: the largest number among the choices so far whose last sign is +, and that for −.
+/// A 0 adds nothing.
+fn certain_signs(slope: &Polynomial<Interval>) -> Option<Vec<Sign>> {
+    let strict = |c: &Interval| match c.sign()? {
+        Ordering::Less => Some(Sign::Negative),
+        Ordering::Greater => Some(Sign::Positive),
+        Ordering::Equal => None,
+    };
+    let lowest = slope.coefficients().iter().find(|c| c.sign() != Some(Ordering::Equal));
+    let Some(lowest) = lowest else { return Some(vec![Sign::Zero]) };
+    let (at_zero, at_infinity) = (strict(lowest)?, strict(slope.leading())?);
+    let (mut ending_in_plus, mut ending_in_minus) = (None, None);
+    for c in slope.coefficients() {
+        let grown = |same: Option<usize>, other: Option<usize>| same.max(other.map(|v| v + 1)).or(Some(0));
+        (ending_in_plus, ending_in_minus) = match c.sign() {
+            Some(Ordering::Equal) => continue,
+            Some(Ordering::Greater) => (grown(ending_in_plus, ending_in_minus), None),
+            Some(Ordering::Less) => (None, grown(ending_in_minus, ending_in_plus)),
+            None => (grown(ending_in_plus, ending_in_minus), grown(ending_in_minus, ending_in_plus)),
+        };
+    }
+    let most_variations = ending_in_plus.max(ending_in_minus)?;
+    (most_variations <= 1)
+        .then(|| if at_zero == at_infinity { vec![at_zero] } else { vec![at_zero, at_infinity] })
+}
+
+/// The signs on (0, ∞) between the points where they change.
+fn exact_signs(slope: &Polynomial<BigInt>) -> Vec<Sign> {
+    let pattern = signs_of(IntegerPolynomial::from_integer(slope));
+    let mut signs: Vec<Sign> = pattern.between().iter().map(|(_, sign)| *sign).collect();
+    // A root of even multiplicity.
+    signs.dedup();
+    signs
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A slope by a word: certain signs, exact zeros, and `?` for what may be either.
+    fn signs(word: &str) -> Option<Vec<Sign>> {
+        let coefficient = |c: char| match c {
+            '+' => Interval::new(0.5, 2.0),
+            '-' => Interval::new(-2.0, -0.5),
+            '0' => Interval::new(0.0, 0.0),
+            '?' => Interval::new(-1.0, 1.0),
+            'p' => Interval::new(0.0, 1.0),
+            _ => None,
+        };
+        let mut coefficients = word.chars().map(|c| coefficient(c).unwrap());
+        certain_signs(&Polynomial::new(coefficients.next().unwrap(), coefficients))
+    }
+
+    #[test]
+    fn signs_that_every_choice_has() {
+        let (plus, minus) = (Sign::Positive, Sign::Negative);
+        for word in ["+", "0+", "++0+", "00+00+", "+0"] {
+            assert_eq!(signs(word), Some(vec![plus]), "{word}");
+        }
+        for word in ["+-", "+?-", "0+?0-", "++-", "+0-0", "+++?---"] {
+            assert_eq!(signs(word), Some(vec![plus, minus]), "{word}");
+        }
+        assert_eq!((signs("-"), signs("--?+")), (Some(vec![minus]), Some(vec![minus, plus])));
+        assert_eq!((signs("0"), signs("000")), (Some(vec![Sign::Zero]), Some(vec![Sign::Zero])));
+    }
+
+    #[test]
+    fn signs_that_are_left_open() {
+        // Two unknown coefficients between + and − may add two variations; a lowest or highest one that may be 0
+        // leaves the sign at an end open; two variations allow no root or two.
+        for word in ["+??-", "+?+", "?+", "+?", "p+", "+p", "?", "+-+", "+?-?-", "-?+-", "?0"] {
+            assert_eq!(signs(word), None, "{word}");
+        }
+    }
+
+    #[test]
+    fn exact_signs_leave_out_what_does_not_change() {
+        // (u − 1)²(u − 3), and −(u − 1)².
+        let integers = |list: &[i64]| Polynomial::new(list[0].into(), list[1..].iter().map(|&c| c.into()));
+        assert_eq!(exact_signs(&integers(&[-3, 7, -5, 1])), [Sign::Negative, Sign::Positive]);
+        assert_eq!(exact_signs(&integers(&[-1, 2, -1])), [Sign::Negative]);
+        assert_eq!(exact_signs(&integers(&[0])), [Sign::Zero]);
+    }
+}
