@@ -152,7 +152,11 @@ fn save(option: &'static str, path: &Path, part: &Part) -> Result<(), CliError> 
 /// The part of a search in a file, as [`Part::to_text`] has written it.
 pub(super) fn read_part(option: &'static str, path: &Path) -> Result<Part, CliError> {
     let text = read_up_to(LONGEST, option, path)?;
-    Part::parse(&text).map_err(|error| CliError::SearchFile { argument: option, path: path.to_owned(), error: Box::new(error) })
+    Part::parse(&text).map_err(|error| CliError::SearchFile {
+        argument: option,
+        path: path.to_owned(),
+        error: Box::new(error),
+    })
 }
 
 impl Args {
