@@ -233,7 +233,7 @@ fn stepped((p, q): (u64, u64), higher: Side, bits: u32) -> Option<(u64, u64)> {
     let factor = ((1_u128 << bits) - 1, 1_u128 << bits);
     let (up, down) = if higher == Side::Left { factor } else { (factor.1, factor.0) };
     // 2^36 is more than enough for any r that a search meets; r is kept above 2^-36.
-    let scaled = (u128::from(p) * up << 36) / (u128::from(q) * down);
+    let scaled = ((u128::from(p) * up) << 36) / (u128::from(q) * down);
     let spare = (128 - scaled.leading_zeros()).saturating_sub(20);
     let rounded = u64::try_from((scaled >> spare) << spare).ok()?;
     reduced(rounded, 1 << 36)

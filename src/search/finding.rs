@@ -141,7 +141,7 @@ impl Finding {
         match goal {
             Goal::Several => Some(Self::of(shrink(candidate.clone(), |c| local_maxima(c).maxima > 1))),
             Goal::Most => Some(Self::of(shrink(candidate.clone(), |c| local_maxima(c).maxima == maxima))),
-            Goal::Equal => Some(shrunk_crossing(Crossing::near(candidate)?)).map(Self::of_crossing),
+            Goal::Equal => Some(Self::of_crossing(shrunk_crossing(Crossing::near(candidate)?))),
         }
     }
 
