@@ -56,7 +56,11 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
             // The same result may be written again; nothing else is lost.
             let old = read_part("--out", path)?;
             if old.search() != part.search() || !old.shard().is_whole() {
-                return Err(CliError::OtherSearch { argument: "--out", path: path.clone(), what: "what is in it" });
+                return Err(CliError::OtherSearch {
+                    argument: "--out",
+                    path: path.clone(),
+                    what: "what is in it",
+                });
             }
         }
         write_atomically("--out", path, &part.to_text().map_err(std::io::Error::from)?)?;

@@ -21,7 +21,8 @@ impl Compositions {
     /// Lists of `parts` numbers up to `bound`, for sums up to `largest`. `None` if a number of lists is 2^64 or more.
     #[must_use]
     pub fn new(parts: usize, bound: u64, largest: usize) -> Option<Self> {
-        let mut counts = vec![std::iter::once(1).chain(std::iter::repeat_n(0, largest)).collect::<Vec<u64>>()];
+        let mut counts =
+            vec![std::iter::once(1).chain(std::iter::repeat_n(0, largest)).collect::<Vec<u64>>()];
         let width = usize::try_from(bound).unwrap_or(usize::MAX).min(largest);
         for p in 0..parts {
             // count(p + 1, s) = Σ count(p, s − v) over 0 ≤ v ≤ bound: a sum over a window.
@@ -124,9 +125,9 @@ mod tests {
                     for (rank, list) in (0..).zip(&expected) {
                         assert_eq!(compositions.at(sum, rank).as_ref(), Some(list));
                         assert_eq!(stepped.as_ref(), Some(list));
-                        stepped = stepped.filter(|_| true).and_then(|mut list| {
-                            compositions.advance(&mut list).then_some(list)
-                        });
+                        stepped = stepped
+                            .filter(|_| true)
+                            .and_then(|mut list| compositions.advance(&mut list).then_some(list));
                     }
                     assert_eq!(stepped, None);
                     assert_eq!(compositions.at(sum, expected.len() as u64), None);

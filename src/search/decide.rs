@@ -116,7 +116,10 @@ mod tests {
             }
         }
         assert!(several > 0);
-        let three = Candidate::new(vec![798_629, 50_969, 15_552_000, 72_327, 2_424_870, 9_185_290], (183_588, 1_000_000));
+        let three = Candidate::new(
+            vec![798_629, 50_969, 15_552_000, 72_327, 2_424_870, 9_185_290],
+            (183_588, 1_000_000),
+        );
         assert_eq!(local_maxima(&three.unwrap()).maxima, 3);
     }
 }

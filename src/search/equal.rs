@@ -7,7 +7,7 @@ use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 use crate::analysis::{ExtremumKind, LocalKnots, always_positive};
-use crate::scalar::{Polynomial, RationalFunction, Ring, integer, rationals_between};
+use crate::scalar::{Polynomial, RationalFunction, Ring, height, integer, rationals_between};
 
 use super::candidate::Candidate;
 use super::decide::local_maxima;
@@ -42,6 +42,15 @@ pub enum Side {
     Right,
 }
 
+impl Side {
+    fn other(self) -> Self {
+        match self {
+            Self::Left => Self::Right,
+            Self::Right => Self::Left,
+        }
+    }
+}
+
 /// The two highest maxima of a function.
 struct Lead {
     higher: Side,
@@ -60,6 +69,8 @@ const LOOKS: usize = 12;
 const STEPS: usize = 48;
 /// The finest step, as a power of 2 by which r changes.
 const FINEST: u32 = 12;
+/// The most steps that the ends may be further out for the sake of simpler numbers.
+const ROOM: usize = 4;
 /// The most bisections between two indices.
 const BISECTIONS: usize = 16;
 
@@ -86,11 +97,18 @@ impl Crossing {
             }
         }
         let mut inner = [near, far?];
-        let outer = [candidate.ratio(), inner[1]];
-        for _ in 0..BISECTIONS {
+        // Further out on both sides, for as long as the leads stay: room for simpler indices.
+        let other = start.higher.other();
+        let outer = [
+            further(gaps, candidate.ratio(), (other, start.higher), bits),
+            further(gaps, inner[1], (start.higher, other), bits),
+        ];
+        for round in 0..BISECTIONS {
             let middle = between(inner[0], inner[1])?;
             let lead = lead(gaps, middle)?;
-            if let Some(found) = Self::with_points(gaps, sorted(inner), &lead) {
+            // Both ends have moved inwards, so there are simple indices outside of them.
+            let room = (0..2).all(|end| inner[end] != outer[end]) || round >= BISECTIONS / 2;
+            if let Some(found) = room.then(|| Self::with_points(gaps, sorted(inner), &lead)).flatten() {
                 return Some(found.with_simple_ends(sorted(outer)));
             }
             let end = usize::from(lead.higher != start.higher);
@@ -115,23 +133,29 @@ impl Crossing {
         if low >= high || high > integer(1) {
             return None;
         }
-        let [(higher, first), (at_high, second)] = [sides(gaps, ends[0], &points[0])?, sides(gaps, ends[1], &points[0])?];
+        let [(higher, first), (at_high, second)] =
+            [sides(gaps, ends[0], &points[0])?, sides(gaps, ends[1], &points[0])?];
         let valid = higher != at_high && is_lower_throughout(gaps, [&low, &high], &points)?;
         valid.then(|| Self { gaps: gaps.to_vec(), ends, points, higher, between: [first, second] })
     }
 
-    /// The same with simpler r₀ and r₁, as far out as the given ones.
+    /// The same with simpler r₀ and r₁, at most as far out as the given ones: these themselves, or what is simplest between
+    /// them and the ends that there are.
     fn with_simple_ends(mut self, outer: [(u64, u64); 2]) -> Self {
         for end in 0..2 {
             let mut limit = alpha(outer[end]);
+            let inner = alpha(self.ends[end]);
             for _ in 0..6 {
-                let inner = alpha(self.ends[end]);
                 let (low, high) = if limit < inner { (&limit, &inner) } else { (&inner, &limit) };
                 let Some(simple) = rationals_between(low, high).next() else { break };
-                let mut ends = self.ends;
-                let Some(ratio) = ratio(&simple) else { break };
-                ends[end] = ratio;
-                if let Some(found) = Self::new(&self.gaps, ends, self.points.clone()) {
+                let mut choices = [limit, simple.clone()];
+                choices.sort_by_key(height);
+                let found = choices.iter().find_map(|choice| {
+                    let mut ends = self.ends;
+                    ends[end] = ratio(choice)?;
+                    Self::new(&self.gaps, ends, self.points.clone())
+                });
+                if let Some(found) = found {
                     self = found;
                     break;
                 }
@@ -173,11 +197,7 @@ impl Crossing {
     /// The side of c that is higher at the indices, and a value between the largest values on both sides.
     #[must_use]
     pub fn at_ends(&self) -> [(Side, &BigRational); 2] {
-        let other = match self.higher {
-            Side::Left => Side::Right,
-            Side::Right => Side::Left,
-        };
-        [(other, &self.between[1]), (self.higher, &self.between[0])]
+        [(self.higher.other(), &self.between[1]), (self.higher, &self.between[0])]
     }
 }
 
@@ -197,12 +217,23 @@ fn sorted(ends: [(u64, u64); 2]) -> [(u64, u64); 2] {
     if u128::from(a) * u128::from(d) <= u128::from(c) * u128::from(b) { ends } else { [ends[1], ends[0]] }
 }
 
+/// Some steps on, as if `towards` were higher, for as long as there are two maxima and `lead_of` leads.
+fn further(gaps: &[u64], mut ratio: (u64, u64), (towards, lead_of): (Side, Side), bits: u32) -> (u64, u64) {
+    for _ in 0..ROOM {
+        match stepped(ratio, towards, bits) {
+            Some(next) if lead(gaps, next).is_some_and(|lead| lead.higher == lead_of) => ratio = next,
+            _ => break,
+        }
+    }
+    ratio
+}
+
 /// r·(1 − 2^−bits) to give the right side more, r/(1 − 2^−bits) to give the left one more, to 20 bits; `None` at r ≥ 1.
 fn stepped((p, q): (u64, u64), higher: Side, bits: u32) -> Option<(u64, u64)> {
     let factor = ((1_u128 << bits) - 1, 1_u128 << bits);
     let (up, down) = if higher == Side::Left { factor } else { (factor.1, factor.0) };
     // 2^36 is more than enough for any r that a search meets; r is kept above 2^-36.
-    let scaled = (u128::from(p) * up << 36) / (u128::from(q) * down);
+    let scaled = ((u128::from(p) * up) << 36) / (u128::from(q) * down);
     let spare = (128 - scaled.leading_zeros()).saturating_sub(20);
     let rounded = u64::try_from((scaled >> spare) << spare).ok()?;
     reduced(rounded, 1 << 36)
@@ -226,8 +257,7 @@ fn reduced(p: u64, q: u64) -> Option<(u64, u64)> {
 fn lead(gaps: &[u64], ratio: (u64, u64)) -> Option<Lead> {
     let candidate = Candidate::new(gaps.to_vec(), ratio).ok()?;
     let mut turns = turns(&candidate);
-    let maxima: Vec<usize> =
-        (0..turns.len()).filter(|&at| turns[at].kind == ExtremumKind::Maximum).collect();
+    let maxima: Vec<usize> = (0..turns.len()).filter(|&at| turns[at].kind == ExtremumKind::Maximum).collect();
     let (mut first, mut second) = (*maxima.first()?, None);
     for &next in &maxima[1..] {
         if compare(&mut turns, next, first)? == Ordering::Greater {

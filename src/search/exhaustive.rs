@@ -234,7 +234,8 @@ mod tests {
                 let list = list.clone();
                 (0..=bound).map(move |gap| [list.clone(), vec![gap]].concat())
             };
-            lists = lists.iter().flat_map(longer).filter(|list| list.iter().sum::<u64>() < limits.size).collect();
+            lists =
+                lists.iter().flat_map(longer).filter(|list| list.iter().sum::<u64>() < limits.size).collect();
         }
         let mut found = Vec::new();
         for q in 1..=2 * limits.size {

@@ -59,7 +59,8 @@ pub(super) fn turns(candidate: &Candidate) -> Vec<Turn> {
                     root = exact;
                 }
                 let (start, gap) = (start.clone(), &end - &start);
-                turns.push(Turn { kind, at: At::Inside { start, gap, quotient: Rc::clone(&quotient), root } });
+                turns
+                    .push(Turn { kind, at: At::Inside { start, gap, quotient: Rc::clone(&quotient), root } });
             }
             last = after;
         }

@@ -129,14 +129,19 @@ impl Finding {
     /// What a case leads to, if it has what is looked for: shrunk as far as it goes. `at_least`: the least number of
     /// local maxima that is of interest. It depends on the goal and the case only.
     #[must_use]
-    pub(super) fn from_case(goal: Goal, candidate: &Candidate, maxima: usize, at_least: usize) -> Option<Self> {
+    pub(super) fn from_case(
+        goal: Goal,
+        candidate: &Candidate,
+        maxima: usize,
+        at_least: usize,
+    ) -> Option<Self> {
         if maxima < at_least.max(2) {
             return None;
         }
         match goal {
             Goal::Several => Some(Self::of(shrink(candidate.clone(), |c| local_maxima(c).maxima > 1))),
             Goal::Most => Some(Self::of(shrink(candidate.clone(), |c| local_maxima(c).maxima == maxima))),
-            Goal::Equal => Some(shrunk_crossing(Crossing::near(candidate)?)).map(Self::of_crossing),
+            Goal::Equal => Some(Self::of_crossing(shrunk_crossing(Crossing::near(candidate)?))),
         }
     }
 
@@ -218,7 +223,8 @@ fn shrunk_crossing(mut crossing: Crossing) -> Crossing {
         smaller.sort();
         smaller.dedup();
         let several = |candidate: &Candidate| local_maxima(candidate).maxima > 1;
-        let smaller = smaller.iter().filter(|candidate| candidate.gaps().iter().sum::<u64>() < gaps.iter().sum());
+        let smaller =
+            smaller.iter().filter(|candidate| candidate.gaps().iter().sum::<u64>() < gaps.iter().sum());
         smaller.filter(|candidate| several(candidate)).find_map(Crossing::near)
     };
     while let Some(smaller) = next(&crossing) {

@@ -24,7 +24,9 @@ pub enum MergeError {
         first: String,
     },
     /// A part that was interrupted.
-    #[error("{part}: it is not finished: {done} of {positions} positions are done; go on with `knotproof search --resume`")]
+    #[error(
+        "{part}: it is not finished: {done} of {positions} positions are done; go on with `knotproof search --resume`"
+    )]
     Unfinished {
         /// Which.
         part: String,
@@ -56,7 +58,9 @@ pub enum MergeError {
         positions: u64,
     },
     /// Cases that do not add up.
-    #[error("the shards have {found} cases, and the space has {expected}: one was not written by this program")]
+    #[error(
+        "the shards have {found} cases, and the space has {expected}: one was not written by this program"
+    )]
     Count {
         /// The sum over the parts.
         found: u64,
@@ -159,13 +163,21 @@ mod tests {
         assert!(matches!(pick(&[&parts[1], &parts[2]]), Err(MergeError::Gap { from: 0, .. })));
         assert!(matches!(pick(&[&parts[0], &parts[1]]), Err(MergeError::Gap { .. })));
         let again = [&parts[0], &parts[1], &parts[2], &parts[1]];
-        assert!(matches!(pick(&again), Err(MergeError::Overlap { part, before, .. }) if part == "1" && before == "1"));
-        assert!(matches!(pick(&[&halves[0], &parts[1], &parts[2]]), Err(MergeError::Overlap { part, .. }) if part == "1"));
+        assert!(
+            matches!(pick(&again), Err(MergeError::Overlap { part, before, .. }) if part == "1" && before == "1")
+        );
+        assert!(
+            matches!(pick(&[&halves[0], &parts[1], &parts[2]]), Err(MergeError::Overlap { part, .. }) if part == "1")
+        );
         let most = shards(Goal::Most, &space, 3);
-        assert!(matches!(pick(&[&parts[0], &most[1], &parts[2]]), Err(MergeError::Mixed { part, .. }) if part == "1"));
+        assert!(
+            matches!(pick(&[&parts[0], &most[1], &parts[2]]), Err(MergeError::Mixed { part, .. }) if part == "1")
+        );
         let mut part = parts[1].clone();
         part.1.done -= 1;
-        assert!(matches!(pick(&[&parts[0], &part, &parts[2]]), Err(MergeError::Unfinished { part, .. }) if part == "1"));
+        assert!(
+            matches!(pick(&[&parts[0], &part, &parts[2]]), Err(MergeError::Unfinished { part, .. }) if part == "1")
+        );
         part.1.done += 1;
         part.1.tally.exactly -= 1;
         assert!(matches!(pick(&[&parts[0], &part, &parts[2]]), Err(MergeError::Count { .. })));

@@ -75,15 +75,7 @@ impl Part {
         let cases = Cases::of(&search)?;
         let range = shard.range(cases.positions())?;
         let done = range.start;
-        Ok(Self {
-            search,
-            shard,
-            cases,
-            range,
-            done,
-            tally: Tally::default(),
-            findings: Findings::default(),
-        })
+        Ok(Self { search, shard, cases, range, done, tally: Tally::default(), findings: Findings::default() })
     }
 
     /// What is searched.

@@ -66,7 +66,7 @@ impl Random {
 
     /// (256 + m)·2^e by 61 random bits: m the lowest 8, e by the 32 above them, scaled to 0..spread.
     fn spread_number(&self, bits: u64) -> u64 {
-        let exponent = ((bits >> 8) & 0xffff_ffff) * u64::from(self.sample.spread) >> 32;
+        let exponent = (((bits >> 8) & 0xffff_ffff) * u64::from(self.sample.spread)) >> 32;
         (256 + (bits & 0xff)) << exponent
     }
 }
@@ -101,7 +101,9 @@ mod tests {
         let cases: Vec<_> = random(1, 9).between(0..2000).map(|(_, candidate)| candidate).collect();
         let empty = cases.iter().flat_map(Candidate::gaps).filter(|gap| **gap == 0).count();
         assert!((600..1400).contains(&empty), "{empty} of 8000");
-        let wide = |c: &&Candidate| c.gaps().iter().max() > c.gaps().iter().filter(|g| **g > 0).min().map(|g| g * 100).as_ref();
+        let wide = |c: &&Candidate| {
+            c.gaps().iter().max() > c.gaps().iter().filter(|g| **g > 0).min().map(|g| g * 100).as_ref()
+        };
         assert!((200..1500).contains(&cases.iter().filter(wide).count()));
         // Each normal form has r ≤ 1; half of them lie below 2^-2.
         let small = cases.iter().filter(|c| c.ratio().0 * 4 < c.ratio().1).count();

@@ -66,7 +66,9 @@ pub enum RecordError {
     #[error("the last line is no summary of a search ({0}): the file is cut off, or something else")]
     NoSummary(String),
     /// Another version of the program.
-    #[error("it was written by version {0}, and this is version {VERSION}: search again, or use that version")]
+    #[error(
+        "it was written by version {0}, and this is version {VERSION}: search again, or use that version"
+    )]
     Version(String),
     /// A line is no finding.
     #[error("line {line}: {error}: the file is damaged")]

@@ -107,7 +107,8 @@ mod tests {
     fn shards_add_up_to_the_whole() {
         for positions in [1, 2, 7, 100, u64::MAX >> 1] {
             for of in (1..=7).filter(|&of| of <= positions) {
-                let ranges: Vec<_> = (0..of).map(|index| Shard { index, of }.range(positions).unwrap()).collect();
+                let ranges: Vec<_> =
+                    (0..of).map(|index| Shard { index, of }.range(positions).unwrap()).collect();
                 assert_eq!((ranges[0].start, ranges[ranges.len() - 1].end), (0, positions));
                 assert!(ranges.windows(2).all(|pair| pair[0].end == pair[1].start));
                 assert!(ranges.iter().all(|range| !range.is_empty()));
@@ -118,7 +119,9 @@ mod tests {
 
     #[test]
     fn what_is_no_shard() {
-        for text in ["", "1", "/", "1/", "/2", "-1/2", "+1/2", "1/2/3", "a/b", "0.5/2", "1/99999999999999999999"] {
+        for text in
+            ["", "1", "/", "1/", "/2", "-1/2", "+1/2", "1/2/3", "a/b", "0.5/2", "1/99999999999999999999"]
+        {
             assert!(matches!(text.parse::<Shard>(), Err(ShardError::Malformed(_))), "{text}");
         }
         assert!(matches!("0/0".parse::<Shard>(), Err(ShardError::None(_))));

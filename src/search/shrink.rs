@@ -117,7 +117,9 @@ mod tests {
 
     #[test]
     fn neighbours_are_smaller_and_normal() {
-        for (gaps, ratio) in [(&[2003, 1009, 997, 1][..], (3007, 5000)), (&[2, 1, 1, 0], (3, 5)), (&[1, 1], (1, 1))] {
+        for (gaps, ratio) in
+            [(&[2003, 1009, 997, 1][..], (3007, 5000)), (&[2, 1, 1, 0], (3, 5)), (&[1, 1], (1, 1))]
+        {
             let candidate = Candidate::new(gaps.to_vec(), ratio).unwrap();
             let list = smaller(&candidate);
             assert!(list.iter().all(|c| c.is_normal() && *c < candidate && c.degree() == candidate.degree()));

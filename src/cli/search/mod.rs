@@ -115,8 +115,8 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         return Err(CliError::Threads { reason: "a search needs 1 thread at least".to_owned() });
     }
     let (mut part, file) = args.part()?;
-    if let Some((option, path)) = &file {
-        save(option, path, &part)?;
+    if let Some(file) = &file {
+        file.save(&part)?;
     }
     // For rayon 0 threads are all that there are.
     let pool = rayon::ThreadPoolBuilder::new().num_threads(args.threads.unwrap_or(0)).build();
@@ -129,9 +129,9 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         part.run(|part| {
             progress.reach(part.done(), &format!("{} found", part.findings().len()));
             match &file {
-                Some((option, path)) if part.is_complete() || saved.elapsed() >= PAUSE => {
+                Some(file) if part.is_complete() || saved.elapsed() >= PAUSE => {
                     saved = Instant::now();
-                    save(option, path, part)
+                    file.save(part)
                 }
                 _ => Ok(()),
             }
@@ -145,19 +145,31 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     Ok(if part.findings().is_empty() { Exit::Holds } else { Exit::Refuted })
 }
 
-fn save(option: &'static str, path: &Path, part: &Part) -> Result<(), CliError> {
-    write_atomically(option, path, &part.to_text().map_err(std::io::Error::from)?)
+/// Where the state of a search is kept.
+struct StateFile {
+    option: &'static str,
+    path: PathBuf,
+}
+
+impl StateFile {
+    fn save(&self, part: &Part) -> Result<(), CliError> {
+        write_atomically(self.option, &self.path, &part.to_text().map_err(std::io::Error::from)?)
+    }
 }
 
 /// The part of a search in a file, as [`Part::to_text`] has written it.
 pub(super) fn read_part(option: &'static str, path: &Path) -> Result<Part, CliError> {
     let text = read_up_to(LONGEST, option, path)?;
-    Part::parse(&text).map_err(|error| CliError::SearchFile { argument: option, path: path.to_owned(), error: Box::new(error) })
+    Part::parse(&text).map_err(|error| CliError::SearchFile {
+        argument: option,
+        path: path.to_owned(),
+        error: Box::new(error),
+    })
 }
 
 impl Args {
     /// What to do, and the file to keep it in.
-    fn part(&self) -> Result<(Part, Option<(&'static str, PathBuf)>), CliError> {
+    fn part(&self) -> Result<(Part, Option<StateFile>), CliError> {
         let shard = match &self.shard {
             None => None,
             Some(text) => Some(text.parse::<Shard>().map_err(|error| blame(error.into()))?),
@@ -168,7 +180,7 @@ impl Args {
             (None, None) => return Ok((self.new_part(shard)?, None)),
         };
         if self.resume.is_none() && !path.exists() {
-            return Ok((self.new_part(shard)?, Some((option, path.clone()))));
+            return Ok((self.new_part(shard)?, Some(StateFile { option, path: path.clone() })));
         }
         let found = read_part(option, path)?;
         let mut differs = self.differs(&found, shard);
@@ -179,7 +191,7 @@ impl Args {
             differs = differs.or((!same).then_some("an option that is not given"));
         }
         match differs {
-            None => Ok((found, Some((option, path.clone())))),
+            None => Ok((found, Some(StateFile { option, path: path.clone() }))),
             Some(what) => Err(CliError::OtherSearch { argument: option, path: path.clone(), what }),
         }
     }

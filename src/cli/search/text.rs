@@ -38,7 +38,11 @@ impl fmt::Display for Summary<'_> {
         if findings.is_empty() {
             return write!(f, "\nNone has {what}.");
         }
-        writeln!(f, "\n{HEADING}Functions with {what}: {}{HEADING:#}, shrunk, smallest first", findings.len())?;
+        writeln!(
+            f,
+            "\n{HEADING}Functions with {what}: {}{HEADING:#}, shrunk, smallest first",
+            findings.len()
+        )?;
         let mut table = plain(["gaps", "α", "maxima", "cases"].map(str::to_owned).to_vec());
         for record in findings.records() {
             table.add_row([

@@ -1,0 +1,433 @@
+//! `search` and `merge` as a user meets them: what is found, that nothing but the search has an influence on the result,
+//! and that bad input changes nothing.
+
+#![allow(clippy::unwrap_used, reason = "helpers of tests")]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command as Process, Stdio};
+use std::thread::sleep;
+use std::time::Duration;
+
+use assert_cmd::Command;
+use serde_json::Value;
+
+fn knotproof(arguments: &[&str]) -> Command {
+    let mut command = Command::cargo_bin("knotproof").unwrap();
+    command.args(arguments);
+    command
+}
+
+/// What `search` writes with `--format json`, and its exit code.
+fn search(arguments: &[&str]) -> (String, i32) {
+    let output = knotproof(&[&["search", "--format", "json"], arguments].concat()).output().unwrap();
+    assert!(output.stderr.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
+    (String::from_utf8(output.stdout).unwrap(), output.status.code().unwrap())
+}
+
+/// The findings, and the summary.
+fn records(text: &str) -> (Vec<Value>, Value) {
+    let mut records: Vec<Value> = text.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    let summary = records.pop().unwrap();
+    assert!(records.iter().all(|record| record["record"] == "finding"));
+    assert_eq!(summary["record"], "summary");
+    (records, summary)
+}
+
+/// Exit code 2, nothing on standard output, and one message with the argument and all parts of it, in either format.
+fn rejected(arguments: &[&str], argument: &str, parts: &[&str]) {
+    for format in ["text", "json"] {
+        let assert = knotproof(arguments).args(["--format", format]).assert().code(2).stdout("");
+        let message = String::from_utf8(assert.get_output().stderr.clone()).unwrap();
+        assert!(!message.contains("panicked"), "{message}");
+        for part in parts {
+            assert!(message.contains(part), "{part:?} in {message}");
+        }
+        if format == "json" {
+            let report: Value = serde_json::from_str(&message).unwrap();
+            assert_eq!(report["error"]["argument"], argument, "{report}");
+        }
+    }
+}
+
+fn path_in(folder: &tempfile::TempDir, name: &str) -> PathBuf {
+    folder.path().join(name)
+}
+
+fn text(path: &Path) -> &str {
+    path.to_str().unwrap()
+}
+
+/// Degree 3 fails first with the gaps 2, 1, 1, 0 and α = −3/2: no other function up to size 8 has two maxima.
+#[test]
+fn the_smallest_counterexample_of_degree_3() {
+    let (found, code) = search(&["--degree", "3", "--limit", "8"]);
+    let (findings, summary) = records(&found);
+    assert_eq!((findings.len(), code), (1, 1));
+    let finding = &findings[0];
+    assert_eq!(finding["gaps"], serde_json::json!(["2", "1", "1", "0"]));
+    assert_eq!(finding["knots"], serde_json::json!(["0", "0", "2", "3", "4", "4", "4", "4"]));
+    assert_eq!(
+        (&finding["alpha"], &finding["index"], &finding["degree"]),
+        (&"-3/2".into(), &1.into(), &3.into())
+    );
+    assert_eq!(finding["witness"]["local_maxima"], 2);
+    let kinds: Vec<_> =
+        finding["witness"]["extrema"].as_array().unwrap().iter().map(|e| &e["kind"]).collect();
+    assert_eq!(kinds, ["maximum", "minimum", "maximum"]);
+    assert_eq!(finding["witness"]["extrema"][1]["interval"], serde_json::json!(["3", "3"]));
+    assert_eq!(
+        finding["reproduce"],
+        "knotproof shape --degree 3 --knots \"0 0 2 3 4 4 4 4\" --alpha -3/2 --index 1"
+    );
+    assert_eq!(
+        (&summary["count"], &summary["cases"], &summary["several"]),
+        (&1581.into(), &1581.into(), &1.into())
+    );
+    let text = knotproof(&["search", "--degree", "3", "--limit", "8"]).assert().code(1);
+    let text = String::from_utf8(text.get_output().stdout.clone()).unwrap();
+    assert!(
+        text.contains("1581 cases") && text.contains("2 1 1 0") && text.contains("--alpha -3/2 --index 1")
+    );
+}
+
+#[test]
+fn degrees_1_and_2_have_none() {
+    for degree in ["1", "2"] {
+        for space in [&["--limit", "12"][..], &["--count", "500"]] {
+            let (found, code) = search(&[&["--degree", degree], space].concat());
+            let (findings, summary) = records(&found);
+            assert_eq!((findings.len(), code), (0, 0));
+            assert_eq!(summary["cases"], summary["count"]);
+        }
+    }
+    knotproof(&["search", "--degree", "2"]).assert().code(0);
+}
+
+/// Each finding is a function that `check` finds wrong as well, by the general path.
+#[test]
+fn findings_stand_in_check() {
+    let (found, _) = search(&["--degree", "3", "--count", "600", "--seed", "1"]);
+    let (findings, _) = records(&found);
+    assert!(!findings.is_empty());
+    for finding in findings.iter().take(2) {
+        let knots: Vec<_> =
+            finding["knots"].as_array().unwrap().iter().map(|t| t.as_str().unwrap()).collect();
+        let alpha = finding["alpha"].as_str().unwrap();
+        let arguments = ["check", "--degree", "3", "--knots", &knots.join(" "), "--alpha", alpha];
+        knotproof(&arguments).args(["--property", "Conj3.1.strong.continuous"]).assert().code(1);
+    }
+}
+
+#[test]
+fn the_most_maxima() {
+    let (found, code) = search(&["--degree", "3", "--find", "most", "--limit", "10"]);
+    let (findings, summary) = records(&found);
+    assert_eq!((code, findings.len() as u64), (1, summary["findings"].as_u64().unwrap()));
+    assert!(findings.iter().all(|finding| finding["witness"]["local_maxima"] == 2));
+    // Everything with two maxima counts, so it is what `several` finds.
+    let (several, _) = search(&["--degree", "3", "--limit", "10"]);
+    let gaps = |findings: &[Value]| {
+        findings.iter().map(|f| (f["gaps"].clone(), f["alpha"].clone())).collect::<Vec<_>>()
+    };
+    assert_eq!(gaps(&findings), gaps(&records(&several).0));
+}
+
+/// The two maxima of the gaps 0, 5, 2, 1 change places next to α = −1; those of 2, 1, 1, 0 below −3/2.
+#[test]
+fn equal_maxima_between_two_indices() {
+    let (found, code) = search(&["--degree", "3", "--find", "equal", "--limit", "9"]);
+    let (findings, _) = records(&found);
+    assert_eq!(code, 1);
+    for (gaps, low, high) in [("2 1 1 0", -1.6, -1.4), ("0 5 2 1", -1.2, -0.9)] {
+        let list: Vec<_> = gaps.split(' ').collect();
+        let finding = findings.iter().find(|finding| finding["gaps"] == serde_json::json!(list)).unwrap();
+        let equal = &finding["witness"]["equal"];
+        let alphas: Vec<_> = equal["alpha"].as_array().unwrap().iter().map(|a| a.as_str().unwrap()).collect();
+        let number = |text: &str| {
+            let (p, q) = text.split_once('/').unwrap_or((text, "1"));
+            p.parse::<f64>().unwrap() / q.parse::<f64>().unwrap()
+        };
+        assert!(low < number(alphas[0]) && number(alphas[0]) < number(alphas[1]) && number(alphas[1]) < high);
+        assert_ne!(equal["higher"][0], equal["higher"][1]);
+        assert_eq!(finding["alpha"], equal["alpha"][0]);
+        let reproduce = finding["reproduce"].as_str().unwrap();
+        assert!(reproduce.contains(&format!("--alpha {} --alpha {}", alphas[0], alphas[1])), "{reproduce}");
+    }
+}
+
+#[test]
+fn threads_have_no_influence() {
+    for space in [
+        &["--degree", "3", "--limit", "11"][..],
+        &["--degree", "4", "--count", "5000", "--seed", "5"],
+        &["--degree", "3", "--count", "5000", "--find", "most"],
+    ] {
+        let one = search(&[space, &["--threads", "1"]].concat());
+        assert_eq!(search(&[space, &["--threads", "2"]].concat()), one);
+        assert_eq!(search(&[space, &["--threads", "5"]].concat()), one);
+    }
+    assert_ne!(
+        search(&["--degree", "3", "--count", "300", "--seed", "1"]),
+        search(&["--degree", "3", "--count", "300"])
+    );
+}
+
+/// Shards as they are written to standard output, and as checkpoints, merged: as if there had been none.
+#[test]
+fn shards_have_no_influence() {
+    let folder = tempfile::tempdir().unwrap();
+    for space in [
+        &["--degree", "3", "--limit", "11"][..],
+        &["--degree", "3", "--count", "4001", "--seed", "9"],
+        &["--degree", "3", "--limit", "9", "--find", "equal"],
+    ] {
+        let whole = search(space);
+        let files: Vec<_> = (0..3).map(|i| path_in(&folder, &format!("{i}.jsonl"))).collect();
+        for (i, file) in files.iter().enumerate() {
+            let shard = format!("{i}/3");
+            let mut arguments = [space, &["--shard", &shard]].concat();
+            if i == 1 {
+                let _ = fs::remove_file(file);
+                arguments.extend(["--checkpoint", text(file)]);
+            }
+            let (found, _) = search(&arguments);
+            if i == 1 {
+                assert_eq!(fs::read_to_string(file).unwrap(), found);
+            } else {
+                fs::write(file, found).unwrap();
+            }
+        }
+        let out = path_in(&folder, "all.jsonl");
+        let _ = fs::remove_file(&out);
+        let files: Vec<_> = files.iter().rev().map(|file| text(file)).collect();
+        let arguments = [&["merge", "--format", "json", "--out", text(&out)], &files[..]].concat();
+        let merged = knotproof(&arguments).assert().code(whole.1).get_output().stdout.clone();
+        assert_eq!(fs::read_to_string(&out).unwrap(), whole.0);
+        let merged: Value = serde_json::from_slice(&merged).unwrap();
+        let (findings, summary) = records(&whole.0);
+        assert_eq!((&merged["schema"], &merged["covered"]), (&"knotproof.merge/1".into(), &true.into()));
+        assert_eq!(merged["findings"], Value::from(findings));
+        assert_eq!(
+            (&merged["searched"]["cases"], &merged["searched"]["search"]),
+            (&summary["cases"], &summary["search"])
+        );
+        // The whole is one shard of one.
+        assert_eq!(search(&[space, &["--shard", "0/1"]].concat()), whole);
+        let again = knotproof(&["merge", "--format", "text", text(&out)]).assert().code(whole.1);
+        assert!(String::from_utf8_lossy(&again.get_output().stdout).contains("cover the search"));
+    }
+}
+
+/// Killed again and again at no particular moment, and resumed each time.
+#[test]
+fn interruptions_have_no_influence() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = path_in(&folder, "state.jsonl");
+    let space = ["--degree", "4", "--count", "30000", "--seed", "2"];
+    let whole = search(&space);
+    let start = |arguments: &[&str]| {
+        let mut process = Process::new(assert_cmd::cargo::cargo_bin("knotproof"));
+        process.args(["search", "--format", "json"]).args(arguments);
+        process.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap()
+    };
+    let mut interrupted = 0;
+    for round in 0..5_u64 {
+        // The file is the state whether it is there already or not.
+        let arguments = match round % 2 {
+            0 => [&space[..], &["--checkpoint", text(&file)]].concat(),
+            _ => vec!["--resume", text(&file)],
+        };
+        let mut process = start(&arguments);
+        while !file.exists() {
+            sleep(Duration::from_millis(5));
+        }
+        sleep(Duration::from_millis(300 + 700 * round));
+        // SIGKILL.
+        interrupted += usize::from(process.try_wait().unwrap().is_none());
+        process.kill().unwrap();
+        process.wait().unwrap();
+        let state = fs::read_to_string(&file).unwrap();
+        let (_, summary) = records(&state);
+        assert!(summary["done"].as_u64() <= summary["to"].as_u64());
+    }
+    assert!(interrupted > 0, "the search is too short for this test");
+    assert_eq!(search(&["--resume", text(&file)]), whole);
+    assert_eq!(fs::read_to_string(&file).unwrap(), whole.0);
+    // Once more: nothing is left to do, and the result is the same.
+    assert_eq!(search(&[&space[..], &["--checkpoint", text(&file)]].concat()), whole);
+}
+
+#[test]
+fn searches_that_cannot_be() {
+    for (options, argument, parts) in [
+        (&["--degree", "0"][..], "--degree", &["0 is out of range", "1 to 16"][..]),
+        (&["--degree", "17"], "--degree", &["17 is out of range"]),
+        (&["--degree", "x"], "--degree", &["whole number"]),
+        (&[], "--degree", &["--degree is missing"]),
+        (&["--degree", "3", "--limit", "0"], "--limit", &["no case", "up to 0"]),
+        (&["--degree", "1", "--limit", "2"], "--limit", &["no case", "empty"]),
+        (&["--degree", "3", "--limit", "9", "--limit-gap", "0"], "--limit", &["no case"]),
+        (&["--degree", "3", "--limit", "9", "--limit-height", "0"], "--limit", &["no case"]),
+        (&["--degree", "3", "--limit", "1001"], "--limit", &["too large", "at most 1000"]),
+        (&["--degree", "16", "--limit", "900"], "--limit", &["too large"]),
+        (&["--degree", "3", "--limit", "-1"], "--limit", &["whole number"]),
+        (&["--degree", "3", "--limit", "9", "--count", "9"], "--limit --count", &["--count", "--limit"]),
+        (&["--degree", "3", "--count", "0"], "--count", &["0 cases"]),
+        (&["--degree", "3", "--seed", "1"], "--count", &["--count is missing"]),
+        (&["--degree", "3", "--spread", "1"], "--count", &["--count is missing"]),
+        (&["--degree", "3", "--count", "9", "--spread", "0"], "--spread", &["0 is out of range", "1 to 40"]),
+        (&["--degree", "3", "--count", "9", "--spread", "99"], "--spread", &["99 is out of range"]),
+        (&["--degree", "3", "--find", "none"], "--find", &["several, most, equal"]),
+        (&["--degree", "3", "--threads", "0"], "--threads", &["1 thread at least"]),
+        (&["--degree", "3", "--shard", "3/3"], "--shard", &["no shard 3 of 3", "0 to 2"]),
+        (&["--degree", "3", "--shard", "0/0"], "--shard", &["0 shards"]),
+        (&["--degree", "3", "--shard", "1"], "--shard", &["`1` is no shard", "write I/N"]),
+        (&["--degree", "3", "--shard", "-1/2"], "--shard", &["`-1/2` is no shard"]),
+        (
+            &["--degree", "3", "--count", "5", "--shard", "0/6"],
+            "--shard",
+            &["6 shards are too many", "5 positions"],
+        ),
+        (&["--resume", "/nowhere/at/all"], "--resume", &["cannot read /nowhere/at/all"]),
+        (
+            &["--degree", "3", "--checkpoint", "/nowhere/at/all"],
+            "--checkpoint",
+            &["cannot write /nowhere/at/all"],
+        ),
+    ] {
+        let options = [&["search"], options].concat();
+        // clap names both options of a conflict, in its own order.
+        if argument.contains(' ') {
+            knotproof(&options).assert().code(2).stdout("");
+        } else {
+            rejected(&options, argument, parts);
+        }
+    }
+    rejected(&["merge"], "<FILE>...", &["FILE"]);
+}
+
+/// Nothing of what is there is overwritten.
+#[test]
+fn checkpoints_of_something_else() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = path_in(&folder, "state.jsonl");
+    let space = ["--degree", "3", "--limit", "7"];
+    let (state, _) = search(&[&space[..], &["--checkpoint", text(&file)]].concat());
+    let unchanged = |content: &[u8]| assert_eq!(fs::read(&file).unwrap(), content);
+
+    for (options, what) in [
+        (&["--degree", "4", "--limit", "7"][..], "--degree differs"),
+        (&["--degree", "3", "--limit", "6"], "--limit differs"),
+        (&["--degree", "3", "--limit", "7", "--limit-gap", "2"], "--limit-gap differs"),
+        (&["--degree", "3", "--limit", "7", "--find", "most"], "--find differs"),
+        (&["--degree", "3", "--limit", "7", "--shard", "0/2"], "--shard differs"),
+        (&["--degree", "3", "--count", "7"], "--count differs"),
+    ] {
+        for option in ["--checkpoint", "--resume"] {
+            let arguments = [&["search"], options, &[option, text(&file)]].concat();
+            rejected(&arguments, option, &[text(&file), "another search", what, "nothing was overwritten"]);
+            unchanged(state.as_bytes());
+        }
+    }
+    rejected(
+        &["search", "--degree", "3", "--checkpoint", text(&file)],
+        "--checkpoint",
+        &["not given", "differs"],
+    );
+
+    let version = format!("\"version\":\"{}\"", env!("CARGO_PKG_VERSION"));
+    let other = state.replace(&version, "\"version\":\"0.0.1\"");
+    assert_ne!(other, state);
+    let middle = state.len() / 2;
+    let mut flipped = state.clone().into_bytes();
+    flipped[middle] ^= 1;
+    for (content, part) in [
+        (other.as_bytes(), "version 0.0.1"),
+        (&flipped, "damaged"),
+        (&state.as_bytes()[..state.len() - 1], "damaged"),
+        (&state.as_bytes()[..middle], "cut off"),
+        (b"", "no line"),
+        (b"{}\n", "no summary"),
+        (b"a letter to my aunt", "no summary"),
+        (b"\xff\xfe", "UTF-8"),
+    ] {
+        fs::write(&file, content).unwrap();
+        for arguments in [
+            &["search", "--resume", text(&file)][..],
+            &["search", "--degree", "3", "--limit", "7", "--checkpoint", text(&file)],
+            &["merge", text(&file)],
+        ] {
+            let argument = if arguments[0] == "merge" { "FILE" } else { arguments[arguments.len() - 2] };
+            rejected(arguments, argument, &[text(&file), part]);
+            unchanged(content);
+        }
+    }
+}
+
+#[test]
+fn shards_that_do_not_make_up_a_search() {
+    let folder = tempfile::tempdir().unwrap();
+    let shard = |name: &str, options: &[&str]| {
+        let path = path_in(&folder, name);
+        fs::write(&path, search(options).0).unwrap();
+        path.to_str().unwrap().to_owned()
+    };
+    let part =
+        |name: &str, shard_of: &str| shard(name, &["--degree", "3", "--limit", "7", "--shard", shard_of]);
+    let thirds: Vec<_> = (0..3).map(|i| part(&format!("third-{i}"), &format!("{i}/3"))).collect();
+    let half = part("half", "0/2");
+    let most = shard("most", &["--degree", "3", "--limit", "7", "--shard", "1/3", "--find", "most"]);
+    let seeds: Vec<_> = ["1", "2"]
+        .iter()
+        .zip(["0/2", "1/2"])
+        .map(|(seed, part)| {
+            shard(
+                &format!("seed-{seed}"),
+                &["--degree", "3", "--count", "50", "--seed", seed, "--shard", part],
+            )
+        })
+        .collect();
+    let [a, b, c] = [&*thirds[0], &*thirds[1], &*thirds[2]];
+    let out = path_in(&folder, "all.jsonl");
+    for (files, parts) in [
+        (&[a, b][..], &["in none of the shards", "one is missing"][..]),
+        (&[b, c], &["positions 0 to", "in none of the shards"]),
+        (&[a, c], &["in none of the shards"]),
+        (&[a, b, c, b], &[b, "overlaps with", "are in both"]),
+        (&[&half, b, c], &[b, "overlaps with", &half]),
+        (&[a, &most, c], &[&most, "another search than", a]),
+        (&[&seeds[0], &seeds[1]], &[&seeds[1], "another search than", &seeds[0]]),
+        (&[a, "/nowhere/at/all"], &["cannot read /nowhere/at/all"]),
+    ] {
+        rejected(&[&["merge", "--out", text(&out)], files].concat(), "FILE", parts);
+        assert!(!out.exists());
+    }
+    // An unfinished shard: what a search has written before it was stopped.
+    let state = path_in(&folder, "state.jsonl");
+    let mut process = Process::new(assert_cmd::cargo::cargo_bin("knotproof"));
+    process.args(["search", "--degree", "6", "--count", "1000000", "--checkpoint", text(&state)]);
+    let mut process = process.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
+    while !state.exists() {
+        sleep(Duration::from_millis(5));
+    }
+    process.kill().unwrap();
+    process.wait().unwrap();
+    rejected(&["merge", text(&state)], "FILE", &[text(&state), "not finished", "--resume"]);
+    // What is in the way of the result stays there.
+    fs::write(&out, "mine").unwrap();
+    rejected(&["merge", "--out", text(&out), a, b, c], "--out", &[text(&out), "nothing was overwritten"]);
+    rejected(&["merge", "--out", b, a, b, c], "--out", &[b, "nothing was overwritten"]);
+    assert_eq!(fs::read_to_string(&out).unwrap(), "mine");
+}
+
+/// A reader that has seen enough, as `| head` does.
+#[test]
+fn a_closed_pipe_is_no_error() {
+    let mut process = Process::new(assert_cmd::cargo::cargo_bin("knotproof"));
+    process.args(["search", "--degree", "3", "--limit", "11", "--format", "json"]);
+    let mut process = process.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    drop(process.stdout.take());
+    let output = process.wait_with_output().unwrap();
+    assert_eq!((output.status.code(), output.stderr.as_slice()), (Some(1), &b""[..]));
+}
