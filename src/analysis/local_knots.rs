@@ -1,9 +1,11 @@
 //! One basis function by its own knots, over any ring: numerators and denominators without a division.
 
+use num_bigint::BigInt;
+use num_integer::Integer;
 use thiserror::Error;
 
 use crate::scalar::{Polynomial, Ring};
-use crate::spline::{Span, Weights, triangle};
+use crate::spline::{Basis, Span, Weights, triangle};
 
 /// The local knot vector t_i ≤ t_{i+1} ≤ … ≤ t_{i+k+1} of one function G_i^k, by its k + 1 gaps, and the slope
 /// ratio r = p/q as the pair (p, q): all that the function depends on, besides the place of t_i (D3.3).
@@ -122,6 +124,12 @@ impl<R: Ring> LocalKnots<R> {
         &self.gaps
     }
 
+    /// (p, q) for r = p/q.
+    #[must_use]
+    pub fn ratio(&self) -> (&R, &R) {
+        (&self.ratio.0, &self.ratio.1)
+    }
+
     /// The numbers s, from 0 to k, of the spans [t_{i+s}, t_{i+s+1}) that are not empty.
     pub fn spans(&self) -> impl Iterator<Item = usize> {
         (0..self.gaps.len()).filter(|&s| !self.gaps[s].is_zero())
@@ -139,6 +147,27 @@ impl<R: Ring> LocalKnots<R> {
         let weights = Numerators::new(self, s);
         let function = triangle(&weights, Span::assumed(s), self.degree(), self.gaps.len());
         Some(SpanQuotient { numerator: function.get(0)?.clone(), denominator: weights.denominator() })
+    }
+}
+
+impl LocalKnots<BigInt> {
+    /// The local knots of G_i^k of a basis, in the unit that makes all gaps coprime integers; `None` if all are the same,
+    /// where the function is 0.
+    ///
+    /// # Panics
+    /// If i > n.
+    #[must_use]
+    pub fn of(basis: &Basis, i: usize) -> Option<Self> {
+        let (knots, ratio) = (basis.knots(), basis.index().ratio());
+        let gaps: Vec<_> = (i..=i + basis.degree()).map(|j| knots.t(j + 1) - knots.t(j)).collect();
+        let common = gaps.iter().fold(BigInt::from(1), |lcm, gap| lcm.lcm(gap.denom()));
+        let gaps: Vec<_> = gaps.iter().map(|gap| gap.numer() * (&common / gap.denom())).collect();
+        let divisor = gaps.iter().fold(BigInt::ZERO, |gcd, gap| gcd.gcd(gap));
+        if divisor == BigInt::ZERO {
+            return None;
+        }
+        let gaps = gaps.into_iter().map(|gap| gap / &divisor).collect();
+        Some(Self { gaps, ratio: (ratio.numer().clone(), ratio.denom().clone()) })
     }
 }
 
@@ -239,11 +268,9 @@ impl<R: Ring> Weights for Numerators<R> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use num_bigint::BigInt;
-
     use crate::analysis::Pieces;
     use crate::scalar::{BigRational, RationalFunction, integer};
-    use crate::spline::{Basis, Index, KnotVector};
+    use crate::spline::{Index, KnotVector};
 
     /// The same functions as by the triangle over rational functions, on spans of every kind.
     #[test]
@@ -263,6 +290,9 @@ mod tests {
                 let ratio = BigRational::new(p.into(), q.into());
                 let basis = Basis::new(KnotVector::new(knots).unwrap(), k, Index::from_ratio(ratio).unwrap())
                     .unwrap();
+                if gaps.contains(&1) {
+                    assert_eq!(LocalKnots::of(&basis, k).as_ref(), Some(&local), "coprime as they are");
+                }
                 for span in Pieces::of(&basis).spans() {
                     let quotient = local.on_span(span.span.index() - k).unwrap();
                     let over_rationals = |p: &Polynomial<BigInt>| {

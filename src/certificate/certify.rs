@@ -159,7 +159,8 @@ pub fn certify_for_degree(
     form: Form,
     k: usize,
 ) -> Result<Option<Certificate>, CertificateError> {
-    let form = if claim.is_question() { Form::Degree(k) } else { form };
+    let of_degree = form == Form::Printed && claim.is_settled_by_degree();
+    let form = if of_degree { Form::Degree(k) } else { form };
     let failed = |error| CertificateError { claim: claim.id.to_owned(), form, error };
     let stated = statement(claim, form, None).map_err(|error| failed(ProofError::from(error).into()))?;
     let Some(mut statement) = stated else { return Ok(None) };

@@ -82,13 +82,15 @@ pub struct Claim {
     pub amended: Option<Form>,
     /// How words were made into mathematics, where the paper leaves room.
     pub note: Option<&'static str>,
+    /// Larger cases, for the verdicts by degree of this claim alone.
+    pub(super) more_cases: Option<fn() -> Vec<BasisCase>>,
 }
 
 impl Claim {
     /// A claim as printed.
     #[must_use]
     pub fn new(id: &'static str, locator: &'static str, printed: Form) -> Self {
-        Self { id, locator, printed, amended: None, note: None }
+        Self { id, locator, printed, amended: None, note: None, more_cases: None }
     }
 
     /// With an amended statement.
@@ -105,13 +107,23 @@ impl Claim {
         self
     }
 
+    /// Judged degree by degree, on more cases than the others.
+    #[must_use]
+    pub(super) fn by_degree_on(mut self, more_cases: fn() -> Vec<BasisCase>) -> Self {
+        self.more_cases = Some(more_cases);
+        self
+    }
+
     /// Judges the claim as printed and, where that is refuted, as amended.
     ///
     /// # Errors
     /// [`Fault`], if two computations disagree.
     pub fn judge(&self, cases: &Cases) -> Result<Judged, Fault> {
         let (printed, by_degree) = match &self.printed {
-            Form::Basis(statement) if self.is_question() => judge_by_degree(statement, &cases.bases)?,
+            Form::Basis(statement) if self.is_settled_by_degree() => {
+                let more = self.more_cases.map(|cases| cases()).unwrap_or_default();
+                judge_by_degree(statement, cases.bases.iter().chain(&more))?
+            }
             form => (form.judge(cases)?, Vec::new()),
         };
         let mut judged = Judged { printed, amended: None, sharpness: None, by_degree };
@@ -122,7 +134,13 @@ impl Claim {
         Ok(judged)
     }
 
-    /// Is it a question of ours, settled degree by degree, and not a claim of the paper's?
+    /// Are there verdicts for single degrees?
+    #[must_use]
+    pub fn is_settled_by_degree(&self) -> bool {
+        self.is_question() || self.more_cases.is_some()
+    }
+
+    /// Is it a question of ours, and not a claim of the paper's?
     #[must_use]
     pub fn is_question(&self) -> bool {
         self.id.starts_with("X.")

@@ -7,6 +7,8 @@ use crate::spline::Basis;
 pub enum Hypothesis {
     /// α ≠ ∞.
     FiniteIndex,
+    /// α = ∞.
+    ClassicalIndex,
     /// k ≥ the number.
     DegreeAtLeast(usize),
     /// k ≤ the number.
@@ -40,6 +42,7 @@ impl Hypothesis {
         let (knots, k, n) = (basis.knots(), basis.degree(), basis.n());
         match self {
             Self::FiniteIndex => !basis.index().is_infinite(),
+            Self::ClassicalIndex => basis.index().is_infinite(),
             Self::DegreeAtLeast(least) => k >= least,
             Self::DegreeAtMost(most) => k <= most,
             Self::Open => knots.is_open(k),
@@ -62,6 +65,7 @@ impl std::fmt::Display for Hypothesis {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::FiniteIndex => f.write_str("α is finite"),
+            Self::ClassicalIndex => f.write_str("α = ∞"),
             Self::DegreeAtLeast(least) => write!(f, "k ≥ {least}"),
             Self::DegreeAtMost(most) => write!(f, "k ≤ {most}"),
             Self::Open => f.write_str("U is open"),

@@ -1,10 +1,12 @@
 //! Conjecture 3.1: every basis function has one and only one maximum.
 
 use crate::analysis::{Place, Shape};
-use crate::spline::Side;
+use crate::scalar::BigRational;
+use crate::search::{self, Candidate, Crossing, Goal, Limits, Search, Space, local_maxima};
+use crate::spline::{Basis, KnotVector, Side};
 
 use super::basis::name;
-use super::case::BasisCase;
+use super::case::{BasisCase, Origin};
 use super::claim::{Claim, Form};
 use super::hypothesis::Hypothesis::{DegreeAtLeast, DegreeAtMost};
 use super::statement::Statement;
@@ -55,6 +57,10 @@ fn one_maximum(
         Reading::Strong if ledger.count(shape.local_maxima().count(), wanted) => Ok(()),
         Reading::Strong => Err(case.refuted(at, format!("{g} has exactly one local maximum"), places())),
         Reading::Weak => match shape.weak() {
+            // Two maxima of different height may be equal for an index close by.
+            Some(true) if shape.local_maxima().count() > 1 && ledger.count(1, wanted) => {
+                equal_close_by(case, i).map_or(Ok(()), Err)
+            }
             Some(once) if ledger.count(usize::from(once), wanted) => Ok(()),
             Some(_) => {
                 let claimed = format!("{g} takes its largest value at exactly one x");
@@ -63,6 +69,71 @@ fn one_maximum(
             None => Err(Stop::Undecided(format!("two local maxima of {g} lie too close to be told apart"))),
         },
     }
+}
+
+/// The largest value taken twice, for some index of an interval that begins or ends close to that of the case: by the
+/// intermediate value theorem, since the side on which it is taken changes from one end of it to the other.
+fn equal_close_by(case: &BasisCase, i: usize) -> Option<Stop> {
+    let crossing = Crossing::near(&Candidate::of(case.basis(), i)?)?;
+    let g = name(case.k(), i);
+    // The candidate has its own unit, and begins at 0.
+    let (start, end) = case.basis().support(i);
+    let length: u64 = crossing.candidate().gaps().iter().sum();
+    let unit = (end - start) / BigRational::from_integer(length.into());
+    let [c, d] = crossing.points().clone().map(|x| start + x * &unit);
+    let [from, to] = crossing.indices();
+    let [(first, low), (second, high)] = crossing.at_ends();
+    let at = [
+        ("i", i.to_string()),
+        ("α from", from.to_string()),
+        ("α to", to.to_string()),
+        ("c", c.to_string()),
+        ("d", d.to_string()),
+        ("side at the first α", side(first).to_owned()),
+        ("value at the first α", low.to_string()),
+        ("side at the second α", side(second).to_owned()),
+        ("value at the second α", high.to_string()),
+    ];
+    let claimed = format!("for every α between, {g} takes its largest value at exactly one x");
+    let found = format!(
+        "for some of them it takes it at two, one on either side of c: for α = {from} it exceeds {low} on the {} of c only, for α = {to} it exceeds {high} on the {} of c only, and for all of them it is larger at d than at c",
+        side(first),
+        side(second),
+    );
+    Some(Stop::Refuted(Box::new(case.bare_witness(at, claimed, found))))
+}
+
+fn side(side: search::Side) -> &'static str {
+    match side {
+        search::Side::Left => "left",
+        search::Side::Right => "right",
+    }
+}
+
+/// For each degree from 3 to 8, in the order of the search, the first function with two local maxima, and the first that
+/// has two equal ones for an index close by, on full knot vectors.
+fn searched() -> Vec<BasisCase> {
+    (3..=8).flat_map(of_degree).map(|basis| BasisCase::new(basis, Origin::Small)).collect()
+}
+
+fn of_degree(degree: usize) -> Vec<Basis> {
+    /// Sum of the gaps and height of α: enough for every degree from 3 to 8.
+    const SIZE: u64 = 9;
+    let space = Space::Exhaustive(Limits { size: SIZE, gap: None, height: None });
+    let Ok(cases) = search::Cases::of(&Search { degree, find: Goal::Equal, space }) else {
+        return Vec::new();
+    };
+    let mut several = cases.between(0..cases.positions()).map(|(_, candidate)| candidate);
+    let mut several = several.by_ref().filter(|candidate| local_maxima(candidate).maxima > 1);
+    let first = several.next();
+    let equal = first.iter().cloned().chain(several).find(|candidate| Crossing::near(candidate).is_some());
+    let mut found: Vec<_> = first.into_iter().chain(equal).collect();
+    found.dedup();
+    let basis = |candidate: &Candidate| {
+        let knots = KnotVector::new(candidate.full_knots().rational()).ok()?;
+        Basis::new(knots, degree, candidate.index()).ok()
+    };
+    found.iter().filter_map(basis).collect()
 }
 
 fn place(place: &Place) -> String {
@@ -124,7 +195,9 @@ pub(super) fn claims() -> Vec<Claim> {
         Form::Basis(Statement::new(text, conclusion).given([DegreeAtLeast(1), DegreeAtMost(2)]))
     };
     const LOW_DROPS: &str = "The same for k = 1 and k = 2 and every i with t_i < t_{i+k+1}, unless t_i < t_{i+1} = t_{i+k+1} < t_m: then G_i^k rises to the limit 1 and drops to 0 there.";
-    const WEAK: &str = "For these cases only, and false in general: on (0, 0, 5, 7, 8, 8, 8, 8) the two local maxima of G_0^3 change their order between α = −53/47 and α = −12/13, so that for some α in between they are equal. The engine looks at one rational α after the other and does not see that; nor is there a certificate yet.";
+    const WEAK: &str = "A case has one α, and two maxima of the same height may ask for an irrational one. So where a function has two local maxima, the engine looks for an interval of indices, beginning or ending near that of the case, at whose ends different ones are the higher.";
+
+    const LOW: &str = "The same for k = 1 and k = 2, if t_i < t_{i+k+1}.";
     const WHERE: &str = "Functions with t_i = t_{i+k+1} are 0 and left out.";
     const CONTINUOUS: &str = "Continuous is meant on (t_0, t_m). On the open support alone every function is continuous, those included that rise to a knot of multiplicity k + 1 and drop there.";
     vec![
@@ -159,7 +232,8 @@ pub(super) fn claims() -> Vec<Claim> {
                 Except::Jumps,
             ),
         )
-        .amended(low_degree("The same for k = 1 and k = 2, if t_i < t_{i+k+1}.", Reading::Strong, Except::Jumps))
+        .amended(low_degree(LOW, Reading::Strong, Except::Jumps))
+        .by_degree_on(searched)
         .note(CONTINUOUS),
         Claim::new(
             "Conj3.1.weak.continuous",
@@ -170,6 +244,8 @@ pub(super) fn claims() -> Vec<Claim> {
                 Except::Jumps,
             ),
         )
+        .amended(low_degree(LOW, Reading::Weak, Except::Jumps))
+        .by_degree_on(searched)
         .note(WEAK),
     ]
 }

@@ -28,6 +28,7 @@ mod small_cases;
 mod statement;
 mod steps;
 mod symmetric_curves;
+mod two_maxima;
 mod verdict;
 mod weight;
 

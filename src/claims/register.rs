@@ -17,6 +17,7 @@ pub fn claims() -> Vec<Claim> {
         super::symmetric_curves::claims(),
         super::steps::claims(),
         super::questions::claims(),
+        super::two_maxima::claims(),
     ]
     .into_iter()
     .flatten()

@@ -86,9 +86,9 @@ pub fn judge<C: Case>(statement: &Statement<C>, cases: &[C]) -> Result<Verdict, 
 ///
 /// # Errors
 /// [`Fault`], if two computations disagree.
-pub fn judge_by_degree<C: Case>(
+pub fn judge_by_degree<'a, C: Case + 'a>(
     statement: &Statement<C>,
-    cases: &[C],
+    cases: impl IntoIterator<Item = &'a C>,
 ) -> Result<(Verdict, Vec<(usize, Verdict)>), Fault> {
     let mut by_degree: BTreeMap<Option<usize>, Vec<&C>> = BTreeMap::new();
     for case in cases {

@@ -5,10 +5,11 @@ use std::cmp::Ordering;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
+use num_traits::ToPrimitive;
 use thiserror::Error;
 
 use crate::analysis::{LocalKnots, LocalKnotsError};
-use crate::spline::Index;
+use crate::spline::{Basis, Index};
 
 /// A basis function G_i^k by all that its shape depends on: the k + 1 gaps t_{i+1} − t_i, …, t_{i+k+1} − t_{i+k} and
 /// the slope ratio r = p/q. It is continuous: no end of its support is a knot of multiplicity k + 1.
@@ -83,6 +84,18 @@ impl Candidate {
         }
         let common = p.gcd(&q);
         Ok(Self { gaps, ratio: (p / common, q / common) })
+    }
+
+    /// The function G_i^k of a basis, if it is continuous and its gaps, as coprime integers, are not too large.
+    ///
+    /// # Panics
+    /// If i > n.
+    #[must_use]
+    pub fn of(basis: &Basis, i: usize) -> Option<Self> {
+        let knots = LocalKnots::of(basis, i)?;
+        let (p, q) = knots.ratio();
+        let gaps: Option<_> = knots.gaps().iter().map(ToPrimitive::to_u64).collect();
+        Self::new(gaps?, (p.to_u64()?, q.to_u64()?)).ok()
     }
 
     /// One that is known to fulfil the rules, with coprime p and q.

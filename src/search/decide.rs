@@ -1,9 +1,9 @@
 //! The number of local maxima of a candidate: the one question that a search asks for every case.
 
-use num_bigint::{BigInt, Sign as IntegerSign};
+use num_bigint::BigInt;
 use num_rational::BigRational;
 
-use crate::analysis::{Sign, sign_pattern};
+use crate::analysis::{Monotonicity, Route};
 use crate::scalar::Polynomial;
 
 use super::candidate::Candidate;
@@ -38,41 +38,12 @@ pub enum Means {
 /// ```
 #[must_use]
 pub fn local_maxima(candidate: &Candidate) -> Count {
-    let knots = candidate.local_knots();
-    let mut runs = Runs { maxima: 0, last: Sign::Zero };
-    for slope in knots.spans().filter_map(|s| knots.on_span(s)).map(|quotient| quotient.slope()) {
-        let mut signs = slope.coefficients().iter().map(BigInt::sign).filter(|s| *s != IntegerSign::NoSign);
-        let first = signs.next();
-        let (mut last, mut variations) = (first, 0);
-        for sign in signs {
-            variations += usize::from(Some(sign) != last);
-            last = Some(sign);
-        }
-        // Descartes' rule is exact for 0 and for 1 variation; then the signs at the ends of the span say it all.
-        if variations <= 1 {
-            for sign in [first, last].into_iter().flatten() {
-                runs.follow(if sign == IntegerSign::Minus { Sign::Negative } else { Sign::Positive });
-            }
-        } else {
-            sign_pattern(&over_rationals(&slope)).between().iter().for_each(|(_, sign)| runs.follow(*sign));
-        }
-    }
-    Count { maxima: runs.maxima, by: Means::Exact }
-}
-
-/// The signs of the slope from left to right.
-struct Runs {
-    maxima: usize,
-    /// The last one that is not 0.
-    last: Sign,
-}
-
-impl Runs {
-    fn follow(&mut self, sign: Sign) {
-        if sign != Sign::Zero {
-            self.maxima += usize::from(self.last == Sign::Positive && sign == Sign::Negative);
-            self.last = sign;
-        }
+    let function = Monotonicity::of(&candidate.local_knots());
+    let by_intervals = function.spans().iter().all(|span| span.route == Route::Intervals);
+    let by = if by_intervals { Means::Intervals } else { Means::Exact };
+    match function.local_maxima() {
+        Some(maxima) => Count { maxima, by },
+        None => unreachable!("a candidate is continuous"),
     }
 }
 

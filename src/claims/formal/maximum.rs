@@ -13,12 +13,12 @@ use super::example::{Example, all};
 use super::place::Place;
 
 /// The functions that rise on their only span, or their first one, and those that fall on it.
-const OUTER: &str = "(section (window A (- 0 k) (each s (- 0 k) -1 any) some (each s 1 k any)) (goals \
+pub(super) const OUTER: &str = "(section (window A (- 0 k) (each s (- 0 k) -1 any) some (each s 1 k any)) (goals \
     (> (DG 0 k (in A 0)) 0) (< (DG (- 0 k) k (in A 0)) 0)))";
 
 /// Degree 2: on its middle span, of length h, with the gaps p and q to both sides, G_{−1} has the derivative
 /// E(s)·(a positive quotient) with s = r·u; the coefficients e of E and what follows from their signs.
-const MIDDLE: &str = "(section (each first 2 k) (each last k 2) (nonnegative p q) (positive h) (let s (* r u)) \
+pub(super) const MIDDLE: &str = "(section (each first 2 k) (each last k 2) (nonnegative p q) (positive h) (let s (* r u)) \
     (let a (+ 1 (* r (/ p h)))) (let b (+ 1 (/ p h))) (let c (+ 1 (/ q h))) (let d (+ 1 (/ q (* r h)))) \
     (let e0 (* (+ a b) (^ c 2))) \
     (let e1 (* 2 c (- (+ (* (+ a b) d) (* b c)) (^ a 2)))) \
@@ -32,7 +32,7 @@ const MIDDLE: &str = "(section (each first 2 k) (each last k 2) (nonnegative p q
     (> (* (+ (* a (+ c d)) (* 2 b c)) e1) (* 2 a c e2)) \
     (> (* 2 b d e2) (* (+ (* d (+ a b)) (* 2 b c)) e3))))";
 
-const BECAUSE: &str = "A function lives on at most k + 1 spans. It rises on the span [t_i, t_{i+1}], and falls on [t_{i+k}, t_{i+k+1}], if these are not empty (first section). For k = 2 its derivative on [t_{i+1}, t_{i+2}] has the sign of a polynomial E of degree 4 in s = r·u, with e_0 > 0 > e_4. The last two goals say: if e_1 ≤ 0 then e_2 < 0, and if e_3 ≥ 0 then e_2 > 0. So the signs of the coefficients change exactly once, and by Descartes' rule E changes its sign exactly once, from + to −. At knots of multiplicity ≤ k the functions are continuous (last section). So a function rises and then falls, once; it may begin with a jump to 1, if t_i = t_{i+k}, and fall from there, or, if t_{i+1} = t_{i+k+1} = t_m, rise to the limit 1 that counts as its value. So it has one local maximum, and as it rises and falls strictly, that is its only largest value. Continuous on (t_0, t_m) is meant; if t_i = t_{i+k+1} the function is 0 and not meant.";
+pub(super) const BECAUSE: &str = "A function lives on at most k + 1 spans. It rises on the span [t_i, t_{i+1}], and falls on [t_{i+k}, t_{i+k+1}], if these are not empty (first section). For k = 2 its derivative on [t_{i+1}, t_{i+2}] has the sign of a polynomial E of degree 4 in s = r·u, with e_0 > 0 > e_4. The last two goals say: if e_1 ≤ 0 then e_2 < 0, and if e_3 ≥ 0 then e_2 > 0. So the signs of the coefficients change exactly once, and by Descartes' rule E changes its sign exactly once, from + to −. At knots of multiplicity ≤ k the functions are continuous (last section). So a function rises and then falls, once; it may begin with a jump to 1, if t_i = t_{i+k}, and fall from there, or, if t_{i+1} = t_{i+k+1} = t_m, rise to the limit 1 that counts as its value. So it has one local maximum, and as it rises and falls strictly, that is its only largest value. Continuous on (t_0, t_m) is meant; if t_i = t_{i+k+1} the function is 0 and not meant.";
 
 /// On every span of the support: the sign of the derivative, or its quotient of polynomials.
 fn unimodal(on: &Example<'_>, index: &Index) -> Option<String> {
@@ -84,7 +84,10 @@ pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
     const EXAMPLES: [&str; 14] =
         ["U0", "U1", "U2", "U3", "U4", "U5", "U6", "U7", "U8", "U9", "U10", "U11", "U12", "U13"];
     match (claim, amended) {
-        ("Conj3.1.strong" | "Conj3.1.strong.continuous" | "Conj3.1.weak", true) => {
+        (
+            "Conj3.1.strong" | "Conj3.1.strong.continuous" | "Conj3.1.weak" | "Conj3.1.weak.continuous",
+            true,
+        ) => {
             Some(Formal::on_all_knots(1..=2, BECAUSE, &[OUTER, MIDDLE, CONTINUITY]))
         }
         ("Rem5.1.conj", true) => {
@@ -100,6 +103,16 @@ pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
                 because: "On each of its spans a function rises, or falls, or has the derivative P/Q that is given, where the coefficients of P change their sign exactly once, from + to −, and those of Q are positive: by Descartes' rule it rises and then falls. From span to span it is continuous, and no span on which it rises comes after one on which it falls. So it has one local maximum, which is its only largest value.".to_owned(),
                 sections: instances.iter().map(section).collect(),
             })
+        }
+        _ => None,
+    }
+}
+
+/// What is proved for one degree.
+pub(super) fn formal_for_degree(claim: &str, k: usize) -> Option<Formal> {
+    match (claim, k) {
+        ("Conj3.1.strong.continuous" | "Conj3.1.weak.continuous", 1 | 2) => {
+            Some(Formal::on_all_knots(k..=k, BECAUSE, &[OUTER, MIDDLE, CONTINUITY]))
         }
         _ => None,
     }

@@ -19,8 +19,10 @@ mod maximum;
 mod place;
 mod questions;
 mod refutations;
+mod single_spans;
 mod symmetric_curves;
 mod traces;
+mod two_maxima;
 mod weight;
 
 use super::verdict::{Scope, Witness};
@@ -72,14 +74,16 @@ pub fn formal(claim: &str, amended: bool) -> Option<Formal> {
         symmetric_curves::formal,
         effect::formal,
         questions::formal_for_all,
+        two_maxima::formal_for_all,
     ];
     parts.iter().find_map(|part| part(claim, amended))
 }
 
-/// What is to be proved of a question for one degree; `None` if that is not stated formally.
+/// What is to be proved of a claim for one degree; `None` if that is not stated formally.
 #[must_use]
-pub fn formal_for_degree(question: &str, degree: usize) -> Option<Formal> {
-    questions::formal(question, degree)
+pub fn formal_for_degree(claim: &str, degree: usize) -> Option<Formal> {
+    let parts = [questions::formal, maximum::formal_for_degree, two_maxima::formal];
+    parts.iter().find_map(|part| part(claim, degree))
 }
 
 /// What refutes a claim, with the witness that was found; `None` if that is not stated formally.

@@ -76,9 +76,13 @@ impl<'a> Found<'a> {
 
     /// The same, with more than A before the goals.
     pub(super) fn section_with(&self, more: &str, goals: &str) -> String {
-        let ratio = self.basis.index().ratio();
+        self.section_over(&format!("(let r {}) {more}", self.basis.index().ratio()), goals)
+    }
+
+    /// A section with these goals for the knots of the witness, after declarations that say what r is.
+    pub(super) fn section_over(&self, declarations: &str, goals: &str) -> String {
         let knots: String = self.knots().knots().iter().map(|t| format!(" {t}")).collect();
-        format!("(section (let r {ratio}) (knots A 0{knots}) {more} (goals {goals}))")
+        format!("(section {declarations} (knots A 0{knots}) (goals {goals}))")
     }
 
     /// The span whose ends are written [a, b).

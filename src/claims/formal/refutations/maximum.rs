@@ -2,9 +2,10 @@
 
 use std::fmt::Write as _;
 
+use crate::analysis::{Pieces, Shape};
 use crate::claims::formal::place::Place;
-use crate::scalar::{BigRational, integer};
-use crate::spline::Side;
+use crate::scalar::{BigRational, RationalAlgebra, integer, rationals_between};
+use crate::spline::{Index, Side};
 
 use super::Refuted;
 use super::found::Found;
@@ -13,6 +14,7 @@ pub(super) fn refutation(claim: &str, found: &Found<'_>) -> Refuted {
     Some(match claim {
         "Conj3.1.strong" | "Conj3.1.weak" | "Rem5.1.conj" => rises_and_drops(found, found.natural("i")?)?,
         "Conj3.1.strong.continuous" => two_maxima(found, found.natural("i")?)?,
+        "Conj3.1.weak.continuous" => equal_maxima(found, found.natural("i")?)?,
         _ => return None,
     })
 }
@@ -61,5 +63,56 @@ fn two_maxima(found: &Found<'_>, i: usize) -> Refuted {
     Some((
         "The function is continuous, and positive at a knot where it falls from the left and rises to the right: on the part of its support on either side it is largest elsewhere than at that knot, which makes two local maxima.",
         found.section(&goals),
+    ))
+}
+
+/// Between two indices the largest value changes from one side of the point c to the other.
+fn equal_maxima(found: &Found<'_>, i: usize) -> Refuted {
+    let k = found.k();
+    let index = |name| found.text(name)?.parse::<Index>().ok();
+    let (from, to) = (index("α from")?, index("α to")?);
+    let (c, d) = (found.number("c")?, found.number("d")?);
+    let value = |x: &BigRational, side| found.value(x, side, i);
+    let mut goals = format!("(> {} {})", value(&d, Side::Right)?, value(&c, Side::Right)?);
+    for (x, _) in found.knots().inner_stop_knots() {
+        let _ = write!(goals, "(= {} {})", value(x, Side::Left)?, value(x, Side::Right)?);
+    }
+    let between = format!("(nonnegative y) (let r (/ (+ {} (* {} y)) (+ 1 y)))", from.ratio(), to.ratio());
+    let mut sections = found.section_over(&between, &goals);
+    for (index, which) in [(from, "first"), (to, "second")] {
+        let higher = found.text(&format!("side at the {which} α"))?;
+        let height = found.number(&format!("value at the {which} α"))?;
+        let basis = found.basis.with_index(index.clone());
+        let shape = Shape::of(&basis, &Pieces::of(&basis), i);
+        let on_left = |x: &BigRational| x < &c;
+        // A point close to the maximum is high enough, or the values could not have been told apart.
+        let peak = shape.local_maxima().find_map(|maximum| {
+            let (lo, hi) = maximum.place.interval();
+            let x = rationals_between(lo, hi).next().unwrap_or_else(|| lo.clone());
+            let high = basis.values(&x, Side::Right)[i] > height;
+            (high && on_left(&x) == (higher == "left")).then_some(x)
+        })?;
+        let mut goals = format!("(> {} {height})", value(&peak, Side::Right)?);
+        let (low, high) = basis.support(i);
+        for span in basis.knots().spans() {
+            let (start, end) = basis.knots().ends(span);
+            // The part of the span on the other side of c.
+            let (first, last) = if higher == "left" { (start.max(&c), end) } else { (start, end.min(&c)) };
+            if first < last && low <= start && end <= high {
+                let whole = Place::inside(span.index()).value("G", i, k);
+                let u = |x: &BigRational| (x - start).over(&(end - x));
+                let part = match (first == start, last == end) {
+                    (true, true) => whole,
+                    (true, false) => format!("(at ((u (/ (* {} u) (+ 1 u)))) {whole})", u(last)?),
+                    _ => format!("(at ((u (+ {} u))) {whole})", u(first)?),
+                };
+                let _ = write!(goals, "(> {height} {part})");
+            }
+        }
+        sections += &found.section_over(&format!("(let r {})", index.ratio()), &goals);
+    }
+    Some((
+        "The function is continuous in x, and for each x in r, for the ratios r of all indices from the first to the second (first section). For the first index it exceeds a value on one side of c and not on the other, where it is smaller in all points, and so at c at most equal to it; for the second index it is the other side. So for some index in between the largest value on the left of c, c included, is that on the right of it. It is not taken at c, since there is a point d with a larger value for each of these indices: so it is taken on either side.",
+        sections,
     ))
 }
