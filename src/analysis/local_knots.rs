@@ -171,95 +171,75 @@ impl LocalKnots<BigInt> {
     }
 }
 
-/// The weights of one span times the new factors of the denominators.
+/// The weights of one span times the new factors of the denominators, as linear polynomials (constant, slope).
 struct Numerators<R> {
     span: usize,
-    last: usize,
-    /// Entry a, for the knot t_a ≤ t_s: p·((t_s − t_a) + (t_{s+1} − t_a)·u).
-    rises: Vec<Polynomial<R>>,
-    /// Entry b − s − 1, for the knot t_b ≥ t_{s+1}: q·((t_b − t_s) + (t_b − t_{s+1})·u).
-    falls: Vec<Polynomial<R>>,
-    /// Entry b − s − 1, and in it entry c, for 0 < c ≤ s + 1: ∏ L_{a,b} over all a with s ≥ a > s − c.
-    columns: Vec<Vec<Polynomial<R>>>,
-    /// Entry a, and in it entry c: ∏ L_{a,b} over all b with s < b ≤ s + c.
-    rows: Vec<Vec<Polynomial<R>>>,
+    /// Entry a, for the knot t_a ≤ t_s: p·(x − t_a)(1 + u) = p·((t_s − t_a) + (t_{s+1} − t_a)·u).
+    rises: Vec<(R, R)>,
+    /// Entry b − s − 1, for the knot t_b ≥ t_{s+1}: q·(t_b − x)(1 + u) = q·((t_b − t_s) + (t_b − t_{s+1})·u).
+    falls: Vec<(R, R)>,
+    /// Entry b − s − 1 of entry a: L_{a,b}.
+    sums: Vec<Vec<(R, R)>>,
 }
 
 impl<R: Ring> Numerators<R> {
     fn new(knots: &LocalKnots<R>, span: usize) -> Self {
         let gap = &knots.gaps[span];
         let distances = |gaps: &mut dyn Iterator<Item = &R>| {
-            let mut sum = gap.zero();
-            let mut list = vec![sum.clone()];
+            let mut list = vec![gap.zero()];
             for gap in gaps {
-                sum = sum.plus(gap);
-                list.push(sum.clone());
+                list.push(list[list.len() - 1].plus(gap));
             }
             list
         };
         let (p, q) = &knots.ratio;
-        let mut before = distances(&mut knots.gaps[..span].iter().rev());
-        before.reverse();
+        let before = distances(&mut knots.gaps[..span].iter().rev());
         let after = distances(&mut knots.gaps[span + 1..].iter());
-        let linear = |constant: R, slope: R| Polynomial::new(constant, [slope]);
-        let rise = |distance: &R| linear(p.times(distance), p.times(&distance.plus(gap)));
-        let fall = |distance: &R| linear(q.times(&distance.plus(gap)), q.times(distance));
-        let rises: Vec<Polynomial<R>> = before.iter().map(rise).collect();
-        let falls: Vec<Polynomial<R>> = after.iter().map(fall).collect();
-        let whole: Vec<Vec<Polynomial<R>>> =
-            rises.iter().map(|rise| falls.iter().map(|fall| rise.plus(fall)).collect()).collect();
-        let column = |b: usize| running_products(whole.iter().rev().map(|row| &row[b]), &rises[0]);
-        let columns = (0..falls.len()).map(column).collect();
-        let rows = whole[..span].iter().map(|row| running_products(row[..row.len() - 1].iter(), &rises[0]));
-        Self { span, last: knots.gaps.len(), rows: rows.collect(), columns, rises, falls }
+        let rise = |distance: &R| (p.times(distance), p.times(&distance.plus(gap)));
+        let fall = |distance: &R| (q.times(&distance.plus(gap)), q.times(distance));
+        let rises: Vec<(R, R)> = before.iter().rev().map(rise).collect();
+        let falls: Vec<(R, R)> = after.iter().map(fall).collect();
+        let sum = |a: &(R, R), b: &(R, R)| (a.0.plus(&b.0), a.1.plus(&b.1));
+        let sums = rises.iter().map(|rise| falls.iter().map(|fall| sum(rise, fall)).collect()).collect();
+        Self { span, rises, falls, sums }
     }
 
-    /// q·(t_b − x)·(1 + u).
-    fn fall(&self, b: usize) -> &Polynomial<R> {
-        &self.falls[b - self.span - 1]
-    }
-
-    /// ∏ L_{a,b} over all (a, b) but the whole support (0, k + 1).
+    /// ∏ L_{a,b} over all (a, b) but the whole support, which is that of the first knot and the last.
     fn denominator(&self) -> Polynomial<R> {
-        let full = self.rises.len();
-        let last = self.columns.len() - 1;
-        let columns = self.columns.iter().enumerate();
-        columns
-            .map(|(b, column)| &column[if b == last { full - 1 } else { full }])
-            .fold(self.one(), |product, column| product.times(column))
+        let rows = self.sums.iter().enumerate();
+        rows.fold(self.one(), |product, (a, row)| {
+            product.times_linear(row[..row.len() - usize::from(a == 0)].iter())
+        })
     }
-}
-
-/// 1, f_1, f_1·f_2, …
-fn running_products<'a, R: Ring + 'a>(
-    factors: impl Iterator<Item = &'a Polynomial<R>>,
-    like: &Polynomial<R>,
-) -> Vec<Polynomial<R>> {
-    let mut products = vec![like.one()];
-    for factor in factors {
-        products.push(products[products.len() - 1].times(factor));
-    }
-    products
 }
 
 impl<R: Ring> Weights for Numerators<R> {
     type Scalar = Polynomial<R>;
 
     fn one(&self) -> Polynomial<R> {
-        self.rises[0].one()
+        Polynomial::constant(self.rises[0].0.one())
+    }
+
+    fn pair(&self, i: usize, d: usize) -> (Polynomial<R>, Polynomial<R>) {
+        self.split(i, d, &self.one())
     }
 
     /// What does not lead to a function of these knots is not needed, and 0 here.
-    fn pair(&self, i: usize, d: usize) -> (Polynomial<R>, Polynomial<R>) {
-        let (s, end) = (self.span, i + d);
-        let up = if end < self.last {
-            self.rises[i].times(&self.columns[end - s][s - i])
+    fn split(&self, i: usize, d: usize, value: &Polynomial<R>) -> (Polynomial<R>, Polynomial<R>) {
+        // The place of t_{i+d} among the knots after the span.
+        let end = i + d - self.span - 1;
+        let up = if end + 1 < self.falls.len() {
+            let new = self.sums[i + 1..].iter().map(|row| &row[end + 1]);
+            value.times_linear(std::iter::once(&self.rises[i]).chain(new))
         } else {
-            self.one().zero()
+            value.zero()
         };
         let down = match i.checked_sub(1) {
-            Some(before) => self.fall(end).times(&self.rows[before][end - 1 - s]),
-            None => self.one().zero(),
+            Some(before) => {
+                let new = self.sums[before][..end].iter();
+                value.times_linear(std::iter::once(&self.falls[end]).chain(new))
+            }
+            None => value.zero(),
         };
         (up, down)
     }

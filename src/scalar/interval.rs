@@ -179,13 +179,16 @@ impl Ring for Interval {
     /// Contains a·b for all a in self and b in rhs. The product with 0 is 0, and what is ≥ 0 stays so.
     #[inline]
     fn times(&self, rhs: &Self) -> Self {
-        if self.is_zero() || rhs.is_zero() {
-            return Self::ZERO;
-        }
         if self.lo >= 0.0 && rhs.lo >= 0.0 {
+            if self.hi == 0.0 || rhs.hi == 0.0 {
+                return Self::ZERO;
+            }
             // Lower ends are finite and upper ends not 0: there is no 0·∞.
             let outward = Self::around(self.lo * rhs.lo, self.hi * rhs.hi);
             return Self { lo: outward.lo.max(0.0), ..outward };
+        }
+        if self.is_zero() || rhs.is_zero() {
+            return Self::ZERO;
         }
         // The extremes are products of ends. 0·∞ is NaN, which `min` and `max` pass over; it stands for 0, which
         // is then also the product of that 0 with the other end, unless the other operand is (−∞, ∞) and the

@@ -124,6 +124,36 @@ impl<S: Ring> Polynomial<S> {
         Self::from_coefficients(self.coefficients.iter().map(|c| c.times(factor)).collect())
     }
 
+    /// p·∏(a + bu) over pairs (a, b), in one list of coefficients.
+    ///
+    /// ```
+    /// use knotproof::scalar::{Polynomial, rational};
+    ///
+    /// // 2(1 + u)(3 − u).
+    /// let factors = [(1, 1), (3, -1)].map(|(a, b)| (rational(a, 1), rational(b, 1)));
+    /// let product = Polynomial::constant(rational(2, 1)).times_linear(factors.iter());
+    /// assert_eq!(product.coefficients(), [6, 4, -2].map(|c| rational(c, 1)));
+    /// ```
+    #[must_use]
+    pub fn times_linear<'a>(&self, factors: impl Iterator<Item = &'a (S, S)>) -> Self
+    where
+        S: 'a,
+    {
+        let mut c = Vec::with_capacity(self.coefficients.len() + factors.size_hint().0);
+        c.extend_from_slice(&self.coefficients);
+        for (constant, slope) in factors {
+            let degree = c.len() - 1;
+            if !slope.is_zero() {
+                c.push(c[degree].times(slope));
+            }
+            for i in (1..=degree).rev() {
+                c[i] = c[i].times(constant).plus(&c[i - 1].times(slope));
+            }
+            c[0] = c[0].times(constant);
+        }
+        Self::from_coefficients(c)
+    }
+
     fn zip_with(&self, rhs: &Self, operation: impl Fn(&S, &S) -> S) -> Self {
         let zero = self.coefficients[0].zero();
         let length = self.coefficients.len().max(rhs.coefficients.len());
@@ -147,6 +177,9 @@ impl<S: Ring> Ring for Polynomial<S> {
         self.zip_with(rhs, S::minus)
     }
     fn times(&self, rhs: &Self) -> Self {
+        if self.is_zero() || rhs.is_zero() {
+            return self.zero();
+        }
         let (a, b) = (&self.coefficients, &rhs.coefficients);
         let coefficient = |n: usize| {
             let (first, last) = (n.saturating_sub(rhs.degree()), n.min(self.degree()));

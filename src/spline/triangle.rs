@@ -69,10 +69,7 @@ pub fn raise<W: Weights>(
     d: usize,
     m: usize,
 ) -> Active<W::Scalar> {
-    let pairs = lower.map_indexed(|i, value| {
-        let (w, complement) = weights.pair(i, d);
-        (w.times(value), complement.times(value))
-    });
+    let pairs = lower.map_indexed(|i, value| weights.split(i, d, value));
     // Each G_i^{d−1} is split in two: the part w goes to G_i^d, the part 1 − w to G_{i−1}^d.
     let (first, last) = (span.index().saturating_sub(d), span.index().min(m - d - 1));
     let values = (first..=last).filter_map(|i| match (pairs.get(i), pairs.get(i + 1)) {

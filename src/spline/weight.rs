@@ -16,6 +16,13 @@ pub trait Weights {
 
     /// (w_i^d, 1 − w_i^d), for an interval [t_i, t_{i+d}] that contains the span.
     fn pair(&self, i: usize, d: usize) -> (Self::Scalar, Self::Scalar);
+
+    /// (w_i^d·value, (1 − w_i^d)·value): what the triangle asks for. To be overridden where a product is cheaper
+    /// without the weight as a whole.
+    fn split(&self, i: usize, d: usize, value: &Self::Scalar) -> (Self::Scalar, Self::Scalar) {
+        let (w, complement) = self.pair(i, d);
+        (w.times(value), complement.times(value))
+    }
 }
 
 /// φ_α(x, a, b) and 1 − φ_α(x, a, b) for x in [a, b], in the form in which nothing cancels:

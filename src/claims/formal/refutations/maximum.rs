@@ -66,12 +66,20 @@ fn two_maxima(found: &Found<'_>, i: usize) -> Refuted {
     ))
 }
 
+/// A simple point close to an extremum.
+fn close_to(place: &crate::analysis::Place) -> BigRational {
+    let (lo, hi) = place.interval();
+    rationals_between(lo, hi).next().unwrap_or_else(|| lo.clone())
+}
+
 /// Between two indices the largest value changes from one side of the point c to the other.
 fn equal_maxima(found: &Found<'_>, i: usize) -> Refuted {
     let k = found.k();
     let index = |name| found.text(name)?.parse::<Index>().ok();
     let (from, to) = (index("α from")?, index("α to")?);
     let (c, d) = (found.number("c")?, found.number("d")?);
+    // A span is on one side of c as a whole: minima are at knots.
+    found.knots().inner_stop_knots().find(|(x, _)| **x == c)?;
     let value = |x: &BigRational, side| found.value(x, side, i);
     let mut goals = format!("(> {} {})", value(&d, Side::Right)?, value(&c, Side::Right)?);
     for (x, _) in found.knots().inner_stop_knots() {
@@ -85,28 +93,20 @@ fn equal_maxima(found: &Found<'_>, i: usize) -> Refuted {
         let basis = found.basis.with_index(index.clone());
         let shape = Shape::of(&basis, &Pieces::of(&basis), i);
         let on_left = |x: &BigRational| x < &c;
-        // A point close to the maximum is high enough, or the values could not have been told apart.
-        let peak = shape.local_maxima().find_map(|maximum| {
-            let (lo, hi) = maximum.place.interval();
-            let x = rationals_between(lo, hi).next().unwrap_or_else(|| lo.clone());
-            let high = basis.values(&x, Side::Right)[i] > height;
-            (high && on_left(&x) == (higher == "left")).then_some(x)
-        })?;
-        let mut goals = format!("(> {} {height})", value(&peak, Side::Right)?);
+        // Points close to the maxima, high enough on the higher side: or the values could not have been told apart.
+        let maxima: Vec<_> = shape.local_maxima().map(|maximum| close_to(&maximum.place)).collect();
+        let peak = maxima.iter().find(|x| on_left(x) == (higher == "left") && basis.values(x, Side::Right)[i] > height)?;
+        let mut goals = format!("(> {} {height})", value(peak, Side::Right)?);
         let (low, high) = basis.support(i);
         for span in basis.knots().spans() {
             let (start, end) = basis.knots().ends(span);
-            // The part of the span on the other side of c.
-            let (first, last) = if higher == "left" { (start.max(&c), end) } else { (start, end.min(&c)) };
-            if first < last && low <= start && end <= high {
-                let whole = Place::inside(span.index()).value("G", i, k);
-                let u = |x: &BigRational| (x - start).over(&(end - x));
-                let part = match (first == start, last == end) {
-                    (true, true) => whole,
-                    (true, false) => format!("(at ((u (/ (* {} u) (+ 1 u)))) {whole})", u(last)?),
-                    _ => format!("(at ((u (+ {} u))) {whole})", u(first)?),
-                };
-                let _ = write!(goals, "(> {height} {part})");
+            let on_lower_side = if higher == "left" { &c <= start } else { end <= &c };
+            if on_lower_side && low <= start && end <= high {
+                let value = Place::inside(span.index()).value("G", i, k);
+                // Every u > 0 is a multiple of the u of the maximum: with that as the unit the proof is short.
+                let unit = maxima.iter().find(|x| start < *x && *x < end).and_then(|x| (x - start).over(&(end - x)));
+                let unit = unit.unwrap_or_else(|| integer(1));
+                let _ = write!(goals, "(> {height} (at ((u (* {unit} u))) {value}))");
             }
         }
         sections += &found.section_over(&format!("(let r {})", index.ratio()), &goals);
