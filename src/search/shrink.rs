@@ -1,6 +1,10 @@
 //! Smaller candidates near a candidate, and the descent to one that has none with the same property.
 
-use super::candidate::Candidate;
+use std::cmp::Reverse;
+
+use num_integer::Integer;
+
+use super::candidate::{Candidate, is_continuous};
 use super::exhaustive::ratios_of_height;
 
 /// Goes from a candidate to smaller ones for as long as one of its [`smaller`] neighbours has the property, to the first
@@ -16,32 +20,56 @@ use super::exhaustive::ratios_of_height;
 /// # Ok::<(), knotproof::search::CandidateError>(())
 /// ```
 pub fn shrink(mut candidate: Candidate, has_property: impl Fn(&Candidate) -> bool) -> Candidate {
-    while let Some(next) = smaller(&candidate).into_iter().find(&has_property) {
-        candidate = next;
+    loop {
+        let next = smaller(&candidate).find(&has_property);
+        match next {
+            Some(next) => candidate = next,
+            None => return candidate,
+        }
     }
-    candidate
 }
 
-/// The neighbours of a candidate that are smaller than it in the order of candidates, in that order, all in normal form.
+/// The neighbours of a candidate in normal form that are smaller than it in the order of candidates, in that order, and in
+/// normal form as well.
 ///
 /// The gaps are the same, or all rounded to a coarser scale, or one of them is made 0, halved, one less, or equal to its
 /// neighbour. The index is the same, or one on the Stern–Brocot path to it (its convergents, and some between), or, with other
 /// gaps, one of height up to 5 that differs by a factor up to 2.
-#[must_use]
-pub fn smaller(candidate: &Candidate) -> Vec<Candidate> {
+pub fn smaller(candidate: &Candidate) -> impl Iterator<Item = Candidate> + use<> {
     let simpler = simpler_ratios(candidate.ratio());
     let mut near = simple_ratios_near(candidate.ratio());
     near.extend(&simpler);
     near.push(candidate.ratio());
-    let all_pairs = |gaps: Vec<u64>, ratios: &[(u64, u64)]| {
-        let new = ratios.iter().filter_map(|&ratio| Candidate::new(gaps.clone(), ratio).ok());
-        new.map(|new| new.normal_form()).filter(|new| new < candidate).collect::<Vec<_>>()
+    near.sort_unstable();
+    near.dedup();
+    let mut lists: Vec<Vec<u64>> = smaller_gaps(candidate.gaps()).into_iter().filter_map(coprime).collect();
+    lists.push(candidate.gaps().to_vec());
+    lists.sort_unstable();
+    lists.dedup();
+    // Pairs are many, and few of them are tried: they are sorted by numbers, and made candidates one by one.
+    let rank = |list: usize, (p, q): (u64, u64)| {
+        let height = p.max(p.abs_diff(q));
+        // Of one height, p/q rises with p, and for the same p as q falls.
+        (lists[list].iter().sum::<u64>() + height, height, list, p, Reverse(q))
     };
-    let mut list = all_pairs(candidate.gaps().to_vec(), &simpler);
-    list.extend(smaller_gaps(candidate.gaps()).into_iter().flat_map(|gaps| all_pairs(gaps, &near)));
-    list.sort();
-    list.dedup();
-    list
+    let with = |list: usize| if lists[list] == candidate.gaps() { &simpler } else { &near };
+    let pairs = (0..lists.len()).flat_map(|list| with(list).iter().map(move |&ratio| (list, ratio)));
+    let mut pairs: Vec<_> = pairs.map(|(list, ratio)| rank(list, ratio)).collect();
+    pairs.retain(|&(size, height, ..)| (size, height) <= (candidate.size(), candidate.height()));
+    pairs.sort_unstable();
+    let candidate = candidate.clone();
+    let built = pairs.into_iter().filter_map(move |(_, _, list, p, Reverse(q))| {
+        // For α = ∞ the gaps may have to be reversed.
+        Some(Candidate::new(lists.get(list)?.clone(), (p, q)).ok()?.normal_form())
+    });
+    built.filter(move |new| *new < candidate)
+}
+
+/// The list divided by its greatest common divisor; `None` if the function would jump.
+fn coprime(mut gaps: Vec<u64>) -> Option<Vec<u64>> {
+    let common = gaps.iter().fold(0, |common: u64, gap| common.gcd(gap)).max(1);
+    gaps.iter_mut().for_each(|gap| *gap /= common);
+    is_continuous(&gaps).then_some(gaps)
 }
 
 /// Lists with smaller gaps.
@@ -121,7 +149,8 @@ mod tests {
             [(&[2003, 1009, 997, 1][..], (3007, 5000)), (&[2, 1, 1, 0], (3, 5)), (&[1, 1], (1, 1))]
         {
             let candidate = Candidate::new(gaps.to_vec(), ratio).unwrap();
-            let list = smaller(&candidate);
+            let list: Vec<_> = smaller(&candidate).collect();
+            assert!(!list.is_empty() || candidate.size() < 4);
             assert!(list.iter().all(|c| c.is_normal() && *c < candidate && c.degree() == candidate.degree()));
             assert!(list.windows(2).all(|pair| pair[0] < pair[1]));
         }
@@ -140,7 +169,7 @@ mod tests {
         let several = |candidate: &Candidate| local_maxima(candidate).maxima > 1;
         let found = Candidate::new(vec![2003, 1009, 997, 1], (3007, 5000)).unwrap();
         let smallest = shrink(found, several);
-        assert!(several(&smallest) && !smaller(&smallest).iter().any(several));
+        assert!(several(&smallest) && !smaller(&smallest).any(|candidate| several(&candidate)));
         assert_eq!(shrink(smallest.clone(), several), smallest);
     }
 }
