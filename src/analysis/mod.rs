@@ -7,6 +7,7 @@ mod factored;
 mod integer_polynomial;
 mod linear;
 mod local_knots;
+mod partition;
 mod pieces;
 mod profile;
 mod rational_bezier;
