@@ -24,6 +24,7 @@ pub use decision::{
 pub use extremum::{Extremum, ExtremumKind, Jump, Place};
 pub use linear::{coefficient_rows, common_numerators, in_span, is_combination, rank};
 pub use local_knots::{LocalKnots, LocalKnotsError, SpanQuotient};
+pub use partition::{FreeKnotError, Partition, PartitionCell, PartitionEnd, PartitionEvent};
 pub use pieces::{
     Piece, Pieces, SpanPieces, constant, coordinate_between, coordinate_of, positive_coordinate,
 };

@@ -114,7 +114,9 @@ pub enum CliError {
         indices: Vec<String>,
     },
     /// `--alpha all` among other indices, or where the index has to be known.
-    #[error("--alpha: `all` stands alone, and only `knotproof shape` takes it; give an index, such as -1 or inf")]
+    #[error(
+        "--alpha: `all` stands alone, and only `knotproof shape` takes it; give an index, such as -1 or inf"
+    )]
     AllIndices,
     /// A width that is not positive.
     #[error("--width: {0} is not positive; give the longest interval wanted, such as 1e-9")]

@@ -66,9 +66,10 @@ impl BernsteinTable {
             factors.push(&scale / &row_factor);
             row_factor = row_factor * (n - i) / (i + 1);
         }
-        let rows = rows.iter().zip(factors).map(|(row, factor)| {
-            unit_bernstein(row, degree).into_iter().map(|c| c * &factor).collect()
-        });
+        let rows = rows
+            .iter()
+            .zip(factors)
+            .map(|(row, factor)| unit_bernstein(row, degree).into_iter().map(|c| c * &factor).collect());
         Self { rows: rows.collect() }.without_powers_of_two()
     }
 
@@ -121,9 +122,11 @@ impl BernsteinTable {
     pub(super) fn divided_in_y(&self, wanted: impl Fn(&[BigInt]) -> bool) -> Option<(Self, Self)> {
         LEFT_WEIGHTS.iter().find_map(|&weight| {
             let (left, right) = self.divided_at(weight);
-            right.rows.first().is_some_and(|line| wanted(line)).then(|| {
-                (left.without_powers_of_two(), right.without_powers_of_two())
-            })
+            right
+                .rows
+                .first()
+                .is_some_and(|line| wanted(line))
+                .then(|| (left.without_powers_of_two(), right.without_powers_of_two()))
         })
     }
 

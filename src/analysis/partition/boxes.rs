@@ -7,13 +7,24 @@ use super::bernstein_table::{BernsteinTable, Signs};
 
 /// A change in the sign changes of N(·, t) on (0, ∞), at one t of an interval at most.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Event {
+pub enum PartitionEvent {
     /// N(0, t) changes its sign: a critical point passes the left end of the span.
     Start,
     /// The leading coefficient of N(·, t) changes its sign: a critical point passes the right end.
     End,
     /// Two critical points meet.
     Fold,
+}
+
+impl PartitionEvent {
+    /// The same for the function with reversed knots.
+    pub(super) fn reversed(self) -> Self {
+        match self {
+            Self::Start => Self::End,
+            Self::End => Self::Start,
+            Self::Fold => Self::Fold,
+        }
+    }
 }
 
 /// Which ends an interval of t has: the first and the last one may be left out.
@@ -52,12 +63,18 @@ enum Line {
 /// - N and ∂²N/∂y² have opposite signs on the lines and inside: no zero;
 /// - or the same signs, and ∂N/∂t has one: then the least |N|, with its sign, is strictly monotonic in t, and there
 ///   is one t at most where a pair of zeros appears or vanishes.
-pub(super) fn events(table: &BernsteinTable, closed: Closed, depth: u32) -> Option<Vec<Event>> {
+pub(super) fn events(table: &BernsteinTable, closed: Closed, depth: u32) -> Option<Vec<PartitionEvent>> {
     let mut found = Vec::new();
     search(table, closed, Sides { start: true, end: true }, depth, &mut found).then_some(found)
 }
 
-fn search(table: &BernsteinTable, closed: Closed, sides: Sides, depth: u32, found: &mut Vec<Event>) -> bool {
+fn search(
+    table: &BernsteinTable,
+    closed: Closed,
+    sides: Sides,
+    depth: u32,
+    found: &mut Vec<PartitionEvent>,
+) -> bool {
     match events_in_box(table, closed, sides) {
         Some(event) => {
             found.extend(event);
@@ -74,24 +91,27 @@ fn search(table: &BernsteinTable, closed: Closed, sides: Sides, depth: u32, foun
 }
 
 /// `Some(None)` if nothing changes, `None` if that cannot be told.
-fn events_in_box(table: &BernsteinTable, closed: Closed, sides: Sides) -> Option<Option<Event>> {
+fn events_in_box(table: &BernsteinTable, closed: Closed, sides: Sides) -> Option<Option<PartitionEvent>> {
     if table.signs().is_constant() {
         return Some(None);
     }
     let rows = table.rows();
     let (start, end) = (line_of(table.row(0), closed), line_of(table.row(rows.len() - 1), closed));
-    let one_change_at_most = table.signs_of_y_derivative().is_constant()
-        || descartes(rows, start, end);
+    let one_change_at_most = table.signs_of_y_derivative().is_constant() || descartes(rows, start, end);
     match (start, end) {
         (Line::Strict(_), Line::Strict(_)) if one_change_at_most => Some(None),
-        (Line::Crossing, Line::Strict(_)) if sides.start && one_change_at_most => Some(Some(Event::Start)),
-        (Line::Strict(_), Line::Crossing) if sides.end && one_change_at_most => Some(Some(Event::End)),
+        (Line::Crossing, Line::Strict(_)) if sides.start && one_change_at_most => {
+            Some(Some(PartitionEvent::Start))
+        }
+        (Line::Strict(_), Line::Crossing) if sides.end && one_change_at_most => {
+            Some(Some(PartitionEvent::End))
+        }
         (Line::Strict(sign), Line::Strict(other)) if sign == other => {
             let bend = table.signs_of_second_y_derivative();
             match bend {
                 Signs::Mixed | Signs::Zero => None,
                 bend if bend != sign => Some(None),
-                _ if table.signs_of_t_derivative().is_constant() => Some(Some(Event::Fold)),
+                _ if table.signs_of_t_derivative().is_constant() => Some(Some(PartitionEvent::Fold)),
                 _ => None,
             }
         }

@@ -9,6 +9,8 @@ use crate::analysis::roots::roots_of;
 use crate::analysis::sign::Sign;
 use crate::scalar::{Polynomial, Ring};
 
+use super::boxes::PartitionEvent;
+
 /// Numerators of the slope, N_s(u, t) for each span s from left to right, for 0 < t < 1.
 #[derive(Debug, Clone)]
 pub(super) struct Family {
@@ -29,6 +31,31 @@ impl Family {
         &self.slopes
     }
 
+    /// What defines the place of an event on a span: its polynomial in t, without repeated factors; for a fold the
+    /// coefficients of N.
+    pub(super) fn polynomials(&self, span: usize, event: PartitionEvent) -> Vec<Polynomial<BigInt>> {
+        let Some(rows) = self.rows(span) else { return Vec::new() };
+        match edge(rows, event) {
+            Some(edge) => edge.coefficients().split_first().into_iter().map(polynomial).collect(),
+            None => rows.to_vec(),
+        }
+    }
+
+    /// The t in [from, to] of a critical point at an end of the span, if it is rational.
+    pub(super) fn rational_place(
+        &self,
+        span: usize,
+        event: PartitionEvent,
+        (from, to): (&BigRational, &BigRational),
+    ) -> Option<BigRational> {
+        let roots = roots_of(edge(self.rows(span)?, event)?);
+        roots.into_iter().filter_map(|mut root| root.rational()).find(|t| from <= t && t <= to)
+    }
+
+    fn rows(&self, span: usize) -> Option<&[Polynomial<BigInt>]> {
+        self.slopes.iter().find(|(s, _)| *s == span).map(|(_, slope)| slope.coefficients())
+    }
+
     /// The number of local maxima at t > 0, for a function that is continuous: it rises at first and falls at
     /// last, so it is the number of changes of the slope from + to −.
     pub(super) fn local_maxima(&self, t: &BigRational) -> usize {
@@ -44,6 +71,20 @@ impl Family {
         }
         maxima
     }
+}
+
+/// N at the end of the span that the event is about.
+fn edge(rows: &[Polynomial<BigInt>], event: PartitionEvent) -> Option<IntegerPolynomial> {
+    let row = match event {
+        PartitionEvent::Start => rows.first()?,
+        PartitionEvent::End => rows.last()?,
+        PartitionEvent::Fold => return None,
+    };
+    Some(IntegerPolynomial::primitive(row.coefficients().to_vec()).without_root_at_zero().square_free())
+}
+
+fn polynomial((first, rest): (&BigInt, &[BigInt])) -> Polynomial<BigInt> {
+    Polynomial::new(first.clone(), rest.iter().cloned())
 }
 
 /// N(·, t), times a positive number.

@@ -5,7 +5,7 @@ use num_rational::BigRational;
 use num_traits::{One, Zero};
 
 use super::bernstein_table::BernsteinTable;
-use super::boxes::{Closed, Event, events};
+use super::boxes::{Closed, PartitionEvent, events};
 use super::family::Family;
 
 /// A closed interval of the parameter, without the ends at which the family stops.
@@ -22,7 +22,7 @@ pub(super) enum Content {
     /// The number of local maxima is constant.
     Constant,
     /// It changes at one t at most, by this event on the span.
-    Event(usize, Event),
+    Event(usize, PartitionEvent),
     /// Not decided.
     Undecided,
 }
@@ -46,7 +46,10 @@ pub(super) fn sweep(family: &Family, closed_at_one: bool, depth: u32) -> Vec<Par
         for (s, table) in tables {
             match events(&table, closed, FIRST_DEPTH + level).as_deref() {
                 Some([]) => continue,
-                Some([event]) if content == Content::Constant => content = Content::Event(s, *event),
+                // An event needs a number on both sides of it.
+                Some([event]) if content == Content::Constant && closed.from && closed.to => {
+                    content = Content::Event(s, *event)
+                }
                 _ => content = Content::Undecided,
             }
             open.push((s, table));
