@@ -31,7 +31,7 @@ impl IntegerPolynomial {
     }
 
     /// Drops leading zeros and divides by the (positive) content.
-    fn primitive(mut coefficients: Vec<BigInt>) -> Self {
+    pub(super) fn primitive(mut coefficients: Vec<BigInt>) -> Self {
         while coefficients.last().is_some_and(Zero::is_zero) {
             coefficients.pop();
         }

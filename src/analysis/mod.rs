@@ -8,6 +8,7 @@ mod integer_polynomial;
 mod linear;
 mod local_knots;
 mod monotonicity;
+mod partition;
 mod pieces;
 mod profile;
 mod rational_bezier;
@@ -25,6 +26,7 @@ pub use extremum::{Extremum, ExtremumKind, Jump, Place};
 pub use linear::{coefficient_rows, common_numerators, in_span, is_combination, rank};
 pub use local_knots::{LocalKnots, LocalKnotsError, SpanQuotient};
 pub use monotonicity::{Monotonicity, Route, SpanMonotonicity};
+pub use partition::{FreeKnotError, Partition, PartitionCell, PartitionEnd, PartitionEvent};
 pub use pieces::{
     Piece, Pieces, SpanPieces, constant, coordinate_between, coordinate_of, positive_coordinate,
 };

@@ -81,7 +81,8 @@ fn rises_then_falls(allowed: usize) -> impl Fn(&BasisCase, &mut Ledger) -> Judge
                 let turns = on_span.signs.len() - 1;
                 let rises_last = turns > 0 && on_span.signs.last() == Some(&Sign::Positive);
                 if !ledger.count(turns.max(allowed), allowed) || rises_last {
-                    let (start, end) = (case.knots().t(i + on_span.span), case.knots().t(i + on_span.span + 1));
+                    let (start, end) =
+                        (case.knots().t(i + on_span.span), case.knots().t(i + on_span.span + 1));
                     let at = [("i", i.to_string()), ("span", format!("[{start}, {end})"))];
                     let claimed = "the function rises, falls, or rises and then falls".to_owned();
                     return Err(case.refuted(at, claimed, format!("it changes its direction {turns} times")));

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use num_rational::BigRational;
 use thiserror::Error;
 
+use crate::analysis::FreeKnotError;
 use crate::certificate::CertificateError;
 use crate::claims::Fault;
 use crate::report::{BaselineError, END, ReportError, START};
@@ -115,14 +116,19 @@ pub enum CliError {
         indices: Vec<String>,
     },
     /// `--alpha all` among other indices, or where the index has to be known.
-    #[error("--alpha: `all` stands alone, and only `knotproof shape` takes it; give an index, such as -1 or inf")]
+    #[error(
+        "--alpha: `all` stands alone, and only `knotproof shape` takes it; give an index, such as -1 or inf"
+    )]
     AllIndices,
     /// A width that is not positive.
     #[error("--width: {0} is not positive; give the longest interval wanted, such as 1e-9")]
     Width(BigRational),
-    /// A free knot with the wrong company.
+    /// Two parameters at once.
+    #[error("--free-knot: the index has to be known where a knot is free; give one, such as --alpha -1")]
+    TwoParameters,
+    /// A knot that cannot be free.
     #[error("--free-knot: {0}")]
-    FreeKnot(FreeKnotError),
+    FreeKnot(#[from] FreeKnotError),
     /// No basis function has this index.
     #[error("--index: there is no function {index}: the basis has the functions 0 to {n}")]
     Function {
@@ -302,7 +308,7 @@ impl CliError {
             Self::UnknownInstance { .. } | Self::Malformed { .. } => Some("--instance"),
             Self::SeveralIndices { .. } | Self::AllIndices => Some("--alpha"),
             Self::Width(_) => Some("--width"),
-            Self::FreeKnot(_) => Some("--free-knot"),
+            Self::FreeKnot(_) | Self::TwoParameters => Some("--free-knot"),
             Self::Function { .. } => Some("--index"),
             Self::Derivatives { .. } => Some("--derivatives"),
             Self::UnknownClaim { argument, .. } | Self::File { argument, .. } => Some(argument),
@@ -346,23 +352,6 @@ impl CliError {
             _ => Exit::Usage,
         }
     }
-}
-
-/// Why a knot cannot be freed.
-#[derive(Debug, Error)]
-pub enum FreeKnotError {
-    /// No such knot.
-    #[error("there is no knot {0}: the knots are t_0 to t_{1}")]
-    Missing(usize, usize),
-    /// t_0 or t_m, which has one neighbour only.
-    #[error("t_{0} is the first or the last knot: give one between two others")]
-    End(usize),
-    /// Both neighbours are at the same place.
-    #[error("t_{0} cannot move: its neighbours are both {1}")]
-    Fixed(usize, BigRational),
-    /// With every index at once.
-    #[error("it needs an index that is known: give one, such as --alpha -1")]
-    EveryIndex,
 }
 
 #[cfg(test)]

@@ -87,9 +87,7 @@ pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
         (
             "Conj3.1.strong" | "Conj3.1.strong.continuous" | "Conj3.1.weak" | "Conj3.1.weak.continuous",
             true,
-        ) => {
-            Some(Formal::on_all_knots(1..=2, BECAUSE, &[OUTER, MIDDLE, CONTINUITY]))
-        }
+        ) => Some(Formal::on_all_knots(1..=2, BECAUSE, &[OUTER, MIDDLE, CONTINUITY])),
         ("Rem5.1.conj", true) => {
             let mut instances = all(&EXAMPLES);
             instances.retain(|instance| instance.degree > 0);

@@ -16,7 +16,9 @@ const STEPS: [(usize, usize, usize, usize); 6] =
 /// reversed knots: there p, q and e are numbered from the other end, and −N is meant.
 fn section(s: usize) -> String {
     let x = Multivariate::variable;
-    let Ok(knots) = LocalKnots::new((0..4).map(x).collect(), (x(4), x(4).one())) else { return String::new() };
+    let Ok(knots) = LocalKnots::new((0..4).map(x).collect(), (x(4), x(4).one())) else {
+        return String::new();
+    };
     let Some(quotient) = knots.on_span(s) else { return String::new() };
     let (p, q) = (&quotient.numerator, &quotient.denominator);
     let (degree, reversed) = (q.degree(), s == 2);

@@ -55,15 +55,10 @@ pub(super) fn formal(question: &str, k: usize) -> Option<Formal> {
         ("X.maxima.classical" | "X.maxima.spans", 1 | 2) => {
             Some(Formal::on_all_knots(k..=k, BECAUSE, &[OUTER, MIDDLE, CONTINUITY]))
         }
-        ("X.maxima.classical", 3) => Some(Formal::new(
-            Scope::Knots,
-            vec![3],
-            CLASSICAL,
-            [OUTER, CLASSICAL_CUBIC, CONTINUITY].concat(),
-        )),
-        ("X.maxima.spans", 3) => {
-            Some(Formal::on_all_knots(3..=3, CUBIC, &[OUTER, &cubic(), CONTINUITY]))
+        ("X.maxima.classical", 3) => {
+            Some(Formal::new(Scope::Knots, vec![3], CLASSICAL, [OUTER, CLASSICAL_CUBIC, CONTINUITY].concat()))
         }
+        ("X.maxima.spans", 3) => Some(Formal::on_all_knots(3..=3, CUBIC, &[OUTER, &cubic(), CONTINUITY])),
         _ => None,
     }
 }

@@ -1,5 +1,6 @@
 //! The command `shape`: local maxima and minima, plateaus, jumps and slopes of basis functions.
 
+mod partition;
 mod text;
 
 use num_rational::BigRational;
@@ -15,7 +16,7 @@ use crate::spline::Basis;
 use super::error::CliError;
 use super::exact::Exact;
 use super::exit::Exit;
-use super::instance::{FunctionArgs, InstanceArgs};
+use super::instance::{FunctionArgs, InstanceArgs, whole_number};
 use super::output::Output;
 use super::progress::Progress;
 
@@ -34,13 +35,23 @@ pub(super) struct Args {
     /// The longest interval for a place or a value that is not known exactly.
     #[arg(long, value_name = "W", value_parser = parse_rational, allow_hyphen_values = true, default_value = "0x1p-20")]
     width: BigRational,
+    /// The knot t_J moves between its two neighbours: all its places, by the number of local maxima.
+    #[arg(long, value_name = "J", value_parser = whole_number, allow_hyphen_values = true)]
+    free_knot: Option<usize>,
 }
 
-const EXAMPLE: &str = r#"Exit codes: 0 every function has exactly one local maximum, 1 one has none or several.
+const EXAMPLE: &str = r#"With --alpha all: every slope ratio r = α/(α − 1) in (0, ∞), by the number of local maxima; with --free-knot J, every
+place of the knot t_J between its neighbours. Cells are open intervals, each with its number; between two of them
+lies an end, the root of a polynomial.
+
+Exit codes: 0 every function has exactly one local maximum, for every value of the parameter; 1 one has none or
+several; 3 nothing but that is known, and some value of the parameter is undecided.
 
 Examples:
   knotproof shape --instance U4 --alpha -1
-  knotproof shape --degree 3 --knots "0 0 0 0 1 2 4 4" --alpha 5/2 --index 2 --width 1e-12"#;
+  knotproof shape --degree 3 --knots "0 0 0 0 1 2 4 4" --alpha 5/2 --index 2 --width 1e-12
+  knotproof shape --degree 4 --knots "0 1 2 3 4 5 5 5 5" --index 0 --alpha all
+  knotproof shape --degree 3 --knots "0 0 0 0 1 2 4 4" --alpha 5/2 --index 2 --free-knot 5"#;
 
 /// The result: its fields are the JSON.
 #[derive(Debug, Serialize)]
@@ -101,7 +112,16 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     if !args.width.is_positive() {
         return Err(CliError::Width(args.width.clone()));
     }
+    if let Some(every_index) = args.instance.every_index() {
+        return match args.free_knot {
+            None => partition::by_ratio(args, every_index.resolve()?, output),
+            Some(_) => Err(CliError::TwoParameters),
+        };
+    }
     let subject = args.instance.resolve()?;
+    if let Some(knot) = args.free_knot {
+        return partition::by_knot(args, subject, knot, output);
+    }
     let bases: Vec<Basis> = subject.cases.into_iter().map(|case| case.basis).collect();
     let mut functions = Vec::new();
     let progress = Progress::new(bases.len());

@@ -95,7 +95,9 @@ fn equal_maxima(found: &Found<'_>, i: usize) -> Refuted {
         let on_left = |x: &BigRational| x < &c;
         // Points close to the maxima, high enough on the higher side: or the values could not have been told apart.
         let maxima: Vec<_> = shape.local_maxima().map(|maximum| close_to(&maximum.place)).collect();
-        let peak = maxima.iter().find(|x| on_left(x) == (higher == "left") && basis.values(x, Side::Right)[i] > height)?;
+        let peak = maxima
+            .iter()
+            .find(|x| on_left(x) == (higher == "left") && basis.values(x, Side::Right)[i] > height)?;
         let mut goals = format!("(> {} {height})", value(peak, Side::Right)?);
         let (low, high) = basis.support(i);
         for span in basis.knots().spans() {
@@ -104,7 +106,8 @@ fn equal_maxima(found: &Found<'_>, i: usize) -> Refuted {
             if on_lower_side && low <= start && end <= high {
                 let value = Place::inside(span.index()).value("G", i, k);
                 // Every u > 0 is a multiple of the u of the maximum: with that as the unit the proof is short.
-                let unit = maxima.iter().find(|x| start < *x && *x < end).and_then(|x| (x - start).over(&(end - x)));
+                let unit =
+                    maxima.iter().find(|x| start < *x && *x < end).and_then(|x| (x - start).over(&(end - x)));
                 let unit = unit.unwrap_or_else(|| integer(1));
                 let _ = write!(goals, "(> {height} (at ((u (* {unit} u))) {value}))");
             }

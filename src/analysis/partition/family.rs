@@ -1,0 +1,143 @@
+//! A function of a family with one parameter t, by the slopes on its spans.
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+
+use crate::analysis::integer_polynomial::IntegerPolynomial;
+use crate::analysis::local_knots::LocalKnots;
+use crate::analysis::roots::roots_of;
+use crate::analysis::sign::Sign;
+use crate::scalar::{Polynomial, Ring};
+
+use super::boxes::PartitionEvent;
+
+/// Numerators of the slope, N_s(u, t) for each span s from left to right, for 0 < t < 1.
+#[derive(Debug, Clone)]
+pub(super) struct Family {
+    slopes: Vec<(usize, Polynomial<Polynomial<BigInt>>)>,
+}
+
+impl Family {
+    /// From local knots whose gaps and ratio are polynomials in t.
+    ///
+    /// Powers of u and of t that divide N_s are positive and left out.
+    pub(super) fn new(knots: &LocalKnots<Polynomial<BigInt>>) -> Self {
+        let slope = |s| Some((s, reduced(&knots.on_span(s)?.slope())));
+        Self { slopes: knots.spans().filter_map(slope).collect() }
+    }
+
+    /// The spans, with their N_s.
+    pub(super) fn slopes(&self) -> &[(usize, Polynomial<Polynomial<BigInt>>)] {
+        &self.slopes
+    }
+
+    /// What defines the place of an event on a span: its polynomial in t, without repeated factors; for a fold the
+    /// coefficients of N.
+    pub(super) fn polynomials(&self, span: usize, event: PartitionEvent) -> Vec<Polynomial<BigInt>> {
+        let Some(rows) = self.rows(span) else { return Vec::new() };
+        match edge(rows, event) {
+            Some(edge) => edge.coefficients().split_first().into_iter().map(polynomial).collect(),
+            None => rows.to_vec(),
+        }
+    }
+
+    /// The t in [from, to] of a critical point at an end of the span, if it is rational.
+    pub(super) fn rational_place(
+        &self,
+        span: usize,
+        event: PartitionEvent,
+        (from, to): (&BigRational, &BigRational),
+    ) -> Option<BigRational> {
+        let roots = roots_of(edge(self.rows(span)?, event)?);
+        roots.into_iter().filter_map(|mut root| root.rational()).find(|t| from <= t && t <= to)
+    }
+
+    fn rows(&self, span: usize) -> Option<&[Polynomial<BigInt>]> {
+        self.slopes.iter().find(|(s, _)| *s == span).map(|(_, slope)| slope.coefficients())
+    }
+
+    /// The number of local maxima at t > 0, for a function that is continuous: it rises at first and falls at
+    /// last, so it is the number of changes of the slope from + to −.
+    pub(super) fn local_maxima(&self, t: &BigRational) -> usize {
+        let mut maxima = 0;
+        let mut last = Sign::Positive;
+        for (_, slope) in &self.slopes {
+            for sign in signs(&at(slope, t)) {
+                if (last, sign) == (Sign::Positive, Sign::Negative) {
+                    maxima += 1;
+                }
+                last = sign;
+            }
+        }
+        maxima
+    }
+}
+
+/// N at the end of the span that the event is about.
+fn edge(rows: &[Polynomial<BigInt>], event: PartitionEvent) -> Option<IntegerPolynomial> {
+    let row = match event {
+        PartitionEvent::Start => rows.first()?,
+        PartitionEvent::End => rows.last()?,
+        PartitionEvent::Fold => return None,
+    };
+    Some(IntegerPolynomial::primitive(row.coefficients().to_vec()).without_root_at_zero().square_free())
+}
+
+fn polynomial((first, rest): (&BigInt, &[BigInt])) -> Polynomial<BigInt> {
+    Polynomial::new(first.clone(), rest.iter().cloned())
+}
+
+/// N(·, t), times a positive number.
+fn at(slope: &Polynomial<Polynomial<BigInt>>, t: &BigRational) -> IntegerPolynomial {
+    let degree = slope.coefficients().iter().map(Polynomial::degree).max().unwrap_or(0);
+    let (a, d) = (t.numer(), t.denom());
+    let value = |p: &Polynomial<BigInt>| {
+        let mut sum = BigInt::default();
+        let mut power = d.power(degree - p.degree());
+        for c in p.coefficients().iter().rev() {
+            sum = sum * a + c * &power;
+            power *= d;
+        }
+        sum
+    };
+    IntegerPolynomial::primitive(slope.coefficients().iter().map(value).collect())
+}
+
+/// The signs that p takes on (0, ∞) from left to right, zeros left out, without repetitions.
+fn signs(p: &IntegerPolynomial) -> Vec<Sign> {
+    let lowest = p.coefficients().iter().find(|c| !c.is_zero());
+    let Some(first) = lowest.map(Sign::of) else { return Vec::new() };
+    let mut signs = vec![first];
+    if IntegerPolynomial::variations(p.coefficients()) == 0 {
+        return signs;
+    }
+    let roots = roots_of(p.clone());
+    let last = p.coefficients().last().map_or(first, Sign::of);
+    let between = roots.windows(2).map(|pair| {
+        // Where two intervals share an end it is no root, and between them there is none.
+        let (_, low) = pair[0].interval();
+        let (high, _) = pair[1].interval();
+        let middle = (low + high) / BigInt::from(2);
+        p.sign_at(middle.numer(), middle.denom())
+    });
+    signs.extend(between);
+    signs.push(last);
+    signs.dedup();
+    signs
+}
+
+/// Without the powers of u and of t that divide all of it.
+fn reduced(slope: &Polynomial<Polynomial<BigInt>>) -> Polynomial<Polynomial<BigInt>> {
+    let order = |p: &Polynomial<BigInt>| p.coefficients().iter().take_while(|c| c.is_zero()).count();
+    let rows: Vec<_> = slope.coefficients().iter().skip_while(|row| row.is_zero()).collect();
+    let common = rows.iter().filter(|row| !row.is_zero()).map(|row| order(row)).min().unwrap_or(0);
+    let shifted = |row: &&Polynomial<BigInt>| {
+        let mut rest = row.coefficients().iter().skip(common).cloned();
+        Polynomial::new(rest.next().unwrap_or_default(), rest)
+    };
+    let mut rows = rows.iter().map(shifted);
+    match rows.next() {
+        Some(first) => Polynomial::new(first, rows),
+        None => slope.zero(),
+    }
+}

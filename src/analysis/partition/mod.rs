@@ -1,0 +1,320 @@
+//! A function of one parameter, by the number of its local maxima.
+
+mod bernstein_table;
+mod boxes;
+mod family;
+mod parameter;
+mod sweep;
+
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_rational::BigRational;
+use num_traits::Signed;
+use thiserror::Error;
+
+use crate::scalar::{Polynomial, Ring, integer, rationals_between};
+use crate::spline::{Basis, Index, KnotVector};
+
+use super::local_knots::LocalKnots;
+use super::pieces::Pieces;
+use super::shape::Shape;
+use family::Family;
+use parameter::Parameter;
+use sweep::{Content, Part, sweep};
+
+pub use boxes::PartitionEvent;
+
+/// All values of a parameter, by the number of local maxima that G_i^k has.
+///
+/// The parameter is the slope ratio r in (0, ∞), or a knot between its two neighbours. The slope on span s has the
+/// sign of a polynomial N_s(u, r), and the number of local maxima can change only where a critical point passes
+/// an end of a span, or where two critical points meet. Boxes in (u, r) show that there is no such r in an interval,
+/// or one at most: see [`PartitionEvent`].
+///
+/// Exact: for every value of the parameter, except where a cell says that it is undecided.
+///
+/// ```
+/// use knotproof::analysis::Partition;
+/// use knotproof::scalar::{integer, rational};
+/// use knotproof::spline::{Basis, Index, KnotVector};
+///
+/// // The function of degree 4 on the knots 0, 1, …, 5 has two local maxima for some r near 2/5, and near 5/2.
+/// let basis = Basis::new(KnotVector::new((0..6).map(integer).collect())?, 4, Index::infinity())?;
+/// let partition = Partition::by_ratio(&basis, 0, &rational(1, 1 << 20));
+/// let counts: Vec<_> = partition.cells().iter().map(|cell| cell.local_maxima).collect();
+/// assert_eq!(counts, [1, 2, 1, 2, 1].map(Some));
+/// let (lo, hi) = &partition.ends()[0].interval;
+/// assert!(rational(39, 100) < *lo && lo < hi && *hi < rational(40, 100));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Partition {
+    cells: Vec<PartitionCell>,
+    ends: Vec<PartitionEnd>,
+}
+
+/// An open interval of the parameter on which the number of local maxima is constant.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PartitionCell {
+    /// Its lower end, or an upper bound of that where it is no rational number: the cell is from the one
+    /// [end](PartitionEnd) to the next.
+    pub from: BigRational,
+    /// Its upper end, or a lower bound of that; `None` for ∞.
+    pub to: Option<BigRational>,
+    /// The number, confirmed by the [`Shape`] at a rational number of the cell; `None` if it is undecided between
+    /// these two bounds.
+    pub local_maxima: Option<usize>,
+}
+
+/// Where one cell ends and the next begins.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PartitionEnd {
+    /// (lo, hi) with lo ≤ end ≤ hi, and lo = hi if the end is known to be rational.
+    pub interval: (BigRational, BigRational),
+    /// The number of local maxima there.
+    pub local_maxima: usize,
+    /// What happens there.
+    pub event: PartitionEvent,
+    /// The knot t_s at which the span begins where it happens.
+    pub span: usize,
+    /// Integer polynomials in the parameter, lowest coefficient first. For a critical point at an end of a span
+    /// one of them, which has the end as its only root in the interval. For two that meet, the coefficients of
+    /// u⁰, u¹, … of N: there N = ∂N/∂u = 0 at some u > 0.
+    pub polynomials: Vec<Vec<BigInt>>,
+}
+
+/// Why a knot cannot be the parameter.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum FreeKnotError {
+    /// t_0, t_m, or none at all.
+    #[error("knot {knot} does not lie between two others: give one of 1 to {last}")]
+    NoNeighbours {
+        /// J.
+        knot: usize,
+        /// m − 1.
+        last: usize,
+    },
+    /// The neighbours are at one place.
+    #[error("knot {knot} cannot move, since its neighbours are both {place}: free another one")]
+    Fixed {
+        /// J.
+        knot: usize,
+        /// t_{J−1} = t_{J+1}.
+        place: BigRational,
+    },
+}
+
+/// Halvings of the parameter's interval before a part of it is given up.
+const DEPTH: u32 = 40;
+
+/// A cell or an end, in terms of the family's own t.
+enum Step {
+    Cell { from: BigRational, to: BigRational, local_maxima: Option<usize> },
+    End { lo: BigRational, hi: BigRational, local_maxima: usize, span: usize, event: PartitionEvent },
+}
+
+impl Partition {
+    /// The partition of all slope ratios r in (0, ∞), for G_i^k on the knots of `basis`, whose index is ignored. The
+    /// ends of cells are isolated to intervals of at most `width` > 0.
+    ///
+    /// For r > 1 the function with reversed knots is taken, which has the same number of local maxima at 1/r.
+    ///
+    /// # Panics
+    /// If i > n.
+    #[must_use]
+    pub fn by_ratio(basis: &Basis, i: usize, width: &BigRational) -> Self {
+        let knots = &basis.knots().knots()[i..=i + basis.degree() + 1];
+        let gaps = integer_gaps(knots);
+        let constant = |gap: &BigInt| Polynomial::constant(gap.clone());
+        let one = Polynomial::constant(BigInt::from(1));
+        let ratio = (Polynomial::variable(&BigInt::from(1)), one);
+        let at = |r: &BigRational| {
+            let index = Index::from_ratio(r.clone()).ok()?;
+            count(&Basis::new(basis.knots().clone(), basis.degree(), index).ok()?, i)
+        };
+        let mut partition = Self { cells: Vec::new(), ends: Vec::new() };
+        let low = family(gaps.iter().map(constant).collect(), ratio.clone());
+        let high = family(gaps.iter().rev().map(constant).collect(), ratio);
+        if let (Some(low), Some(high)) = (low, high) {
+            let last = basis.degree();
+            let identity = Parameter::Identity;
+            for step in steps(&low, true, &identity, width) {
+                partition.push(step, &low, &identity, |s| i + s);
+            }
+            let mut above = steps(&high, true, &Parameter::Reciprocal, width);
+            above.reverse();
+            for step in above {
+                partition.push(step, &high, &Parameter::Reciprocal, |s| i + last - s);
+            }
+        } else {
+            partition.cells.push(PartitionCell { from: integer(0), to: None, local_maxima: at(&integer(1)) });
+        }
+        partition.confirm(at);
+        partition
+    }
+
+    /// The partition of the places of the knot t_J strictly between its neighbours, for G_i^k with the index and
+    /// the other knots of `basis`.
+    ///
+    /// # Errors
+    /// [`FreeKnotError`] if t_J is t_0 or t_m, or its neighbours are equal.
+    ///
+    /// # Panics
+    /// If i > n.
+    pub fn by_knot(basis: &Basis, i: usize, knot: usize, width: &BigRational) -> Result<Self, FreeKnotError> {
+        let all = basis.knots();
+        if knot == 0 || knot >= all.m() {
+            return Err(FreeKnotError::NoNeighbours { knot, last: all.m() - 1 });
+        }
+        let (from, to) = (all.t(knot - 1).clone(), all.t(knot + 1).clone());
+        if from == to {
+            return Err(FreeKnotError::Fixed { knot, place: from });
+        }
+        let moved = |x: &BigRational| {
+            let mut knots = all.knots().to_vec();
+            knots[knot] = x.clone();
+            let knots = KnotVector::new(knots).ok()?;
+            count(&Basis::new(knots, basis.degree(), basis.index().clone()).ok()?, i)
+        };
+        let parameter = Parameter::Affine { start: from.clone(), length: &to - &from };
+        let mut partition = Self { cells: Vec::new(), ends: Vec::new() };
+        match knot_family(basis, i, knot) {
+            Some(family) => {
+                for step in steps(&family, false, &parameter, width) {
+                    partition.push(step, &family, &parameter, |s| i + s);
+                }
+            }
+            None => {
+                let local_maxima = rationals_between(&from, &to).next().and_then(|x| moved(&x));
+                partition.cells.push(PartitionCell { from, to: Some(to), local_maxima });
+            }
+        }
+        partition.confirm(moved);
+        Ok(partition)
+    }
+
+    /// The cells, from left to right.
+    #[must_use]
+    pub fn cells(&self) -> &[PartitionCell] {
+        &self.cells
+    }
+
+    /// The ends between decided cells, from left to right.
+    #[must_use]
+    pub fn ends(&self) -> &[PartitionEnd] {
+        &self.ends
+    }
+
+    /// Is every value of the parameter decided?
+    #[must_use]
+    pub fn is_decided(&self) -> bool {
+        self.cells.iter().all(|cell| cell.local_maxima.is_some())
+    }
+
+    /// The next step, in terms of the parameter. Cells with the same number grow together.
+    fn push(&mut self, step: Step, family: &Family, parameter: &Parameter, knot: impl Fn(usize) -> usize) {
+        match step {
+            Step::Cell { from, to, local_maxima } => {
+                let (from, to) = parameter.interval(&from, &to);
+                match self.cells.last_mut() {
+                    Some(last) if last.local_maxima == local_maxima && last.to.as_ref() == Some(&from) => {
+                        last.to = to
+                    }
+                    _ => self.cells.push(PartitionCell { from, to, local_maxima }),
+                }
+            }
+            Step::End { lo, hi, local_maxima, span, event } => {
+                let (lo, Some(hi)) = parameter.interval(&lo, &hi) else { return };
+                let polynomials = parameter.polynomials(&family.polynomials(span, event));
+                let event = if *parameter == Parameter::Reciprocal { event.reversed() } else { event };
+                let span = knot(span);
+                self.ends.push(PartitionEnd { interval: (lo, hi), local_maxima, event, span, polynomials });
+            }
+        }
+    }
+
+    /// Compares every cell with the number of local maxima at a simple rational of it, by the pieces of the
+    /// function and not by the family. A cell of which that says something else would be a fault of this program: it
+    /// is undecided.
+    fn confirm(&mut self, at: impl Fn(&BigRational) -> Option<usize>) {
+        for cell in &mut self.cells {
+            let to = cell.to.clone().unwrap_or_else(|| &cell.from + integer(2));
+            let sample = rationals_between(&cell.from, &to).next();
+            if sample.and_then(|sample| at(&sample)) != cell.local_maxima {
+                cell.local_maxima = None;
+            }
+        }
+    }
+}
+
+/// The number of local maxima of one function, by its shape.
+fn count(basis: &Basis, i: usize) -> Option<usize> {
+    Some(Shape::of(basis, &Pieces::of(basis), i).local_maxima().count())
+}
+
+/// The gaps between the knots, times a positive number that makes them integers.
+fn integer_gaps(knots: &[BigRational]) -> Vec<BigInt> {
+    let common = knots.iter().fold(BigInt::from(1), |common, t| common.lcm(t.denom()));
+    knots.windows(2).map(|pair| ((&pair[1] - &pair[0]) * &common).to_integer()).collect()
+}
+
+/// G_i^k with t_J = t_{J−1} + t·(t_{J+1} − t_{J−1}); `None` if it lives on one span only.
+fn knot_family(basis: &Basis, i: usize, knot: usize) -> Option<Family> {
+    let knots = basis.knots().knots();
+    let local = i..=i + basis.degree() + 1;
+    let mut gaps: Vec<_> = integer_gaps(knots).into_iter().map(Polynomial::constant).collect();
+    let length = gaps[knot - 1].plus(&gaps[knot]).coefficients()[0].clone();
+    gaps[knot - 1] = Polynomial::new(BigInt::default(), [length.clone()]);
+    gaps[knot] = Polynomial::new(length.clone(), [-length]);
+    let ratio = basis.index().ratio();
+    let constant = |n: &BigInt| Polynomial::constant(n.clone());
+    let ratio = (constant(ratio.numer()), constant(ratio.denom()));
+    family(gaps[*local.start()..*local.end()].to_vec(), ratio)
+}
+
+/// The family of these local knots; `None` if there is one span only. There the function has no local maximum
+/// inside, or one, whatever the parameter is: G_i^k = C(k, j)·w^j(1 − w)^{k−j}, where w rises from 0 to 1.
+fn family(gaps: Vec<Polynomial<BigInt>>, ratio: (Polynomial<BigInt>, Polynomial<BigInt>)) -> Option<Family> {
+    let local = LocalKnots::new(gaps, ratio).ok()?;
+    (local.spans().count() > 1).then(|| Family::new(&local))
+}
+
+/// The cells and ends of a family from left to right, ends isolated to `width` in terms of the parameter.
+fn steps(family: &Family, closed_at_one: bool, parameter: &Parameter, width: &BigRational) -> Vec<Step> {
+    let mut steps = Vec::new();
+    for Part { from, to, content } in sweep(family, closed_at_one, DEPTH) {
+        let (span, event) = match content {
+            Content::Event(span, event) => (span, event),
+            Content::Constant => {
+                let middle = (&from + &to) / BigInt::from(2);
+                let local_maxima = Some(family.local_maxima(&middle));
+                steps.push(Step::Cell { from, to, local_maxima });
+                continue;
+            }
+            Content::Undecided => {
+                steps.push(Step::Cell { from, to, local_maxima: None });
+                continue;
+            }
+        };
+        let (below, above) = (family.local_maxima(&from), family.local_maxima(&to));
+        if below == above {
+            steps.push(Step::Cell { from, to, local_maxima: Some(below) });
+            continue;
+        }
+        let (mut lo, mut hi) = (from.clone(), to.clone());
+        if let Some(t) = family.rational_place(span, event, (&lo, &hi)) {
+            (lo, hi) = (t.clone(), t);
+        }
+        while width.is_positive() && parameter.distance(&lo, &hi) > *width {
+            let middle = (&lo + &hi) / BigInt::from(2);
+            if family.local_maxima(&middle) == below { lo = middle } else { hi = middle }
+        }
+        // At the end itself the zeros that come or go do not change the sign: there are as many maxima as on the
+        // side that has fewer.
+        steps.push(Step::Cell { from, to: lo.clone(), local_maxima: Some(below) });
+        steps.push(Step::End { lo, hi: hi.clone(), local_maxima: below.min(above), span, event });
+        steps.push(Step::Cell { from: hi, to, local_maxima: Some(above) });
+    }
+    steps.retain(|step| !matches!(step, Step::Cell { from, to, .. } if from == to));
+    steps
+}

@@ -1,0 +1,214 @@
+//! `shape` with a parameter: the slope ratio, or one knot.
+
+use std::fmt;
+
+use anstyle::Style;
+use serde::Serialize;
+
+use crate::analysis::{Partition, PartitionCell, PartitionEnd, PartitionEvent};
+use crate::scalar::decimal;
+use crate::spline::Basis;
+
+use super::super::error::CliError;
+use super::super::exact::Exact;
+use super::super::exit::Exit;
+use super::super::instance::Subject;
+use super::super::output::Output;
+use super::super::progress::Progress;
+use super::{Args, exact};
+
+/// The result: its fields are the JSON.
+#[derive(Debug, Serialize)]
+struct Partitions {
+    schema: &'static str,
+    degree: usize,
+    knots: Vec<Exact>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    free_knot: Option<usize>,
+    functions: Vec<Function>,
+    #[serde(skip)]
+    label: Option<String>,
+}
+
+/// One function, for every value of the parameter.
+#[derive(Debug, Serialize)]
+struct Function {
+    index: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    alpha: Option<String>,
+    /// `null` if neither is known.
+    strong: Option<bool>,
+    cells: Vec<Cell>,
+    ends: Vec<End>,
+}
+
+/// The bounds of a cell by the parameter's name.
+#[derive(Debug, Serialize)]
+struct Cell {
+    #[serde(flatten)]
+    bounds: Bounds,
+    local_maxima: Option<usize>,
+}
+
+#[derive(Debug, Serialize)]
+#[serde(rename_all = "lowercase")]
+enum Bounds {
+    /// `null` for ∞.
+    Ratio([Option<Exact>; 2]),
+    Knot([Option<Exact>; 2]),
+}
+
+#[derive(Debug, Serialize)]
+struct End {
+    interval: [Exact; 2],
+    local_maxima: usize,
+    kind: &'static str,
+    /// The span [t_span, t_{span+1}) where it happens.
+    span: usize,
+    /// For a critical point at a knot: the integer polynomial in the parameter of which the end is a root, lowest
+    /// coefficient first.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    polynomial: Option<Vec<String>>,
+    /// For two that meet: N as a list of such polynomials, the coefficients of u⁰, u¹, …; there N = ∂N/∂u = 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    double_root_of: Option<Vec<Vec<String>>>,
+}
+
+/// Every slope ratio.
+pub(super) fn by_ratio(args: &Args, subject: Subject, output: &Output) -> Result<Exit, CliError> {
+    print(args, subject, None, output, |basis, i| Ok(Partition::by_ratio(basis, i, &args.width)))
+}
+
+/// Every place of one knot.
+pub(super) fn by_knot(args: &Args, subject: Subject, knot: usize, output: &Output) -> Result<Exit, CliError> {
+    print(args, subject, Some(knot), output, |basis, i| Ok(Partition::by_knot(basis, i, knot, &args.width)?))
+}
+
+fn print(
+    args: &Args,
+    subject: Subject,
+    free_knot: Option<usize>,
+    output: &Output,
+    partition: impl Fn(&Basis, usize) -> Result<Partition, CliError>,
+) -> Result<Exit, CliError> {
+    let mut functions = Vec::new();
+    for case in &subject.cases {
+        let basis = &case.basis;
+        let chosen = args.function.chosen(basis)?.map_or(0..=basis.n(), |i| i..=i);
+        let progress = Progress::new(chosen.clone().count());
+        for i in chosen {
+            progress.step(&format!("G_{i}"));
+            functions.push(Function::new(basis, i, free_knot, &partition(basis, i)?));
+        }
+    }
+    let Some(first) = subject.cases.first() else { unreachable!("an instance has an index") };
+    let verdicts = || functions.iter().map(|function| function.strong);
+    let exit = if verdicts().any(|strong| strong == Some(false)) {
+        Exit::Refuted
+    } else if verdicts().any(|strong| strong.is_none()) {
+        Exit::Undecided
+    } else {
+        Exit::Holds
+    };
+    output.result(&Partitions {
+        schema: "knotproof.shape/1",
+        degree: first.basis.degree(),
+        knots: exact(first.basis.knots().knots()),
+        free_knot,
+        functions,
+        label: subject.label,
+    })?;
+    Ok(exit)
+}
+
+impl Function {
+    fn new(basis: &Basis, index: usize, free_knot: Option<usize>, partition: &Partition) -> Self {
+        let bounds = |range| if free_knot.is_some() { Bounds::Knot(range) } else { Bounds::Ratio(range) };
+        let cell = |cell: &PartitionCell| Cell {
+            bounds: bounds([Some(Exact(cell.from.clone())), cell.to.clone().map(Exact)]),
+            local_maxima: cell.local_maxima,
+        };
+        let counts = || partition.cells().iter().map(|cell| cell.local_maxima);
+        let several = counts().flatten().any(|maxima| maxima != 1);
+        Self {
+            index,
+            alpha: free_knot.map(|_| basis.index().to_string()),
+            strong: if several { Some(false) } else { partition.is_decided().then_some(true) },
+            cells: partition.cells().iter().map(cell).collect(),
+            ends: partition.ends().iter().map(End::from).collect(),
+        }
+    }
+}
+
+impl From<&PartitionEnd> for End {
+    fn from(end: &PartitionEnd) -> Self {
+        let (lo, hi) = &end.interval;
+        let mut polynomials: Vec<Vec<String>> =
+            end.polynomials.iter().map(|p| p.iter().map(ToString::to_string).collect()).collect();
+        let fold = end.event == PartitionEvent::Fold;
+        Self {
+            interval: [lo, hi].map(|x| Exact(x.clone())),
+            local_maxima: end.local_maxima,
+            kind: match end.event {
+                PartitionEvent::Start => "critical point at the left end of the span",
+                PartitionEvent::End => "critical point at the right end of the span",
+                PartitionEvent::Fold => "two critical points meet",
+            },
+            span: end.span,
+            polynomial: if fold { None } else { polynomials.pop() },
+            double_root_of: fold.then_some(polynomials),
+        }
+    }
+}
+
+const HEADING: Style = Style::new().bold();
+/// Significant digits of an approximation.
+const DIGITS: usize = 10;
+
+impl fmt::Display for Partitions {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(label) = &self.label {
+            writeln!(f, "Instance {label}")?;
+        }
+        let knots: Vec<_> = self.knots.iter().map(ToString::to_string).collect();
+        writeln!(f, "Knots ({}), degree {}", knots.join(", "), self.degree)?;
+        for function in &self.functions {
+            write!(f, "\n{HEADING}G_{}", function.index)?;
+            match (&function.alpha, self.free_knot) {
+                (Some(alpha), Some(knot)) => {
+                    writeln!(f, ", α = {alpha}, for every t_{knot} between its neighbours{HEADING:#}")?;
+                }
+                _ => writeln!(f, " for every r = α/(α − 1) > 0{HEADING:#}")?,
+            }
+            function.fmt(f)?;
+        }
+        Ok(())
+    }
+}
+
+/// The cells from left to right, each followed by its end.
+impl fmt::Display for Function {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for cell in &self.cells {
+            let (Bounds::Ratio([from, to]) | Bounds::Knot([from, to])) = &cell.bounds;
+            let near =
+                |bound: &Option<Exact>| bound.as_ref().map_or("∞".to_owned(), |x| decimal(&x.0, DIGITS));
+            match cell.local_maxima {
+                Some(1) => write!(f, "1 local maximum ")?,
+                Some(maxima) => write!(f, "{maxima} local maxima ")?,
+                None => write!(f, "undecided ")?,
+            }
+            writeln!(f, "between {} and {}", near(from), near(to))?;
+            for end in self.ends.iter().filter(|end| Some(&end.interval[0]) == to.as_ref()) {
+                let [lo, hi] = &end.interval;
+                if lo == hi {
+                    write!(f, "  at {lo}: ")?;
+                } else {
+                    write!(f, "  at a number in [{lo}, {hi}]: ")?;
+                }
+                writeln!(f, "{}; {}, span {}", end.local_maxima, end.kind, end.span)?;
+            }
+        }
+        Ok(())
+    }
+}
