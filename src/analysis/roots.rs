@@ -20,9 +20,9 @@ use super::sign::Sign;
 pub struct IsolatedRoot {
     lo: BigRational,
     hi: BigRational,
-    /// The sign of the square-free part just below the root; it is the opposite one just above.
+    /// The sign of the polynomial just below the root; it is the opposite one just above.
     below: Sign,
-    /// The square-free part, without a root at 0.
+    /// A divisor with the same positive roots, all of them simple, and without a root at 0.
     polynomial: Arc<IntegerPolynomial>,
 }
 
@@ -51,7 +51,7 @@ impl IsolatedRoot {
         (self.lo == self.hi).then_some(&self.lo)
     }
 
-    /// Halves the interval, by the sign of the square-free part in its middle; hits the root exactly if that
+    /// Halves the interval, by the sign of the polynomial in its middle; hits the root exactly if that
     /// is the middle.
     pub fn refine(&mut self) {
         if self.lo == self.hi {
@@ -173,11 +173,14 @@ pub fn count_positive_roots(p: &Polynomial<BigRational>) -> usize {
 
 /// [`positive_roots`] of a polynomial that is in integers already.
 pub(super) fn roots_of(p: IntegerPolynomial) -> Vec<IsolatedRoot> {
-    if IntegerPolynomial::variations(p.coefficients()) == 0 {
-        return Vec::new();
-    }
-    let polynomial = Arc::new(p.without_root_at_zero().square_free());
-    // All roots are simple: the sign alternates from one to the next, beginning with that at 0.
+    let p = p.without_root_at_zero();
+    let polynomial = Arc::new(match IntegerPolynomial::variations(p.coefficients()) {
+        0 => return Vec::new(),
+        // By Descartes' rule there is one positive root, and it is simple.
+        1 => p,
+        _ => p.square_free(),
+    });
+    // All positive roots are simple: the sign alternates from one to the next, beginning with that at 0.
     let mut below = polynomial.coefficients().first().map_or(Sign::Zero, Sign::of);
     let intervals = isolate(&polynomial);
     let exact: Vec<BigRational> =

@@ -3,7 +3,7 @@
 use num_bigint::BigInt;
 
 use crate::analysis::{LocalKnots, Monotonicity, Sign};
-use crate::scalar::integer;
+use crate::scalar::{BigRational, Ring, integer, rational};
 use crate::spline::{Basis, Index, KnotVector};
 
 use super::case::{BasisCase, Origin};
@@ -93,6 +93,51 @@ fn rises_then_falls(allowed: usize) -> impl Fn(&BasisCase, &mut Ledger) -> Judge
     }
 }
 
+/// Gaps between the k + 2 knots of a function with k − 1 local maxima, and its ratio: in units of h,
+///
+/// B³, h_1, …, h_{k−2}, B⁴, B⁵ with r = B³, B = 2k², h_1 = 3/5, h_n = 4/(n(2n + 1)(2n + 3)) for n ≥ 2.
+///
+/// For B → ∞ the derivative on the short spans tends to a multiple of n − (n + 1)X, where X = Σ x_i for the distances
+/// x_i from the knots t_1, …, t_n before the point: it is negative at the end of such a span and positive at the start of the
+/// next one if n/(n + 1) < X < (n + 1)/(n + 2) there, and the h_n make X the mediant (2n + 1)/(2n + 3).
+pub(super) fn most_gaps(k: usize) -> (Vec<BigRational>, BigRational) {
+    let b = integer(2 * k * k);
+    let short = |n: usize| match n {
+        1 => rational(3, 5),
+        _ => integer(4) / integer(n * (2 * n + 1) * (2 * n + 3)),
+    };
+    let mut gaps = vec![b.power(3)];
+    gaps.extend((1..=k.saturating_sub(2)).map(short));
+    gaps.extend([b.power(4), b.power(5)]);
+    (gaps, b.power(3))
+}
+
+/// The function of those gaps has k − 1 local maxima, and `more`.
+fn most_maxima(more: usize) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
+    move |case, ledger| {
+        let k = case.k();
+        let (gaps, ratio) = most_gaps(k);
+        let mut knots = vec![integer(0)];
+        for gap in &gaps {
+            knots.push(&knots[knots.len() - 1] + gap);
+        }
+        knots.extend(vec![knots[knots.len() - 1].clone(); k]);
+        let basis = KnotVector::new(knots).ok().zip(Index::from_ratio(ratio).ok());
+        let basis = basis.and_then(|(knots, index)| Basis::new(knots, k, index).ok());
+        let Some(function) = basis.and_then(|basis| LocalKnots::of(&basis, 0)) else {
+            unreachable!("the gaps are positive")
+        };
+        let maxima = Monotonicity::of(&function).local_maxima().unwrap_or(0);
+        if ledger.count(maxima, k - 1 + more) {
+            return Ok(());
+        }
+        let list: Vec<_> = gaps.iter().map(ToString::to_string).collect();
+        let at = [("gaps between the knots of the function", format!("({})", list.join(", ")))];
+        let claimed = format!("it has {} local maxima", k - 1 + more);
+        Err(case.refuted(at, claimed, format!("it has {maxima}")))
+    }
+}
+
 /// α and degrees to try the family with, for which the register has no cases.
 fn higher_degrees() -> Vec<BasisCase> {
     let bases = (7..=8).flat_map(|k| {
@@ -136,6 +181,19 @@ pub(super) fn claims() -> Vec<Claim> {
         )
         .note("As a function rises on its first span and falls on its last one, a local minimum is at a knot between two of the k − 1 spans between: so where this is proved for every knot vector, a continuous function has at most k − 1 local maxima, for k ≥ 2."),
         Claim::new(
+            "X.maxima.most",
+            "not in the paper",
+            Form::Basis(
+                Statement::new(
+                    "For every k ≥ 2 some continuous basis function of degree k has k − 1 local maxima.",
+                    most_maxima(0),
+                )
+                .given([DegreeAtLeast(2)]),
+            ),
+        )
+        .by_degree_on(higher_degrees)
+        .note("The gaps between its knots are B³, h_1, …, h_{k−2}, B⁴, B⁵ with r = B³, B = 2k², h_1 = 3/5 and h_n = 4/(n(2n + 1)(2n + 3)). More than k − 1 there are not where X.maxima.spans is proved for every knot vector."),
+        Claim::new(
             "X.maxima.classical",
             "not in the paper",
             Form::Basis(
@@ -159,6 +217,11 @@ mod tests {
     fn other_numbers_of_maxima_are_refuted() {
         assert!(refuted(two_maxima(1), [FiniteIndex, DegreeAtLeast(3)]));
         assert!(refuted(two_maxima(3), [FiniteIndex, DegreeAtLeast(3)]));
+    }
+
+    #[test]
+    fn more_maxima_are_refuted() {
+        assert!(refuted(most_maxima(1), [DegreeAtLeast(2)]));
     }
 
     #[test]

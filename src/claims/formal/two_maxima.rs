@@ -1,10 +1,15 @@
 //! The conjecture on maxima where it fails, for every α ≠ ∞ at once; and where it holds, for α = ∞.
 
+use std::fmt::Write as _;
+
+use crate::claims::two_maxima::most_gaps;
 use crate::claims::verdict::Scope;
+use crate::scalar::integer;
 
 use super::Formal;
 use super::basis::CONTINUITY;
 use super::maximum::{BECAUSE, MIDDLE, OUTER};
+use super::place::Place;
 use super::single_spans::{CUBIC, cubic};
 
 /// On t_0 = … = t_{k−2} < t_{k−1} < t_k < t_{k+1}, for r = p/q ≠ 1, with x = t_{k−1}: only the gap after x differs from
@@ -39,6 +44,26 @@ const CLASSICAL_CUBIC: &str = "(section (let r 1) (nonnegative f g v) (positive 
 
 const CLASSICAL: &str = "The function rises on its first span and falls on its last one, if these are not empty. On the span [t_1, t_2] the derivative of G_0 is a positive multiple of b_0 + 2cu + b_2u² with b_0 ≥ 0 < c, and on [t_2, t_3] of b_0 − 2eu − b_2u² with b_2 ≥ 0 < e: on each of them it changes its sign once at most, from + to −, by Descartes' rule. At t_2 it is continuous, if neither of these spans is empty, so that there is one change on both together: if it is negative or 0 there, it is negative from there on. At a knot of multiplicity ≤ 3 the function is continuous.";
 
+const MOST: &str = "The function is positive inside its support and 0 at its ends, and continuous (last section). At k − 2 of its inner knots it falls from the left and rises to the right: so it is largest elsewhere than at these knots on each of the k − 1 parts of its support that they separate, and has a local maximum there.";
+
+/// The function with k − 1 local maxima: at the inner knots that do not end its first or its last span it falls before and
+/// rises after.
+fn most(k: usize) -> String {
+    let (gaps, ratio) = most_gaps(k);
+    let mut knot = integer(0);
+    let mut knots = format!("{knot}");
+    for gap in gaps {
+        knot += gap;
+        let _ = write!(knots, " {knot}");
+    }
+    let mut goals = "(> (DG 0 k (in A 0)) 0)".to_owned();
+    for s in 1..k - 1 {
+        let slope = |place: Place| place.value("DG", 0, k);
+        let _ = write!(goals, "(< {} 0) (> {} 0)", slope(Place::end(s)), slope(Place::start(s + 1)));
+    }
+    format!("(section (let r {ratio}) (knots A 0 {knots}) (goals {goals}))")
+}
+
 /// What is proved for all degrees at once.
 pub(super) fn formal_for_all(question: &str, amended: bool) -> Option<Formal> {
     let sections = [ON_THE_WAY, CONTINUITY].concat();
@@ -57,6 +82,9 @@ pub(super) fn formal(question: &str, k: usize) -> Option<Formal> {
         }
         ("X.maxima.classical", 3) => {
             Some(Formal::new(Scope::Knots, vec![3], CLASSICAL, [OUTER, CLASSICAL_CUBIC, CONTINUITY].concat()))
+        }
+        ("X.maxima.most", 2..=8) => {
+            Some(Formal::new(Scope::Instance, vec![k], MOST, most(k) + CONTINUITY))
         }
         ("X.maxima.spans", 3) => Some(Formal::on_all_knots(3..=3, CUBIC, &[OUTER, &cubic(), CONTINUITY])),
         _ => None,
