@@ -26,51 +26,93 @@ impl Family {
         Self { slopes: knots.spans().filter_map(slope).collect() }
     }
 
+    /// Is there a t > 0 at which the function could be constant on a whole span? It is a common root of all the
+    /// coefficients of N_s, and boxes in u and t say nothing about it.
+    pub(super) fn may_be_constant(&self) -> bool {
+        self.slopes.iter().any(|(_, slope)| {
+            let row = |row: &Polynomial<BigInt>| IntegerPolynomial::primitive(row.coefficients().to_vec());
+            let rows = || slope.coefficients().iter().map(row);
+            let without_root = |p: &IntegerPolynomial| IntegerPolynomial::variations(p.coefficients()) == 0;
+            !rows().any(|row| !row.is_zero() && without_root(&row))
+                && rows()
+                    .reduce(|common, row| common.gcd(&row))
+                    .is_none_or(|common| common.is_zero() || !roots_of(common).is_empty())
+        })
+    }
+
     /// The spans, with their N_s.
     pub(super) fn slopes(&self) -> &[(usize, Polynomial<Polynomial<BigInt>>)] {
         &self.slopes
     }
 
-    /// What defines the place of an event on a span: its polynomial in t, without repeated factors; for a fold the
-    /// coefficients of N.
-    pub(super) fn polynomials(&self, span: usize, event: PartitionEvent) -> Vec<Polynomial<BigInt>> {
-        let Some(rows) = self.rows(span) else { return Vec::new() };
-        match edge(rows, event) {
-            Some(edge) => edge.coefficients().split_first().into_iter().map(polynomial).collect(),
-            None => rows.to_vec(),
-        }
+    /// Are these events, each at one t of [from, to] at most, at the same t? One alone is; several are if the
+    /// polynomials that vanish at them have a common root there.
+    pub(super) fn coincide(
+        &self,
+        events: &[(usize, PartitionEvent)],
+        from: &BigRational,
+        to: &BigRational,
+    ) -> bool {
+        let sign = |p: &IntegerPolynomial, t: &BigRational| p.sign_at(t.numer(), t.denom());
+        events.len() == 1
+            || self.edge(events).is_some_and(|common| {
+                let signs = (sign(&common, from), sign(&common, to));
+                signs.0 == Sign::Zero || signs.1 == Sign::Zero || signs.0 != signs.1
+            })
     }
 
-    /// The t in [from, to] of a critical point at an end of the span, if it is rational.
-    pub(super) fn rational_place(
-        &self,
-        span: usize,
-        event: PartitionEvent,
-        (from, to): (&BigRational, &BigRational),
-    ) -> Option<BigRational> {
-        let roots = roots_of(edge(self.rows(span)?, event)?);
-        roots.into_iter().filter_map(|mut root| root.rational()).find(|t| from <= t && t <= to)
+    /// The polynomial in t, without repeated factors, that vanishes where critical points are at the ends of these
+    /// spans; `None` for a fold.
+    pub(super) fn edge(&self, events: &[(usize, PartitionEvent)]) -> Option<IntegerPolynomial> {
+        let edges = events.iter().map(|&(span, event)| edge(self.rows(span)?, event));
+        edges.reduce(|common, next| Some(common?.gcd(&next?))).flatten()
+    }
+
+    /// What defines the place of events that coincide: their polynomial in t, or for a fold the coefficients of N.
+    pub(super) fn polynomials(&self, events: &[(usize, PartitionEvent)]) -> Vec<Polynomial<BigInt>> {
+        match self.edge(events) {
+            Some(edge) => edge.coefficients().split_first().into_iter().map(polynomial).collect(),
+            None => {
+                let rows = events.first().and_then(|(span, _)| self.rows(*span));
+                rows.map(<[_]>::to_vec).unwrap_or_default()
+            }
+        }
     }
 
     fn rows(&self, span: usize) -> Option<&[Polynomial<BigInt>]> {
         self.slopes.iter().find(|(s, _)| *s == span).map(|(_, slope)| slope.coefficients())
     }
 
-    /// The number of local maxima at t > 0, for a function that is continuous: it rises at first and falls at
-    /// last, so it is the number of changes of the slope from + to −.
+    /// The number of local maxima at t > 0, for a function that is continuous.
     pub(super) fn local_maxima(&self, t: &BigRational) -> usize {
-        let mut maxima = 0;
-        let mut last = Sign::Positive;
-        for (_, slope) in &self.slopes {
-            for sign in signs(&at(slope, t)) {
-                if (last, sign) == (Sign::Positive, Sign::Negative) {
-                    maxima += 1;
-                }
-                last = sign;
-            }
-        }
-        maxima
+        local_maxima(self.signs(t).iter())
     }
+
+    /// The number of local maxima at the t of [from, to] where events coincide. On each span there are two zeros, or
+    /// one, more on one side than on the other; at the event itself the sign does not change there.
+    pub(super) fn local_maxima_at_event(&self, from: &BigRational, to: &BigRational) -> usize {
+        let (from, to) = (self.signs(from), self.signs(to));
+        let shorter = from.iter().zip(&to).map(|(a, b)| if a.len() < b.len() { a } else { b });
+        local_maxima(shorter)
+    }
+
+    /// The signs of the slope, span by span.
+    fn signs(&self, t: &BigRational) -> Vec<Vec<Sign>> {
+        self.slopes.iter().map(|(_, slope)| signs(&at(slope, t))).collect()
+    }
+}
+
+/// The function rises at first and falls at last: it has as many local maxima as the slope changes from + to −.
+fn local_maxima<'a>(spans: impl Iterator<Item = &'a Vec<Sign>>) -> usize {
+    let mut maxima = 0;
+    let mut last = Sign::Positive;
+    for &sign in spans.flatten() {
+        if (last, sign) == (Sign::Positive, Sign::Negative) {
+            maxima += 1;
+        }
+        last = sign;
+    }
+    maxima
 }
 
 /// N at the end of the span that the event is about.
