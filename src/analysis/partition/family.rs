@@ -20,7 +20,7 @@ pub(super) struct Family {
 impl Family {
     /// From local knots whose gaps and ratio are polynomials in t.
     ///
-    /// Powers of u and of t that divide N_s are positive and left out.
+    /// Powers of u, of t and of 1 − t that divide N_s are positive and left out.
     pub(super) fn new(knots: &LocalKnots<Polynomial<BigInt>>) -> Self {
         let slope = |s| Some((s, reduced(&knots.on_span(s)?.slope())));
         Self { slopes: knots.spans().filter_map(slope).collect() }
@@ -168,16 +168,32 @@ fn signs(p: &IntegerPolynomial) -> Vec<Sign> {
     signs
 }
 
-/// Without the powers of u and of t that divide all of it.
+/// Without the powers of u, of t and of 1 − t that divide all of it.
 fn reduced(slope: &Polynomial<Polynomial<BigInt>>) -> Polynomial<Polynomial<BigInt>> {
-    let order = |p: &Polynomial<BigInt>| p.coefficients().iter().take_while(|c| c.is_zero()).count();
-    let rows: Vec<_> = slope.coefficients().iter().skip_while(|row| row.is_zero()).collect();
-    let common = rows.iter().filter(|row| !row.is_zero()).map(|row| order(row)).min().unwrap_or(0);
-    let shifted = |row: &&Polynomial<BigInt>| {
-        let mut rest = row.coefficients().iter().skip(common).cloned();
-        Polynomial::new(rest.next().unwrap_or_default(), rest)
-    };
-    let mut rows = rows.iter().map(shifted);
+    let order = |row: &[BigInt]| row.iter().take_while(|c| c.is_zero()).count();
+    let rows = slope.coefficients().iter().skip_while(|row| row.is_zero());
+    let mut rows: Vec<Vec<BigInt>> = rows.map(|row| row.coefficients().to_vec()).collect();
+    if rows.is_empty() {
+        return slope.zero();
+    }
+    let common = rows.iter().filter(|row| order(row) < row.len()).map(|row| order(row)).min().unwrap_or(0);
+    for row in &mut rows {
+        row.drain(..common.min(row.len()));
+    }
+    // p = (1 − t)q: the coefficients of q are the partial sums of those of p, and the last sum is 0.
+    while rows.iter().all(|row| row.iter().sum::<BigInt>().is_zero()) {
+        for row in &mut rows {
+            let mut sum = BigInt::default();
+            for c in &mut *row {
+                sum += &*c;
+                c.clone_from(&sum);
+            }
+            row.pop();
+        }
+    }
+    let mut rows = rows
+        .iter()
+        .map(|row| row.split_first().map_or_else(|| Polynomial::constant(BigInt::default()), polynomial));
     match rows.next() {
         Some(first) => Polynomial::new(first, rows),
         None => slope.zero(),
