@@ -5,7 +5,7 @@ use num_rational::BigRational;
 
 use crate::analysis::integer_polynomial::IntegerPolynomial;
 use crate::analysis::local_knots::LocalKnots;
-use crate::analysis::roots::roots_of;
+use crate::analysis::roots::{IsolatedRoot, roots_of};
 use crate::analysis::sign::Sign;
 use crate::scalar::{Polynomial, Ring};
 
@@ -26,7 +26,7 @@ impl Family {
         Self { slopes: knots.spans().filter_map(slope).collect() }
     }
 
-    /// Is there a t > 0 at which the function could be constant on a whole span? It is a common root of all the
+    /// Is there a t in (0, 1] at which the function could be constant on a whole span? It is a common root of all the
     /// coefficients of N_s, and boxes in u and t say nothing about it.
     pub(super) fn may_be_constant(&self) -> bool {
         self.slopes.iter().any(|(_, slope)| {
@@ -36,7 +36,7 @@ impl Family {
             !rows().any(|row| !row.is_zero() && without_root(&row))
                 && rows()
                     .reduce(|common, row| common.gcd(&row))
-                    .is_none_or(|common| common.is_zero() || !roots_of(common).is_empty())
+                    .is_none_or(|common| common.is_zero() || roots_of(common).into_iter().any(at_most_one))
         })
     }
 
@@ -100,6 +100,15 @@ impl Family {
     fn signs(&self, t: &BigRational) -> Vec<Vec<Sign>> {
         self.slopes.iter().map(|(_, slope)| signs(&at(slope, t))).collect()
     }
+}
+
+/// Is the root ≤ 1? That is y ≤ 1/2.
+fn at_most_one(mut root: IsolatedRoot) -> bool {
+    let half = BigRational::new(1.into(), 2.into());
+    while *root.lo() < half && half < *root.hi() {
+        root.refine();
+    }
+    *root.lo() < half || root.exact() == Some(&half)
 }
 
 /// The function rises at first and falls at last: it has as many local maxima as the slope changes from + to −.
