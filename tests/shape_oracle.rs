@@ -295,13 +295,13 @@ fn compare(basis: &Basis, pieces: &Pieces, i: usize) -> usize {
             total += 1;
         }
     }
-    if let Some(last) = spans.last() {
-        if let Some((kind, height)) = knot(&last.end, Some(last), None) {
-            let found = extrema.next().unwrap();
-            expected(found, kind);
-            assert_eq!((&found.place, found.value.0.clone()), (&Place::Point(last.end.clone()), height));
-            total += 1;
-        }
+    if let Some(last) = spans.last()
+        && let Some((kind, height)) = knot(&last.end, Some(last), None)
+    {
+        let found = extrema.next().unwrap();
+        expected(found, kind);
+        assert_eq!((&found.place, found.value.0.clone()), (&Place::Point(last.end.clone()), height));
+        total += 1;
     }
     assert_eq!((extrema.next(), jumps.next()), (None, None));
     total
