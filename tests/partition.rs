@@ -1,5 +1,7 @@
 //! Partitions of a parameter by the number of local maxima, against the shape at single values.
 
+#![allow(clippy::unwrap_used, reason = "helpers of tests: a failure is a failed test")]
+
 use knotproof::analysis::{FreeKnotError, Partition, PartitionEvent, Pieces, Shape};
 use knotproof::scalar::{integer, rational};
 use knotproof::spline::{Basis, Index, KnotVector};
@@ -40,8 +42,9 @@ fn is_consistent(partition: &Partition) {
     assert_eq!(cells.len(), ends.len() + 1);
     for (pair, end) in cells.windows(2).zip(ends) {
         assert_eq!((pair[0].to.as_ref(), &pair[1].from), (Some(&end.interval.0), &end.interval.1));
-        assert_ne!(pair[0].local_maxima, pair[1].local_maxima);
-        assert_eq!(Some(end.local_maxima), pair[0].local_maxima.min(pair[1].local_maxima));
+        let counts = [pair[0].local_maxima, Some(end.local_maxima), pair[1].local_maxima];
+        assert!(counts[0] != counts[1] || counts[1] != counts[2]);
+        assert!(Some(end.local_maxima) <= pair[0].local_maxima.min(pair[1].local_maxima));
     }
 }
 
@@ -57,7 +60,7 @@ fn uniform_knots() {
         for (end, mirrored) in partition.ends().iter().zip(partition.ends().iter().rev()) {
             let (lo, hi) = &mirrored.interval;
             assert!(end.interval.0 <= lo.recip() && hi.recip() <= end.interval.1);
-            assert_ne!(end.event, PartitionEvent::Fold);
+            assert!(end.events.iter().all(|(_, event)| *event != PartitionEvent::Fold));
         }
     }
 }
@@ -140,7 +143,7 @@ fn ratio() -> impl Strategy<Value = BigRational> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(60))]
+    #![proptest_config(ProptestConfig::with_cases(30))]
 
     #[test]
     fn partitions_by_ratio_agree_with_shapes(

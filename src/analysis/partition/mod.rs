@@ -17,6 +17,7 @@ use crate::spline::{Basis, Index, KnotVector};
 
 use super::local_knots::LocalKnots;
 use super::pieces::Pieces;
+use super::roots::roots_of;
 use super::shape::Shape;
 use family::Family;
 use parameter::Parameter;
@@ -73,10 +74,8 @@ pub struct PartitionEnd {
     pub interval: (BigRational, BigRational),
     /// The number of local maxima there.
     pub local_maxima: usize,
-    /// What happens there.
-    pub event: PartitionEvent,
-    /// The knot t_s at which the span begins where it happens.
-    pub span: usize,
+    /// What happens there, and the knots t_s at which the spans begin where it happens.
+    pub events: Vec<(usize, PartitionEvent)>,
     /// Integer polynomials in the parameter, lowest coefficient first. For a critical point at an end of a span
     /// one of them, which has the end as its only root in the interval. For two that meet, the coefficients of
     /// u⁰, u¹, … of N: there N = ∂N/∂u = 0 at some u > 0.
@@ -110,7 +109,7 @@ const DEPTH: u32 = 40;
 /// A cell or an end, in terms of the family's own t.
 enum Step {
     Cell { from: BigRational, to: BigRational, local_maxima: Option<usize> },
-    End { lo: BigRational, hi: BigRational, local_maxima: usize, span: usize, event: PartitionEvent },
+    End { lo: BigRational, hi: BigRational, local_maxima: usize, events: Vec<(usize, PartitionEvent)> },
 }
 
 impl Partition {
@@ -216,19 +215,26 @@ impl Partition {
         match step {
             Step::Cell { from, to, local_maxima } => {
                 let (from, to) = parameter.interval(&from, &to);
-                match self.cells.last_mut() {
+                let end_before = self.ends.last().is_some_and(|end| end.interval.1 == from);
+                match self.cells.last_mut().filter(|_| !end_before) {
                     Some(last) if last.local_maxima == local_maxima && last.to.as_ref() == Some(&from) => {
                         last.to = to
                     }
                     _ => self.cells.push(PartitionCell { from, to, local_maxima }),
                 }
             }
-            Step::End { lo, hi, local_maxima, span, event } => {
+            Step::End { lo, hi, local_maxima, events } => {
                 let (lo, Some(hi)) = parameter.interval(&lo, &hi) else { return };
-                let polynomials = parameter.polynomials(&family.polynomials(span, event));
-                let event = if *parameter == Parameter::Reciprocal { event.reversed() } else { event };
-                let span = knot(span);
-                self.ends.push(PartitionEnd { interval: (lo, hi), local_maxima, event, span, polynomials });
+                // An end between two parts of the family belongs to both.
+                if self.ends.last().is_some_and(|last| last.interval == (lo.clone(), hi.clone())) {
+                    return;
+                }
+                let polynomials = parameter.polynomials(&family.polynomials(&events));
+                let turned = |event: PartitionEvent| {
+                    if *parameter == Parameter::Reciprocal { event.reversed() } else { event }
+                };
+                let events = events.into_iter().map(|(span, event)| (knot(span), turned(event))).collect();
+                self.ends.push(PartitionEnd { interval: (lo, hi), local_maxima, events, polynomials });
             }
         }
     }
@@ -283,8 +289,8 @@ fn family(gaps: Vec<Polynomial<BigInt>>, ratio: (Polynomial<BigInt>, Polynomial<
 fn steps(family: &Family, closed_at_one: bool, parameter: &Parameter, width: &BigRational) -> Vec<Step> {
     let mut steps = Vec::new();
     for Part { from, to, content } in sweep(family, closed_at_one, DEPTH) {
-        let (span, event) = match content {
-            Content::Event(span, event) => (span, event),
+        let events = match content {
+            Content::Events(events) => events,
             Content::Constant => {
                 let middle = (&from + &to) / BigInt::from(2);
                 let local_maxima = Some(family.local_maxima(&middle));
@@ -297,24 +303,49 @@ fn steps(family: &Family, closed_at_one: bool, parameter: &Parameter, width: &Bi
             }
         };
         let (below, above) = (family.local_maxima(&from), family.local_maxima(&to));
-        if below == above {
+        let local_maxima = family.local_maxima_at_event(&from, &to);
+        if below == above && below == local_maxima {
             steps.push(Step::Cell { from, to, local_maxima: Some(below) });
             continue;
         }
-        let (mut lo, mut hi) = (from.clone(), to.clone());
-        if let Some(t) = family.rational_place(span, event, (&lo, &hi)) {
-            (lo, hi) = (t.clone(), t);
-        }
-        while width.is_positive() && parameter.distance(&lo, &hi) > *width {
-            let middle = (&lo + &hi) / BigInt::from(2);
-            if family.local_maxima(&middle) == below { lo = middle } else { hi = middle }
-        }
-        // At the end itself the zeros that come or go do not change the sign: there are as many maxima as on the
-        // side that has fewer.
+        let (lo, hi) = isolated(family, &events, (&from, &to), |lo, hi| {
+            !width.is_positive() || parameter.distance(lo, hi) <= *width
+        });
         steps.push(Step::Cell { from, to: lo.clone(), local_maxima: Some(below) });
-        steps.push(Step::End { lo, hi: hi.clone(), local_maxima: below.min(above), span, event });
+        steps.push(Step::End { lo, hi: hi.clone(), local_maxima, events });
         steps.push(Step::Cell { from: hi, to, local_maxima: Some(above) });
     }
     steps.retain(|step| !matches!(step, Step::Cell { from, to, .. } if from == to));
     steps
+}
+
+/// The t of [from, to] where the events are: exactly if it is a rational number at which a critical point is at an
+/// end of its span, and otherwise by halving until the interval is `narrow`.
+fn isolated(
+    family: &Family,
+    events: &[(usize, PartitionEvent)],
+    (from, to): (&BigRational, &BigRational),
+    narrow: impl Fn(&BigRational, &BigRational) -> bool,
+) -> (BigRational, BigRational) {
+    let edge = family.edge(events);
+    let exact = edge.clone().and_then(|edge| {
+        let mut places = roots_of(edge).into_iter().filter_map(|mut root| root.rational());
+        places.find(|t| from <= t && t <= to)
+    });
+    if let Some(t) = exact {
+        return (t.clone(), t);
+    }
+    let (mut lo, mut hi) = (from.clone(), to.clone());
+    let below = family.local_maxima(from);
+    while !narrow(&lo, &hi) {
+        let middle = (&lo + &hi) / BigInt::from(2);
+        let still_below = match &edge {
+            Some(edge) => {
+                edge.sign_at(middle.numer(), middle.denom()) == edge.sign_at(from.numer(), from.denom())
+            }
+            None => family.local_maxima(&middle) == below,
+        };
+        if still_below { lo = middle } else { hi = middle }
+    }
+    (lo, hi)
 }

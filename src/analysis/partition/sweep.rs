@@ -17,12 +17,12 @@ pub(super) struct Part {
 }
 
 /// What happens in a part.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Content {
     /// The number of local maxima is constant.
     Constant,
-    /// It changes at one t at most, by this event on the span.
-    Event(usize, PartitionEvent),
+    /// It changes at one t at most, by these events, each on a span of its own, all at that t.
+    Events(Vec<(usize, PartitionEvent)>),
     /// Not decided.
     Undecided,
 }
@@ -35,6 +35,9 @@ const FIRST_DEPTH: u32 = 3;
 pub(super) fn sweep(family: &Family, closed_at_one: bool, depth: u32) -> Vec<Part> {
     let tables = family.slopes().iter().map(|(s, slope)| (*s, BernsteinTable::on_unit_square(slope)));
     let mut parts = Vec::new();
+    if family.may_be_constant() {
+        return vec![Part { from: BigRational::zero(), to: BigRational::one(), content: Content::Undecided }];
+    }
     let mut tasks = vec![(BigInt::zero(), 0_u32, tables.collect::<Vec<_>>())];
     while let Some((place, level, tables)) = tasks.pop() {
         let dyadic = |place: BigInt| BigRational::new(place, BigInt::one() << level);
@@ -42,18 +45,27 @@ pub(super) fn sweep(family: &Family, closed_at_one: bool, depth: u32) -> Vec<Par
         let last = next == BigInt::one() << level;
         let closed = Closed { from: !place.is_zero(), to: closed_at_one || !last };
         let mut open = Vec::new();
-        let mut content = Content::Constant;
+        let mut found = Some(Vec::new());
         for (s, table) in tables {
-            match events(&table, closed, FIRST_DEPTH + level).as_deref() {
-                Some([]) => continue,
-                // An event needs a number on both sides of it.
-                Some([event]) if content == Content::Constant && closed.from && closed.to => {
-                    content = Content::Event(s, *event)
-                }
-                _ => content = Content::Undecided,
+            let events = events(&table, closed, FIRST_DEPTH + level);
+            if events.as_ref().is_some_and(Vec::is_empty) {
+                continue;
             }
+            found = found.zip(events).map(|(mut found, events)| {
+                found.extend(events.into_iter().map(|event| (s, event)));
+                found
+            });
             open.push((s, table));
         }
+        let (from, to) = (dyadic(place.clone()), dyadic(next));
+        let content = match found {
+            Some(found) if found.is_empty() => Content::Constant,
+            // An event needs a number on both sides of it.
+            Some(found) if closed.from && closed.to && family.coincide(&found, &from, &to) => {
+                Content::Events(found)
+            }
+            _ => Content::Undecided,
+        };
         if content == Content::Undecided && level < depth {
             let (low, high): (Vec<_>, Vec<_>) = open
                 .into_iter()
@@ -66,7 +78,7 @@ pub(super) fn sweep(family: &Family, closed_at_one: bool, depth: u32) -> Vec<Par
             tasks.push((&start + BigInt::one(), level + 1, high));
             tasks.push((start, level + 1, low));
         } else {
-            parts.push(Part { from: dyadic(place), to: dyadic(next), content });
+            parts.push(Part { from, to, content });
         }
     }
     parts

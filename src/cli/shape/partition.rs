@@ -62,9 +62,9 @@ enum Bounds {
 struct End {
     interval: [Exact; 2],
     local_maxima: usize,
+    /// `knot` for critical points that pass one, `fold` for two that meet.
     kind: &'static str,
-    /// The span [t_span, t_{span+1}) where it happens.
-    span: usize,
+    events: Vec<Event>,
     /// For a critical point at a knot: the integer polynomial in the parameter of which the end is a root, lowest
     /// coefficient first.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -72,6 +72,13 @@ struct End {
     /// For two that meet: N as a list of such polynomials, the coefficients of u⁰, u¹, …; there N = ∂N/∂u = 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     double_root_of: Option<Vec<Vec<String>>>,
+}
+
+/// Where on a span [t_span, t_{span+1}) a critical point is.
+#[derive(Debug, Serialize)]
+struct Event {
+    span: usize,
+    at: &'static str,
 }
 
 /// Every slope ratio.
@@ -145,16 +152,20 @@ impl From<&PartitionEnd> for End {
         let (lo, hi) = &end.interval;
         let mut polynomials: Vec<Vec<String>> =
             end.polynomials.iter().map(|p| p.iter().map(ToString::to_string).collect()).collect();
-        let fold = end.event == PartitionEvent::Fold;
+        let event = |&(span, event): &(usize, PartitionEvent)| {
+            let at = match event {
+                PartitionEvent::Start => "start",
+                PartitionEvent::End => "end",
+                PartitionEvent::Fold => "inside",
+            };
+            Event { span, at }
+        };
+        let fold = end.events.iter().any(|(_, event)| *event == PartitionEvent::Fold);
         Self {
             interval: [lo, hi].map(|x| Exact(x.clone())),
             local_maxima: end.local_maxima,
-            kind: match end.event {
-                PartitionEvent::Start => "critical point at the left end of the span",
-                PartitionEvent::End => "critical point at the right end of the span",
-                PartitionEvent::Fold => "two critical points meet",
-            },
-            span: end.span,
+            kind: if fold { "fold" } else { "knot" },
+            events: end.events.iter().map(event).collect(),
             polynomial: if fold { None } else { polynomials.pop() },
             double_root_of: fold.then_some(polynomials),
         }
@@ -206,7 +217,15 @@ impl fmt::Display for Function {
                 } else {
                     write!(f, "  at a number in [{lo}, {hi}]: ")?;
                 }
-                writeln!(f, "{}; {}, span {}", end.local_maxima, end.kind, end.span)?;
+                let events: Vec<_> = end
+                    .events
+                    .iter()
+                    .map(|event| match event.at {
+                        "inside" => format!("two critical points meet on span {}", event.span),
+                        at => format!("a critical point at the {at} of span {}", event.span),
+                    })
+                    .collect();
+                writeln!(f, "{}; {}", end.local_maxima, events.join(" and "))?;
             }
         }
         Ok(())
