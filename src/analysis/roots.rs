@@ -100,8 +100,8 @@ impl IsolatedRoot {
         Some(to_positive(&self.lo))
     }
 
-    /// Is this root one of p's as well? Decided exactly: the greatest common divisor of p and the square-free
-    /// part has simple roots only, so it has one in (lo, hi) if and only if its sign changes there.
+    /// Is this root one of p's as well? Decided exactly: the greatest common divisor of p and the polynomial
+    /// has simple positive roots only, so it has one in (lo, hi) if and only if its sign changes there.
     #[must_use]
     pub fn is_root_of(&self, p: &Polynomial<BigRational>) -> bool {
         let p = IntegerPolynomial::from_rational(p);

@@ -9,7 +9,7 @@ use thiserror::Error;
 use crate::analysis::FreeKnotError;
 use crate::certificate::CertificateError;
 use crate::claims::Fault;
-use crate::report::{BaselineError, END, ReportError, START};
+use crate::report::{BaselineError, END, PictureError, ReportError, START};
 use crate::scalar::NumberError;
 use crate::search::{MergeError, PartError, RecordError};
 use crate::spline::{BasisError, CurveError, KnotError};
@@ -271,6 +271,9 @@ pub enum CliError {
     /// A claim could not be certified: this program has a bug.
     #[error("internal error: {0}; please report this bug with the command line")]
     Certificate(#[from] CertificateError),
+    /// A picture could not be drawn: a bug.
+    #[error("internal error: {0}; please report this bug with the command line")]
+    Picture(#[from] PictureError),
     /// This program has a bug.
     #[error(transparent)]
     Fault(#[from] Fault),
@@ -324,6 +327,7 @@ impl CliError {
             Self::Recorded(_)
             | Self::Conversion { .. }
             | Self::Certificate(_)
+            | Self::Picture(_)
             | Self::Fault(_)
             | Self::Output(_) => None,
             Self::NoCertificate { .. } => Some("PATH"),
@@ -347,6 +351,7 @@ impl CliError {
             Self::Output(_)
             | Self::Fault(_)
             | Self::Certificate(_)
+            | Self::Picture(_)
             | Self::Conversion { .. }
             | Self::Recorded(_) => Exit::Internal,
             _ => Exit::Usage,

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use serde::Serialize;
 
 use crate::claims::{Claim, claims};
-use crate::report::{Baseline, Difference, Report, markdown, with_verdict_table};
+use crate::report::{Baseline, Difference, Report, conjecture_page, markdown, with_verdict_table};
 
 use super::error::CliError;
 use super::exit::Exit;
@@ -21,7 +21,8 @@ use super::verdict::{Tally, styled};
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLE)]
 pub(super) struct Args {
-    /// Writes report.json and report.md into this folder, which is made if it is not there.
+    /// Writes report.json and report.md into this folder, which is made if it is not there; if all claims are judged, also
+    /// conjecture.md, the page on Conjecture 3.1, with its pictures.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Compares with the verdicts in this file, instead of those recorded with the program.
@@ -92,7 +93,13 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     let mut outcome = Outcome { report, differences, written };
     if let Some(folder) = &args.out {
         let json = serde_json::to_string_pretty(&outcome).map_err(std::io::Error::from)?;
-        for (name, text) in [(JSON, json + "\n"), (MARKDOWN, markdown(&outcome.report))] {
+        let mut files =
+            vec![(JSON.to_owned(), json + "\n"), (MARKDOWN.to_owned(), markdown(&outcome.report))];
+        // The page on the conjecture is about claims that have to be there.
+        if !partial {
+            files.extend(conjecture_page(&outcome.report)?);
+        }
+        for (name, text) in files {
             write_file("--out", &folder.join(name), &text, &mut outcome.written)?;
         }
     }

@@ -1,6 +1,7 @@
 //! Floor 5: all claims judged, as data, as Markdown and against recorded verdicts.
 
 mod baseline;
+mod conjecture;
 mod markdown;
 mod record;
 
@@ -16,6 +17,7 @@ use crate::float::{Discrepancy, discrepancy};
 use crate::spline::Basis;
 
 pub use baseline::{Baseline, BaselineError, Difference, Entry};
+pub use conjecture::{PictureError, conjecture_page};
 pub use markdown::{END, START, markdown, with_verdict_table};
 pub use record::{DegreeFinding, Finding, Grounds, Record, Stated};
 

@@ -83,9 +83,7 @@ pub(super) fn formal(question: &str, k: usize) -> Option<Formal> {
         ("X.maxima.classical", 3) => {
             Some(Formal::new(Scope::Knots, vec![3], CLASSICAL, [OUTER, CLASSICAL_CUBIC, CONTINUITY].concat()))
         }
-        ("X.maxima.most", 2..=8) => {
-            Some(Formal::new(Scope::Instance, vec![k], MOST, most(k) + CONTINUITY))
-        }
+        ("X.maxima.most", 2..=8) => Some(Formal::new(Scope::Instance, vec![k], MOST, most(k) + CONTINUITY)),
         ("X.maxima.spans", 3) => Some(Formal::on_all_knots(3..=3, CUBIC, &[OUTER, &cubic(), CONTINUITY])),
         _ => None,
     }

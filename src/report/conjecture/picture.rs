@@ -87,7 +87,10 @@ impl Frame {
     /// Around the extrema, with half their spread on every side; at least a hundredth of the whole.
     fn around(marks: &[Mark], whole: Self) -> Self {
         let spread = |of: fn(&Mark) -> f64, (low, high): (f64, f64), share: f64| {
-            let (first, last) = marks.iter().map(of).fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)));
+            let (first, last) = marks
+                .iter()
+                .map(of)
+                .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)));
             let pad = ((last - first) * share).max((high - low) * 1e-6);
             (first - pad, last + pad)
         };
@@ -132,7 +135,8 @@ fn panel(area: &Area<'_>, basis: &Basis, graph: &[(f64, f64)], marks: &[Mark], f
         .build_cartesian_2d(frame.x.0..frame.x.1, frame.y.0..frame.y.1)
         .map_err(failed)?;
     chart.configure_mesh().light_line_style(WHITE).x_labels(5).y_labels(5).draw().map_err(failed)?;
-    let stops = basis.knots().stop_knots().map(|(t, _)| float(t)).filter(|t| frame.x.0 <= *t && *t <= frame.x.1);
+    let stops =
+        basis.knots().stop_knots().map(|(t, _)| float(t)).filter(|t| frame.x.0 <= *t && *t <= frame.x.1);
     for t in stops {
         let line = PathElement::new([(t, frame.y.0), (t, frame.y.1)], GREY.stroke_width(1));
         chart.draw_series([line]).map_err(failed)?;
@@ -156,7 +160,11 @@ pub(super) type Cell = (BigRational, Option<BigRational>, usize);
 ///
 /// # Errors
 /// [`PictureError`].
-pub(super) fn partition(title: &str, rows: &[(usize, Vec<Cell>)], range: f64) -> Result<String, PictureError> {
+pub(super) fn partition(
+    title: &str,
+    rows: &[(usize, Vec<Cell>)],
+    range: f64,
+) -> Result<String, PictureError> {
     let mut svg = String::new();
     {
         let height = 40 * u32::try_from(rows.len()).unwrap_or(1) + 130;
