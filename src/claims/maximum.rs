@@ -111,7 +111,7 @@ fn side(side: search::Side) -> &'static str {
 }
 
 /// For each degree from 3 to 8 the first functions with two local maxima, in the order of the search, on full knot vectors.
-fn searched() -> Vec<BasisCase> {
+pub(super) fn searched() -> Vec<BasisCase> {
     (3..=8).flat_map(first_with_two_maxima).map(|basis| BasisCase::new(basis, Origin::Small)).collect()
 }
 

@@ -9,7 +9,7 @@ use crate::spline::{Basis, Index, KnotVector};
 use super::case::{BasisCase, Origin};
 use super::claim::{Claim, Form};
 use super::hypothesis::Hypothesis::{ClassicalIndex, DegreeAtLeast, FiniteIndex};
-use super::maximum::{Except, Reading, conjecture};
+use super::maximum::{Except, Reading, conjecture, searched};
 use super::statement::Statement;
 use super::verdict::{Judgement, Ledger};
 
@@ -179,6 +179,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 .given([DegreeAtLeast(1)]),
             ),
         )
+        .by_degree_on(searched)
         .note("As a function rises on its first span and falls on its last one, a local minimum is at a knot between two of the k − 1 spans between: so where this is proved for every knot vector, a continuous function has at most k − 1 local maxima, for k ≥ 2."),
         Claim::new(
             "X.maxima.most",

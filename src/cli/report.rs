@@ -31,7 +31,8 @@ pub(super) struct Args {
     /// Judges only this claim; may be repeated.
     #[arg(long, value_name = "CLAIM")]
     claim: Vec<String>,
-    /// Accepts the verdicts: rewrites proofs/verdicts.json and the table in README.md below the current folder.
+    /// Accepts the verdicts: rewrites proofs/verdicts.json, docs/conjecture.md with its pictures, and the table in
+    /// README.md below the current folder.
     #[arg(long, conflicts_with_all = ["claim", "baseline"])]
     record: bool,
 }
@@ -48,6 +49,8 @@ const MARKDOWN: &str = "report.md";
 const PROOFS: &str = "proofs";
 const VERDICTS: &str = "verdicts.json";
 const README: &str = "README.md";
+/// The folder of the page on the conjecture.
+const DOCS: &str = "docs";
 
 /// The result: its fields are the JSON.
 #[derive(Debug, Serialize)]
@@ -97,7 +100,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
             vec![(JSON.to_owned(), json + "\n"), (MARKDOWN.to_owned(), markdown(&outcome.report))];
         // The page on the conjecture is about claims that have to be there.
         if !partial {
-            files.extend(conjecture_page(&outcome.report)?);
+            files.extend(conjecture_page(&found)?);
         }
         for (name, text) in files {
             write_file("--out", &folder.join(name), &text, &mut outcome.written)?;
@@ -122,10 +125,12 @@ fn read_baseline(path: &Path) -> Result<Baseline, CliError> {
     Baseline::parse(&text).map_err(|error| CliError::Baseline { path: path.to_owned(), error })
 }
 
-/// Are README.md, with its two marks, and the folder of the verdicts where `--record` looks for them?
+/// Are README.md, with its two marks, and the folders where `--record` looks for them?
 fn recordable() -> Result<(), CliError> {
-    let proofs = Path::new(PROOFS);
-    fs::read_dir(proofs).map_err(|error| unwritable("--record", proofs, error))?;
+    for folder in [PROOFS, DOCS] {
+        let folder = Path::new(folder);
+        fs::read_dir(folder).map_err(|error| unwritable("--record", folder, error))?;
+    }
     readme_with(&Baseline::of(&[])).map(|_| ())
 }
 
@@ -135,11 +140,15 @@ fn readme_with(verdicts: &Baseline) -> Result<String, CliError> {
     with_verdict_table(&old, verdicts).ok_or(CliError::NoTable)
 }
 
-/// Rewrites the recorded verdicts, and the table made from them.
+/// Rewrites the recorded verdicts, and the table and the page made from them.
 fn record(found: &Baseline, written: &mut Vec<PathBuf>) -> Result<(), CliError> {
     let readme = readme_with(found)?;
+    let page = conjecture_page(found)?;
     let json = serde_json::to_string_pretty(found).map_err(std::io::Error::from)?;
     write_file("--record", &Path::new(PROOFS).join(VERDICTS), &(json + "\n"), written)?;
+    for (name, text) in page {
+        write_file("--record", &Path::new(DOCS).join(name), &text, written)?;
+    }
     write_file("--record", Path::new(README), &readme, written)
 }
 

@@ -11,8 +11,8 @@ use crate::claims::Witness;
 use crate::scalar::{BigRational, decimal, integer, parse_rational, rational};
 use crate::spline::{Basis, Index, KnotVector};
 
-use super::Report;
-use super::record::{DegreeFinding, Record};
+use super::baseline::Baseline;
+use super::record::DegreeFinding;
 
 use picture::Cell;
 pub use picture::PictureError;
@@ -28,16 +28,16 @@ struct Example {
 
 /// The page, as `conjecture.md`, and its pictures: names of files and what is in them.
 ///
-/// The table and the first pictures come from the verdicts of the report; the number of local maxima for every α on
+/// The table and the first pictures come from the verdicts; the number of local maxima for every α on
 /// uniform knots is computed here, and so are the numbers of the other examples.
 ///
 /// # Errors
 /// [`PictureError`].
-pub fn conjecture_page(report: &Report) -> Result<Vec<(String, String)>, PictureError> {
+pub fn conjecture_page(verdicts: &Baseline) -> Result<Vec<(String, String)>, PictureError> {
     let mut files = Vec::new();
     let mut page =
-        format!("# Conjecture 3.1: one and only one maximum?\n\n{INTRODUCTION}\n\n{}\n", table(report));
-    let strong = example(report, "Conj3.1.strong.continuous", 3, "α");
+        format!("# Conjecture 3.1: one and only one maximum?\n\n{INTRODUCTION}\n\n{}\n", table(verdicts));
+    let strong = example(verdicts, "Conj3.1.strong.continuous", 3, "α");
     if let Some((example, witness)) = strong {
         let _ = writeln!(
             page,
@@ -46,7 +46,7 @@ pub fn conjecture_page(report: &Report) -> Result<Vec<(String, String)>, Picture
         );
         draw(&mut page, &mut files, "two-maxima", "two local maxima", &example)?;
     }
-    if let Some((first, witness)) = example(report, "Conj3.1.weak.continuous", 3, "α from") {
+    if let Some((first, witness)) = example(verdicts, "Conj3.1.weak.continuous", 3, "α from") {
         let _ = writeln!(
             page,
             "## Two equal maxima\n\n{EQUAL}\n\nFor degree 3: {}: {}.\n",
@@ -54,7 +54,7 @@ pub fn conjecture_page(report: &Report) -> Result<Vec<(String, String)>, Picture
             witness.found
         );
         draw(&mut page, &mut files, "left-higher", "at the first α", &first)?;
-        if let Some((second, _)) = example(report, "Conj3.1.weak.continuous", 3, "α to") {
+        if let Some((second, _)) = example(verdicts, "Conj3.1.weak.continuous", 3, "α to") {
             draw(&mut page, &mut files, "right-higher", "at the second α", &second)?;
         }
     }
@@ -76,7 +76,9 @@ const INTRODUCTION: &str = "The paper leaves open whether every basis function h
 here for functions that are continuous on (t_0, t_m); where a function jumps at a knot of multiplicity k + 1 it fails for \
 trivial reasons. *Strong*: there is exactly one local maximum. *Weak*: the largest value is taken at exactly one point. \
 Both are true in degrees 1 and 2, on every knot vector and for every α, and false in every degree from 3 to 8, for every \
-α but ∞. Every line of the table is a certificate in `proofs/certs` that the independent checker has read.";
+α but ∞. What is *proved (knots)*, for every knot vector and α, or *proved (alpha)*, for every α, and what is *refuted*, is so by \
+certificates in `proofs/certs` that the independent checker has read; the function with k − 1 local maxima has one too. \
+*Proved (instance)* in the last column means: in all cases that were decided.";
 
 const SMALLEST: &str = "The search goes through all functions of a degree in order of size: the sum of the gaps between \
 their own knots (integers) and the height of α. On the left the whole function, on the right the part around its maxima \
@@ -93,8 +95,8 @@ On a fixed knot vector most α do no harm. For simple uniform knots 0, 1, …, k
 of local maxima for every r = α/(α − 1) in (0, ∞), decided for every r, ends of intervals included.";
 
 const MOST: &str = "Inside a span a function rises, or falls, or rises and then falls: proved for every knot vector and α in \
-degrees 1 to 3, and true in every case that was decided in other degrees (`X.maxima.spans`). So local minima are at knots, \
-and there are at most k − 1 local maxima. There can be so many: for every k from 2 to 8 a function with k − 1 local maxima is \
+degrees 1 to 3, and true in every case that was decided in other degrees (`X.maxima.spans`). As far as that is so, local \
+minima are at knots, and there are at most k − 1 local maxima. There can be so many: for every k from 2 to 8 a function with k − 1 local maxima is \
 certified (`X.maxima.most`; its knots lie so far apart that a picture would not show them). Smaller examples:";
 
 const CONSEQUENCES: &str = "A function with two local maxima crosses some horizontal line four times, while the polygon of its control \
@@ -109,16 +111,13 @@ knotproof shape --degree 4 --knots \"0 1 2 3 4 5 5 5 5\" --index 0 --alpha all\n
 const SEVERAL: &[(&[i64], (i64, i64))] =
     &[(&[86, 27, 1, 225, 226], (5, 1)), (&[59, 53, 2, 1, 320, 3126], (21, 2))];
 
-fn record<'a>(report: &'a Report, claim: &str) -> Option<&'a Record> {
-    report.claims.iter().find(|record| record.id == claim)
-}
-
-fn of_degree<'a>(report: &'a Report, claim: &str, degree: usize) -> Option<&'a DegreeFinding> {
-    record(report, claim)?.by_degree.iter().find(|of| of.degree == degree)
+fn of_degree<'a>(verdicts: &'a Baseline, claim: &str, degree: usize) -> Option<&'a DegreeFinding> {
+    let entry = verdicts.claims.iter().find(|entry| entry.id == claim)?;
+    entry.by_degree.iter().find(|of| of.degree == degree)
 }
 
 /// The verdicts, degree by degree.
-fn table(report: &Report) -> String {
+fn table(verdicts: &Baseline) -> String {
     const COLUMNS: [(&str, &str); 5] = [
         ("strong", "Conj3.1.strong.continuous"),
         ("weak", "Conj3.1.weak.continuous"),
@@ -131,7 +130,7 @@ fn table(report: &Report) -> String {
     let mut text = row(head) + &row(vec!["---".to_owned(); COLUMNS.len() + 1]);
     for k in DEGREES {
         let cell = |(_, claim): (&str, &str)| {
-            let found = of_degree(report, claim, k).map(|of| &of.finding);
+            let found = of_degree(verdicts, claim, k).map(|of| &of.finding);
             found.map_or_else(String::new, |finding| match &finding.scope {
                 Some(scope) => format!("{} ({scope})", finding.status),
                 None => finding.status.clone(),
@@ -144,12 +143,12 @@ fn table(report: &Report) -> String {
 
 /// The function of a witness, with the index that stands there under a name.
 fn example<'a>(
-    report: &'a Report,
+    verdicts: &'a Baseline,
     claim: &str,
     degree: usize,
     index: &str,
 ) -> Option<(Example, &'a Witness)> {
-    let witness = of_degree(report, claim, degree)?.finding.witness.as_ref()?;
+    let witness = of_degree(verdicts, claim, degree)?.finding.witness.as_ref()?;
     let given =
         |name: &str| witness.given.iter().find(|(known, _)| known == name).map(|(_, value)| value.as_str());
     let inner = given("U")?.strip_prefix('(')?.strip_suffix(')')?;

@@ -8,7 +8,7 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 
 use crate::analysis::{ExtremumKind, Pieces, Shape};
-use crate::scalar::BigRational;
+use crate::scalar::{BigRational, rational};
 use crate::spline::{Basis, Span};
 
 /// Colours that stay apart for the colour-blind (Okabe and Ito, 2008), and in print.
@@ -48,7 +48,8 @@ pub(super) fn function(title: &str, basis: &Basis, i: usize) -> Result<String, P
         root.fill(&WHITE).map_err(failed)?;
         let root = root.titled(title, ("sans-serif", 18)).map_err(failed)?;
         let (left, right) = root.split_horizontally(width);
-        let shape = Shape::of(basis, &Pieces::of(basis), i);
+        let mut shape = Shape::of(basis, &Pieces::of(basis), i);
+        shape.refine_to(&rational(1, 1 << 40));
         let marks: Vec<Mark> = shape.extrema().iter().map(Mark::of).collect();
         let graph = graph(basis, i, None);
         let (low, high) = basis.support(i);
@@ -190,7 +191,7 @@ pub(super) fn partition(
             .map_err(failed)?;
         for (degree, cells) in rows {
             let k = degree.to_f64().unwrap_or_default();
-            let bar = |(from, to, maxima): &Cell| {
+            for (from, to, maxima) in cells {
                 let (from, to) = (float(from).max(1.0 / range), to.as_ref().map_or(range, float).min(range));
                 let colour = match maxima {
                     0 | 1 => RGBColor(200, 215, 230),
@@ -198,11 +199,17 @@ pub(super) fn partition(
                     3 => GREEN,
                     _ => BLACK,
                 };
-                // A cell too narrow to be seen is drawn as a line.
-                let style = ShapeStyle { color: colour.to_rgba(), filled: true, stroke_width: 1 };
-                (from <= to).then(|| Rectangle::new([(from, k - 0.32), (to, k + 0.32)], style))
-            };
-            chart.draw_series(cells.iter().filter_map(bar)).map_err(failed)?;
+                if from <= to {
+                    let (bottom, top) = (k - 0.32, k + 0.32);
+                    chart
+                        .draw_series([Rectangle::new([(from, bottom), (to, top)], colour.filled())])
+                        .map_err(failed)?;
+                    // A cell too narrow to be seen is a line all the same.
+                    chart
+                        .draw_series([PathElement::new([(from, bottom), (from, top)], colour)])
+                        .map_err(failed)?;
+                }
+            }
         }
         root.present().map_err(failed)?;
     }
