@@ -135,7 +135,15 @@ fn panel(area: &Area<'_>, basis: &Basis, graph: &[(f64, f64)], marks: &[Mark], f
         .y_label_area_size(64)
         .build_cartesian_2d(frame.x.0..frame.x.1, frame.y.0..frame.y.1)
         .map_err(failed)?;
-    chart.configure_mesh().light_line_style(WHITE).x_labels(5).y_labels(5).draw().map_err(failed)?;
+    chart
+        .configure_mesh()
+        .light_line_style(WHITE)
+        .x_labels(5)
+        .y_labels(5)
+        .x_label_formatter(&label(frame.x))
+        .y_label_formatter(&label(frame.y))
+        .draw()
+        .map_err(failed)?;
     let stops =
         basis.knots().stop_knots().map(|(t, _)| float(t)).filter(|t| frame.x.0 <= *t && *t <= frame.x.1);
     for t in stops {
@@ -151,6 +159,17 @@ fn panel(area: &Area<'_>, basis: &Basis, graph: &[(f64, f64)], marks: &[Mark], f
         chart.draw_series([Circle::new(mark.at, 5, style)]).map_err(failed)?;
     }
     Ok(())
+}
+
+/// Decimals enough to tell the labels of an axis apart.
+fn label((low, high): (f64, f64)) -> impl Fn(&f64) -> String {
+    let mut decimals = 0;
+    let mut step = (high - low) / 5.0;
+    while step < 1.0 && decimals < 15 {
+        step *= 10.0;
+        decimals += 1;
+    }
+    move |x| format!("{x:.decimals$}")
 }
 
 /// A cell of a partition of all ratios: from, to (none for ∞), and the number of local maxima.
@@ -191,7 +210,9 @@ pub(super) fn partition(
             .map_err(failed)?;
         for (degree, cells) in rows {
             let k = degree.to_f64().unwrap_or_default();
-            for (from, to, maxima) in cells {
+            // Those with several maxima last, with an outline: so no cell is too narrow to be seen.
+            let (several, one): (Vec<_>, Vec<_>) = cells.iter().partition(|(_, _, maxima)| *maxima > 1);
+            for (from, to, maxima) in one.into_iter().chain(several) {
                 let (from, to) = (float(from).max(1.0 / range), to.as_ref().map_or(range, float).min(range));
                 let colour = match maxima {
                     0 | 1 => RGBColor(200, 215, 230),
@@ -200,14 +221,9 @@ pub(super) fn partition(
                     _ => BLACK,
                 };
                 if from <= to {
-                    let (bottom, top) = (k - 0.32, k + 0.32);
-                    chart
-                        .draw_series([Rectangle::new([(from, bottom), (to, top)], colour.filled())])
-                        .map_err(failed)?;
-                    // A cell too narrow to be seen is a line all the same.
-                    chart
-                        .draw_series([PathElement::new([(from, bottom), (from, top)], colour)])
-                        .map_err(failed)?;
+                    let corners = [(from, k - 0.32), (to, k + 0.32)];
+                    chart.draw_series([Rectangle::new(corners, colour.filled())]).map_err(failed)?;
+                    chart.draw_series([Rectangle::new(corners, colour)]).map_err(failed)?;
                 }
             }
         }
