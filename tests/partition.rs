@@ -48,6 +48,33 @@ fn is_consistent(partition: &Partition) {
     }
 }
 
+/// Two ends closer than the width asked for: there is room for the cell between them all the same.
+#[test]
+fn ends_close_together_stay_apart() {
+    for (gaps, width) in [
+        (&[0, 2, 40, 40][..], rational(1, 1 << 20)),
+        (&[0, 1, 60, 60], rational(1, 1 << 20)),
+        (&[0, 1, 1, 2], rational(1, 10)),
+        (&[0, 1, 1, 2], integer(1_000_000)),
+        (&[1, 1, 1, 1, 1], integer(1)),
+    ] {
+        let basis = basis(gaps.len() - 1, gaps, integer(1));
+        let partition = Partition::by_ratio(&basis, 0, &width);
+        is_consistent(&partition);
+        let fine = Partition::by_ratio(&basis, 0, &rational(1, 1 << 40));
+        let counts = |partition: &Partition| -> Vec<_> {
+            partition.cells().iter().map(|cell| cell.local_maxima).collect()
+        };
+        assert_eq!(counts(&partition), counts(&fine), "{gaps:?}");
+        assert!(counts(&fine).contains(&Some(2)), "{gaps:?}");
+    }
+    let knots = KnotVector::new([0, 0, 0, 0, 1, 2, 4, 4].map(integer).to_vec()).unwrap();
+    let basis = Basis::new(knots, 3, "5/2".parse().unwrap()).unwrap();
+    let partition = Partition::by_knot(&basis, 2, 5, &rational(1, 10)).unwrap();
+    is_consistent(&partition);
+    assert!(partition.cells().iter().any(|cell| cell.local_maxima == Some(2)));
+}
+
 #[test]
 fn uniform_knots() {
     for (degree, windows) in [(1, 0), (2, 0), (3, 0), (4, 1), (5, 1), (6, 2), (7, 2)] {

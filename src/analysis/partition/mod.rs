@@ -320,7 +320,8 @@ fn steps(family: &Family, closed_at_one: bool, parameter: &Parameter, width: &Bi
 }
 
 /// The t of [from, to] where the events are: exactly if it is a rational number at which a critical point is at an
-/// end of its span, and otherwise by halving until the interval is `narrow`.
+/// end of its span, and otherwise by halving until the interval is `narrow` and lies inside of (from, to): so there is
+/// room for a cell before it and after it, even if the next events are close by.
 fn isolated(
     family: &Family,
     events: &[(usize, PartitionEvent)],
@@ -337,7 +338,13 @@ fn isolated(
     }
     let (mut lo, mut hi) = (from.clone(), to.clone());
     let below = family.local_maxima(from);
-    while !narrow(&lo, &hi) {
+    // An irrational place leaves both ends at last. Two critical points may meet at a rational one.
+    let mut patience = DEPTH;
+    let mut inside = |lo: &BigRational, hi: &BigRational| {
+        patience = patience.saturating_sub(1);
+        (from < lo && hi < to) || (edge.is_none() && patience == 0)
+    };
+    while !narrow(&lo, &hi) || !inside(&lo, &hi) {
         let middle = (&lo + &hi) / BigInt::from(2);
         let still_below = match &edge {
             Some(edge) => {
