@@ -265,19 +265,22 @@ fn a_formal_proof_reaches_every_knot_vector() {
         ("T3.5.2", "proved"),
         // Refuted in general; true on an open vector.
         ("T3.5.3", "undecided"),
-        // Settled by cases only.
-        ("Conj3.1.weak.continuous", "undecided"),
+        // True in this degree, and refuted in general.
+        ("Conj3.1.weak.continuous", "proved"),
     ];
     assert_eq!((code, statuses(&found)), (1, expected.to_vec()));
     let [support, positive, unity, weak] = properties(&found) else { panic!("four claims: {found}") };
-    for (finding, certificate) in [(&support["amended"], "T3.5.1.amended"), (positive, "T3.5.2.printed")] {
+    let certified = [
+        (&support["amended"], "T3.5.1.amended"),
+        (positive, "T3.5.2.printed"),
+        (weak, "Conj3.1.weak.continuous.degree-2"),
+    ];
+    for (finding, certificate) in certified {
         assert_eq!((&finding["status"], &finding["scope"]), (&json!("proved"), &json!("knots")));
         assert_eq!((&finding["degrees"], &finding["certificate"]), (&json!([2]), &json!(certificate)));
         assert_eq!(finding["checked_by"], json!(["engine", "prover", "checker"]));
     }
-    for finding in [unity, weak] {
-        assert_eq!(finding["reason"], "proved at scope instance only, and knots was asked for");
-    }
+    assert_eq!(unity["reason"], "proved at scope instance only, and knots was asked for");
     assert_eq!(
         check(&["--instance", "U4", "--alpha", "-1", "--scope", "knots", "--property", "T3.5.2"]).0,
         0

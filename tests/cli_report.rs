@@ -243,11 +243,13 @@ fn a_folder_that_cannot_be_made_is_refused_before_the_work() {
 
 /// What `--record` needs is looked for first: nothing is judged, and nothing written.
 #[test]
-fn recording_needs_a_readme_with_the_marks_and_the_folder_of_the_verdicts() {
+fn recording_needs_a_readme_with_the_marks_and_the_folders() {
     let folder = tempfile::tempdir().unwrap();
     let refusal = || refused(knotproof(&["report", "--record"]).current_dir(folder.path()), "--record");
     assert!(refusal().starts_with("--record: cannot write proofs: "), "no folder proofs");
     fs::create_dir(folder.path().join("proofs")).unwrap();
+    assert!(refusal().starts_with("--record: cannot write docs: "), "no folder docs");
+    fs::create_dir(folder.path().join("docs")).unwrap();
     assert!(refusal().starts_with("--record: cannot read README.md: "), "no README.md");
     let readme = folder.path().join("README.md");
     for text in ["# A title\n", &format!("{START}\n"), &format!("{END}\n{START}\n")] {
