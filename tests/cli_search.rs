@@ -212,6 +212,8 @@ fn shards_have_no_influence() {
             (&merged["searched"]["cases"], &merged["searched"]["search"]),
             (&summary["cases"], &summary["search"])
         );
+        // There is nothing that it would be the checksum of.
+        assert!(merged["searched"].get("checksum").is_none(), "{merged}");
         // The whole is one shard of one.
         assert_eq!(search(&[space, &["--shard", "0/1"]].concat()), whole);
         let again = knotproof(&["merge", "--format", "text", text(&out)]).assert().code(whole.1);
@@ -267,10 +269,14 @@ fn searches_that_cannot_be() {
         (&[], "--degree", &["--degree is missing"]),
         (&["--degree", "3", "--limit", "0"], "--limit", &["no case", "up to 0"]),
         (&["--degree", "1", "--limit", "2"], "--limit", &["no case", "empty"]),
-        (&["--degree", "3", "--limit", "9", "--limit-gap", "0"], "--limit", &["no case"]),
-        (&["--degree", "3", "--limit", "9", "--limit-height", "0"], "--limit", &["no case"]),
+        (&["--degree", "3", "--limit", "9", "--limit-gap", "0"], "--limit-gap", &["gap of 0"]),
+        (&["--degree", "3", "--limit", "9", "--limit-height", "0"], "--limit-height", &["height of 0"]),
         (&["--degree", "3", "--limit", "1001"], "--limit", &["too large", "at most 1000"]),
-        (&["--degree", "16", "--limit", "900"], "--limit", &["too large"]),
+        (
+            &["--degree", "16", "--limit", "1000"],
+            "--limit",
+            &["number of cases up to size 1000 is too large", "lower --limit"],
+        ),
         (&["--degree", "3", "--limit", "-1"], "--limit", &["whole number"]),
         (&["--degree", "3", "--limit", "9", "--count", "9"], "--limit --count", &["--count", "--limit"]),
         (&["--degree", "3", "--count", "0"], "--count", &["0 cases"]),
@@ -278,8 +284,14 @@ fn searches_that_cannot_be() {
         (&["--degree", "3", "--spread", "1"], "--count", &["--count is missing"]),
         (&["--degree", "3", "--count", "9", "--spread", "0"], "--spread", &["0 is out of range", "1 to 40"]),
         (&["--degree", "3", "--count", "9", "--spread", "99"], "--spread", &["99 is out of range"]),
+        (
+            &["--degree", "3", "--count", "9", "--spread", "99999999999"],
+            "--spread",
+            &["99999999999 is out of range", "1 to 40"],
+        ),
         (&["--degree", "3", "--find", "none"], "--find", &["several, most, equal"]),
         (&["--degree", "3", "--threads", "0"], "--threads", &["1 thread at least"]),
+        (&["--degree", "3", "--threads", "1025"], "--threads", &["1025 is too many", "at most 1024"]),
         (&["--degree", "3", "--shard", "3/3"], "--shard", &["no shard 3 of 3", "0 to 2"]),
         (&["--degree", "3", "--shard", "0/0"], "--shard", &["0 shards"]),
         (&["--degree", "3", "--shard", "1"], "--shard", &["`1` is no shard", "write I/N"]),
@@ -293,7 +305,7 @@ fn searches_that_cannot_be() {
         (
             &["--degree", "3", "--checkpoint", "/nowhere/at/all"],
             "--checkpoint",
-            &["cannot write /nowhere/at/all"],
+            &["cannot write /nowhere/at/all: there is no folder /nowhere/at;"],
         ),
     ] {
         let options = [&["search"], options].concat();
@@ -350,6 +362,8 @@ fn checkpoints_of_something_else() {
         (b"", "no line"),
         (b"{}\n", "no summary"),
         (b"a letter to my aunt", "no summary"),
+        (state.replace('\n', "\r\n").as_bytes(), "line endings"),
+        (state.replace("knotproof.search/1", "knotproof.search/2").as_bytes(), "another format"),
         (b"\xff\xfe", "UTF-8"),
     ] {
         fs::write(&file, content).unwrap();
@@ -419,6 +433,69 @@ fn shards_that_do_not_make_up_a_search() {
     rejected(&["merge", "--out", text(&out), a, b, c], "--out", &[text(&out), "nothing was overwritten"]);
     rejected(&["merge", "--out", b, a, b, c], "--out", &[b, "nothing was overwritten"]);
     assert_eq!(fs::read_to_string(&out).unwrap(), "mine");
+}
+
+/// The state is a file like any other: new with the permissions of a new file, then with those that it was given.
+#[cfg(unix)]
+#[test]
+fn permissions_are_those_of_other_files() {
+    use std::os::unix::fs::PermissionsExt;
+
+    let folder = tempfile::tempdir().unwrap();
+    let mode = |path: &Path| fs::metadata(path).unwrap().permissions().mode() & 0o777;
+    let (file, out, other) =
+        (path_in(&folder, "state.jsonl"), path_in(&folder, "all.jsonl"), path_in(&folder, "other"));
+    fs::write(&other, "").unwrap();
+    let space = ["--degree", "3", "--limit", "5", "--checkpoint", text(&file)];
+    search(&space);
+    knotproof(&["merge", text(&file), "--out", text(&out)]).assert().code(0);
+    assert_eq!((mode(&file), mode(&out)), (mode(&other), mode(&other)));
+    fs::set_permissions(&file, fs::Permissions::from_mode(0o600)).unwrap();
+    search(&space);
+    assert_eq!(mode(&file), 0o600);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_stays_a_link() {
+    use std::os::unix::fs::symlink;
+
+    let folder = tempfile::tempdir().unwrap();
+    let (file, link, dangling) =
+        (path_in(&folder, "state.jsonl"), path_in(&folder, "link"), path_in(&folder, "dangling"));
+    search(&["--degree", "3", "--limit", "5", "--checkpoint", text(&file)]);
+    let before = fs::read_to_string(&file).unwrap();
+    symlink("state.jsonl", &link).unwrap();
+    search(&["--resume", text(&link)]);
+    assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+    assert_eq!(fs::read_to_string(&file).unwrap(), before);
+    symlink("nothing", &dangling).unwrap();
+    rejected(
+        &["search", "--degree", "3", "--checkpoint", text(&dangling)],
+        "--checkpoint",
+        &["cannot write", text(&dangling)],
+    );
+    assert!(fs::symlink_metadata(&dangling).unwrap().is_symlink());
+}
+
+/// A pipe that nobody writes to, a device without end, a folder.
+#[cfg(unix)]
+#[test]
+fn only_regular_files_are_read() {
+    let folder = tempfile::tempdir().unwrap();
+    let pipe = path_in(&folder, "pipe");
+    assert!(Process::new("mkfifo").arg(&pipe).status().unwrap().success());
+    for path in [text(&pipe), "/dev/zero", text(folder.path())] {
+        for (arguments, argument) in [
+            (&["search", "--resume", path][..], "--resume"),
+            (&["search", "--degree", "3", "--checkpoint", path], "--checkpoint"),
+            (&["merge", path], "FILE"),
+        ] {
+            let mut command = knotproof(arguments);
+            command.timeout(Duration::from_secs(60)).assert().code(2);
+            rejected(arguments, argument, &[path, "no regular file"]);
+        }
+    }
 }
 
 /// A reader that has seen enough, as `| head` does.

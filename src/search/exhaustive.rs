@@ -40,12 +40,18 @@ impl Exhaustive {
     /// # Errors
     /// [`SpaceError`], if there is no case, or too many.
     pub(super) fn new(degree: usize, limits: &Limits) -> Result<Self, SpaceError> {
-        let too_large = || SpaceError::TooLarge(limits.size);
+        if limits.gap == Some(0) {
+            return Err(SpaceError::NoGap);
+        }
+        if limits.height == Some(0) {
+            return Err(SpaceError::NoHeight);
+        }
         let largest = usize::try_from(limits.size).ok().filter(|_| limits.size <= LARGEST_SIZE);
-        let largest = largest.ok_or_else(too_large)?;
+        let largest = largest.ok_or(SpaceError::TooLarge(limits.size))?;
+        let too_many = || SpaceError::TooMany(limits.size);
         let bound = limits.gap.unwrap_or(limits.size).min(limits.size);
         let tallest = limits.height.unwrap_or(limits.size).min(limits.size);
-        let compositions = Compositions::new(degree + 1, bound, largest).ok_or_else(too_large)?;
+        let compositions = Compositions::new(degree + 1, bound, largest).ok_or_else(too_many)?;
         let mut space = Self {
             compositions,
             ratios: (1..=tallest).map(ratios_of_height).collect(),
@@ -53,7 +59,7 @@ impl Exhaustive {
             positions: 0,
             cases: 0,
         };
-        let normal = NormalGaps::new(degree + 1, bound, largest).ok_or_else(too_large)?;
+        let normal = NormalGaps::new(degree + 1, bound, largest).ok_or_else(too_many)?;
         for size in 1..=limits.size {
             for (height, ratios) in (1..size).zip(&space.ratios) {
                 let sum = size - height;
@@ -63,7 +69,7 @@ impl Exhaustive {
                     lists.checked_mul(ratios).and_then(|more| total.checked_add(more))
                 };
                 let positions = add(space.positions, space.compositions.count(sum), ratios);
-                space.positions = positions.filter(|&all| all < 1 << 63).ok_or_else(too_large)?;
+                space.positions = positions.filter(|&all| all < 1 << 63).ok_or_else(too_many)?;
                 if space.positions > block.start {
                     space.blocks.push(block);
                 }
@@ -279,11 +285,11 @@ mod tests {
         assert_eq!(new(1, 3, None, None).unwrap().cases(), 2);
         assert_eq!(new(2, 1, None, None).unwrap_err(), SpaceError::Empty(1));
         assert_eq!(new(2, 2, None, None).unwrap().cases(), 2);
-        assert_eq!(new(3, 9, Some(0), None).unwrap_err(), SpaceError::Empty(9));
-        assert_eq!(new(3, 9, None, Some(0)).unwrap_err(), SpaceError::Empty(9));
+        assert_eq!(new(3, 9, Some(0), None).unwrap_err(), SpaceError::NoGap);
+        assert_eq!(new(3, 9, None, Some(0)).unwrap_err(), SpaceError::NoHeight);
         assert_eq!(new(3, 0, None, None).unwrap_err(), SpaceError::Empty(0));
         assert_eq!(new(3, 1001, None, None).unwrap_err(), SpaceError::TooLarge(1001));
-        assert_eq!(new(16, 1000, None, None).unwrap_err(), SpaceError::TooLarge(1000));
+        assert_eq!(new(16, 1000, None, None).unwrap_err(), SpaceError::TooMany(1000));
     }
 
     #[test]

@@ -120,6 +120,15 @@ pub enum FindingError {
     /// Computed again, it is not what the search looks for.
     #[error("computed again, the function does not have what was found")]
     Refuted,
+    /// The first case that led to it is none.
+    #[error("`found_at` is no position that is done and that leads to what was found")]
+    Place,
+    /// Not as many cases as can be.
+    #[error("`cases` is not from 1 to `several`")]
+    Cases,
+    /// Of the largest number of local maxima, and there are two numbers.
+    #[error("it has another number of local maxima than the findings before it, so not all have the most")]
+    NotMost,
     /// Computed again, it comes out differently.
     #[error("computed again, its record is another one")]
     Different,
@@ -327,6 +336,10 @@ impl Findings {
         if entry.record != *record || self.entries.contains_key(&entry.finding.key()) {
             return Err(FindingError::Different);
         }
+        let first = self.entries.values().next().map_or(entry.finding.maxima, |first| first.finding.maxima);
+        if goal == Goal::Most && first != entry.finding.maxima {
+            return Err(FindingError::NotMost);
+        }
         self.entries.insert(entry.finding.key(), entry);
         Ok(())
     }
@@ -353,7 +366,8 @@ impl Finding {
                     _ => None,
                 }
             }
-            _ => Some(Self::of(candidate)),
+            (Goal::Equal, None) => None,
+            (Goal::Several | Goal::Most, _) => Some(Self::of(candidate)),
         };
         finding.filter(|finding| finding.maxima > 1).ok_or(FindingError::Refuted)
     }
@@ -361,5 +375,34 @@ impl Finding {
     /// Which of two findings about the same function is kept.
     fn rank(&self) -> (&Candidate, Option<[BigRational; 2]>) {
         (&self.candidate, self.crossing.as_ref().map(Crossing::indices))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// As after a change of the goal: two findings of degree 5 that do not have the same number of maxima.
+    #[test]
+    fn findings_of_the_most_maxima_have_the_same_number() {
+        let gaps = vec![798_629, 50_969, 15_552_000, 72_327, 2_424_870, 9_185_290];
+        let three = Candidate::new(gaps, (183_588, 1_000_000)).unwrap().normal_form();
+        let two = shrink(three.clone(), |candidate| local_maxima(candidate).maxima == 2);
+        let records = [two, three].map(|candidate| Finding::of(candidate).record(0, 1));
+        assert_eq!(records.each_ref().map(|record| record.witness.local_maxima), [2, 3]);
+        for order in [[0, 1], [1, 0]] {
+            let mut findings = Findings::default();
+            let [first, second] = order.map(|at: usize| &records[at]);
+            findings.add_record(Goal::Most, 5, first).unwrap();
+            assert_eq!(findings.add_record(Goal::Most, 5, second), Err(FindingError::NotMost));
+            findings.add_record(Goal::Several, 5, second).unwrap();
+        }
+    }
+
+    #[test]
+    fn equal_maxima_need_their_proof() {
+        let record = Finding::of(Candidate::new(vec![2, 1, 1, 0], (3, 5)).unwrap()).record(0, 1);
+        let add = |goal| Findings::default().add_record(goal, 3, &record);
+        assert_eq!((add(Goal::Several), add(Goal::Equal)), (Ok(()), Err(FindingError::Refuted)));
     }
 }

@@ -179,7 +179,7 @@ mod tests {
             matches!(pick(&[&parts[0], &part, &parts[2]]), Err(MergeError::Unfinished { part, .. }) if part == "1")
         );
         part.1.done += 1;
-        part.1.tally.exactly -= 1;
+        part.1.tally.by_intervals -= 1;
         assert!(matches!(pick(&[&parts[0], &part, &parts[2]]), Err(MergeError::Count { .. })));
     }
 }

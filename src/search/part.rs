@@ -151,7 +151,7 @@ impl Part {
                 Goal::Most => self.findings.most_maxima(),
                 Goal::Several | Goal::Equal => 0,
             };
-            let unit = |start: &u64| self.unit(*start..end.min(start + UNIT), at_least);
+            let unit = |start: &u64| self.unit(*start..end.min(start.saturating_add(UNIT)), at_least);
             let units: Vec<Unit> = starts.par_iter().map(unit).collect();
             for unit in units {
                 self.tally.add(unit.tally);
@@ -191,4 +191,19 @@ impl Part {
 struct Unit {
     tally: Tally,
     findings: Vec<(u64, Finding)>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::search::{Sample, Space};
+
+    #[test]
+    fn the_last_position_of_all_is_searched() {
+        let space = Space::Random(Sample { count: u64::MAX, seed: 0, spread: 9 });
+        let shard: Shard = format!("{}/{}", u64::MAX - 1, u64::MAX).parse().unwrap();
+        let mut part = Part::new(Search { degree: 1, find: Goal::Several, space }, shard).unwrap();
+        part.run(|_| Ok::<(), ()>(())).unwrap();
+        assert_eq!((part.range(), part.tally().cases()), (u64::MAX - 1..u64::MAX, 1));
+    }
 }

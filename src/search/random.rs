@@ -66,7 +66,7 @@ impl Random {
 
     /// (256 + m)·2^e by 61 random bits: m the lowest 8, e by the 32 above them, scaled to 0..spread.
     fn spread_number(&self, bits: u64) -> u64 {
-        let exponent = (((bits >> 8) & 0xffff_ffff) * u64::from(self.sample.spread)) >> 32;
+        let exponent = (((bits >> 8) & 0xffff_ffff) * self.sample.spread) >> 32;
         (256 + (bits & 0xff)) << exponent
     }
 }
@@ -75,7 +75,7 @@ impl Random {
 mod tests {
     use super::*;
 
-    fn random(seed: u64, spread: u32) -> Random {
+    fn random(seed: u64, spread: u64) -> Random {
         Random::new(3, &Sample { count: 2000, seed, spread }).unwrap()
     }
 

@@ -3,10 +3,11 @@
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
+use super::decide::local_maxima;
 use super::finding::{FindingError, FindingRecord, SCHEMA};
 use super::part::{Part, PartError, Tally};
 use super::shard::{Shard, ShardError};
-use super::space::Search;
+use super::space::{Goal, Search};
 
 /// The version that results carry: another one may draw or order cases differently.
 const VERSION: &str = env!("CARGO_PKG_VERSION");
@@ -45,8 +46,9 @@ pub struct SummaryRecord {
     pub several: u64,
     /// The number of findings.
     pub findings: usize,
-    /// CRC-32 of all that is before, in 8 hexadecimal digits.
-    pub checksum: String,
+    /// CRC-32 of the text with nothing between the quotes of the checksum, in 8 hexadecimal digits; only in a text.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub checksum: Option<String>,
 }
 
 /// Cases by what decided them.
@@ -65,6 +67,11 @@ pub enum RecordError {
     /// The last line is no summary.
     #[error("the last line is no summary of a search ({0}): the file is cut off, or something else")]
     NoSummary(String),
+    /// A text that has to be read in another way.
+    #[error(
+        "it is of another format, `{0}`, and this version reads `{SCHEMA}`: use the version that wrote it"
+    )]
+    Format(String),
     /// Another version of the program.
     #[error(
         "it was written by version {0}, and this is version {VERSION}: search again, or use that version"
@@ -98,7 +105,7 @@ pub enum RecordError {
 #[derive(Deserialize)]
 struct Origin {
     schema: String,
-    version: String,
+    version: Option<String>,
 }
 
 impl Part {
@@ -114,8 +121,9 @@ impl Part {
             text.push('\n');
         }
         let mut summary = self.summary();
+        summary.checksum = Some(String::new());
         let line = serde_json::to_string(&summary)?;
-        summary.checksum = format!("{:08x}", crc32fast::hash((text.clone() + &line).as_bytes()));
+        summary.checksum = Some(format!("{:08x}", crc32fast::hash((text.clone() + &line).as_bytes())));
         text.push_str(&serde_json::to_string(&summary)?);
         text.push('\n');
         Ok(text)
@@ -140,7 +148,7 @@ impl Part {
             decided: Decided { by_intervals, exactly },
             several,
             findings: self.findings.len(),
-            checksum: String::new(),
+            checksum: None,
         }
     }
 
@@ -154,8 +162,11 @@ impl Part {
         let last = lines.pop().ok_or_else(|| RecordError::NoSummary("there is no line".to_owned()))?;
         let no_summary = |error: serde_json::Error| RecordError::NoSummary(error.to_string());
         let origin: Origin = serde_json::from_str(last).map_err(no_summary)?;
-        if origin.schema == SCHEMA && origin.version != VERSION {
-            return Err(RecordError::Version(origin.version));
+        if origin.schema != SCHEMA {
+            return Err(RecordError::Format(origin.schema));
+        }
+        if let Some(version) = origin.version.filter(|version| version != VERSION) {
+            return Err(RecordError::Version(version));
         }
         let summary: SummaryRecord = serde_json::from_str(last).map_err(no_summary)?;
         let shard = match &summary.shard {
@@ -169,19 +180,69 @@ impl Part {
         part.done = summary.done;
         let Decided { by_intervals, exactly } = summary.decided;
         part.tally = Tally { by_intervals, exactly, several: summary.several };
-        if by_intervals.checked_add(exactly).is_none_or(|cases| cases > part.done()) {
-            return Err(RecordError::Damaged("there are more cases than positions"));
-        }
+        part.check_tally().map_err(RecordError::Damaged)?;
         for (line, text) in (1..).zip(lines) {
             let record: FindingRecord =
                 serde_json::from_str(text).map_err(|error| RecordError::Line { line, error })?;
-            part.findings
-                .add_record(part.search.find, part.search.degree, &record)
-                .map_err(|error| RecordError::Finding { line, error })?;
+            part.add_record(&record).map_err(|error| RecordError::Finding { line, error })?;
         }
+        part.check_findings().map_err(RecordError::Damaged)?;
         match part.to_text() {
             Ok(again) if again == text => Ok(part),
+            _ if text.contains('\r') => Err(RecordError::Damaged(
+                "its line endings are CRLF, and were LF: copy it again without a change of line endings",
+            )),
             _ => Err(RecordError::Damaged("its content and its checksum do not fit together")),
+        }
+    }
+
+    /// Can there be such numbers of cases? No sum of them overflows then, in this part nor in a whole search.
+    fn check_tally(&self) -> Result<(), &'static str> {
+        let Tally { by_intervals, exactly, several } = self.tally;
+        let (positions, count) = (self.cases.positions(), self.cases.count());
+        let most = self.done().min(count);
+        let cases = by_intervals.checked_add(exactly).filter(|&cases| cases <= most);
+        let cases = cases.ok_or("there are more cases than the positions that are done can have")?;
+        // At most one case stands at each of the other positions.
+        if cases < count.saturating_sub(positions - self.done()) {
+            return Err("there are fewer cases than the positions that are done must have");
+        }
+        if several > cases {
+            return Err("`several` is larger than the number of cases");
+        }
+        Ok(())
+    }
+
+    /// Adds a finding that a case of this part may have led to.
+    fn add_record(&mut self, record: &FindingRecord) -> Result<(), FindingError> {
+        if !(1..=self.tally.several).contains(&record.cases) {
+            return Err(FindingError::Cases);
+        }
+        let at = record.found_at;
+        let case = (self.range.start..self.done).contains(&at);
+        let case = case.then(|| self.cases.between(at..at.saturating_add(1)).next()).flatten();
+        let maxima = case.map_or(0, |(_, case)| local_maxima(&case).maxima);
+        let leads = match self.search.find {
+            Goal::Several | Goal::Equal => maxima > 1,
+            Goal::Most => maxima == record.witness.local_maxima,
+        };
+        if !leads {
+            return Err(FindingError::Place);
+        }
+        self.findings.add_record(self.search.find, self.search.degree, record)
+    }
+
+    /// Can the cases with several maxima have led to the findings?
+    fn check_findings(&self) -> Result<(), &'static str> {
+        let several = u128::from(self.tally.several);
+        let led: u128 = self.findings.records().map(|record| u128::from(record.cases)).sum();
+        match self.search.find {
+            Goal::Several if led != several => Err("the cases of the findings do not add up to `several`"),
+            _ if led > several => Err("the cases of the findings add up to more than `several`"),
+            Goal::Most if led == 0 && several > 0 => {
+                Err("`several` is not 0, and there is no finding with the most local maxima")
+            }
+            _ => Ok(()),
         }
     }
 }
@@ -225,6 +286,80 @@ mod tests {
         }
         assert!(Part::parse(&(text.clone() + "\n")).is_err());
         assert!(Part::parse(&(text.clone() + &text)).is_err());
+    }
+
+    /// The text with a valid checksum, after some changes of it.
+    fn forged(text: &str, changes: &[(&str, &str)]) -> String {
+        let mut text = text.to_owned();
+        for (from, to) in changes {
+            assert!(text.contains(from), "{from} in {text}");
+            text = text.replace(from, to);
+        }
+        let (content, _) = text.rsplit_once("\"checksum\":").unwrap();
+        let sum = crc32fast::hash(format!("{content}\"checksum\":\"\"}}").as_bytes());
+        format!("{content}\"checksum\":\"{sum:08x}\"}}\n")
+    }
+
+    /// Whoever writes a valid checksum as well: numbers that cannot be are an error, and no overflow.
+    #[test]
+    fn impossible_numbers_are_refused() {
+        let part = part(Goal::Several, 8);
+        let (text, summary) = (part.to_text().unwrap(), part.summary());
+        assert!(Part::parse(&forged(&text, &[])).is_ok());
+        let last = text.lines().last().unwrap();
+        let decided = &last[last.find("\"decided\"").unwrap()..last.find(",\"several\"").unwrap()];
+        let cases = format!("\"cases\":{},", summary.cases);
+        for (exactly, sum, rule) in [
+            (summary.cases, summary.cases + 1, "more cases than"),
+            (u64::MAX, 0, "more cases than"),
+            (summary.cases - 2, summary.cases - 1, "fewer cases than"),
+        ] {
+            let numbers = format!("\"decided\":{{\"by_intervals\":1,\"exactly\":{exactly}}}");
+            let changes = [(decided, &*numbers), (&cases, &*format!("\"cases\":{sum},"))];
+            let error = Part::parse(&forged(&text, &changes)).unwrap_err().to_string();
+            assert!(error.contains(rule), "{exactly}: {error}");
+        }
+        let max = u64::MAX;
+        let at = text.split("\"found_at\":").nth(1).unwrap().split(',').next().unwrap();
+        let place = |at: &str| format!("\"found_at\":{at},");
+        let one = "\"cases\":1}";
+        for (from, to, rule) in [
+            ("\"several\":1,", &*format!("\"several\":{max},"), "`several` is larger"),
+            ("\"several\":1,", "\"several\":2,", "do not add up"),
+            (one, &*format!("\"cases\":{max}}}"), "`cases` is not from 1"),
+            (one, "\"cases\":0}", "`cases` is not from 1"),
+            (&*place(at), &*place(&max.to_string()), "`found_at`"),
+            (&*place(at), &*place("0"), "`found_at`"),
+            (&*place(at), &*place(&summary.to.to_string()), "`found_at`"),
+        ] {
+            let error = Part::parse(&forged(&text, &[(from, to)])).unwrap_err().to_string();
+            assert!(error.contains(rule), "{to}: {error}");
+        }
+        // Another goal: the crossing has no proof, or there is no finding.
+        let goal = |goal: &'static str| ("\"find\":\"several\"", goal);
+        let equal = forged(&text, &[goal("\"find\":\"equal\"")]);
+        assert!(matches!(
+            Part::parse(&equal),
+            Err(RecordError::Finding { error: FindingError::Refuted, .. })
+        ));
+        let last = forged(last, &[goal("\"find\":\"most\""), ("\"findings\":1,", "\"findings\":0,")]);
+        assert!(Part::parse(&last).unwrap_err().to_string().contains("no finding"));
+    }
+
+    #[test]
+    fn converted_line_endings_are_named() {
+        let text = part(Goal::Several, 8).to_text().unwrap().replace('\n', "\r\n");
+        assert!(Part::parse(&text).unwrap_err().to_string().contains("line endings"));
+    }
+
+    #[test]
+    fn another_format_is_named() {
+        let text = part(Goal::Several, 7).to_text().unwrap().replace(SCHEMA, "knotproof.search/2");
+        for text in [&*text, "{\"schema\":\"knotproof.search/2\"}"] {
+            let error = Part::parse(text).unwrap_err();
+            assert!(matches!(&error, RecordError::Format(schema) if schema == "knotproof.search/2"));
+            assert!(!error.to_string().contains("damaged"));
+        }
     }
 
     #[test]

@@ -60,7 +60,7 @@ pub struct Sample {
     /// The seed.
     pub seed: u64,
     /// Gaps differ by factors up to 2^spread.
-    pub spread: u32,
+    pub spread: u64,
 }
 
 /// Why there is nothing to search, or too much.
@@ -75,15 +75,27 @@ pub enum SpaceError {
          3, those of all others with 2"
     )]
     Empty(u64),
+    /// No gap but 0.
+    #[error("a largest gap of 0 leaves no function: its knots would all be equal; allow 1 at least")]
+    NoGap,
+    /// No α at all.
+    #[error("no α has a height of 0, so the search would be empty; allow 1 at least")]
+    NoHeight,
     /// Larger than any run could be.
-    #[error("{0} is too large: at most {LARGEST_SIZE}, and fewer than 2^63 cases; or lower the other limits")]
+    #[error("{0} is too large: at most {LARGEST_SIZE}")]
     TooLarge(u64),
+    /// More positions than can be numbered.
+    #[error(
+        "the number of cases up to size {0} is too large, 2^63 or more: lower --limit, or limit the gaps or the \
+         heights further"
+    )]
+    TooMany(u64),
     /// A sample of nothing.
     #[error("a sample of 0 cases shows nothing: ask for 1 at least")]
     NoCase,
     /// Gaps that do not fit.
     #[error("{0} is out of range: 1 to {WIDEST_SPREAD}")]
-    Spread(u32),
+    Spread(u64),
 }
 
 /// The highest degree that is searched: one case of it takes about a second in exact arithmetic.
@@ -91,4 +103,4 @@ pub const HIGHEST_DEGREE: usize = 16;
 /// The largest limit on the size.
 pub const LARGEST_SIZE: u64 = 1000;
 /// The widest spread of a sample: sums of gaps stay far below 2^63.
-pub const WIDEST_SPREAD: u32 = 40;
+pub const WIDEST_SPREAD: u64 = 40;

@@ -4,6 +4,7 @@ mod text;
 
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
+use std::{fs, io};
 
 use clap::ValueEnum;
 
@@ -106,6 +107,8 @@ const DEFAULT_LIMIT: u64 = 8;
 const DEFAULT_SPREAD: u64 = 9;
 /// The longest file that is read: a million findings.
 const LONGEST: u64 = 1 << 30;
+/// More threads than that help no machine, and could be more than it can start.
+const MOST_THREADS: usize = 1024;
 /// The time between two checkpoints.
 const PAUSE: Duration = Duration::from_secs(2);
 
@@ -113,6 +116,9 @@ const PAUSE: Duration = Duration::from_secs(2);
 pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     if args.threads == Some(0) {
         return Err(CliError::Threads { reason: "a search needs 1 thread at least".to_owned() });
+    }
+    if let Some(threads) = args.threads.filter(|&threads| threads > MOST_THREADS) {
+        return Err(CliError::Threads { reason: format!("{threads} is too many: at most {MOST_THREADS}") });
     }
     let (mut part, file) = args.part()?;
     if let Some(file) = &file {
@@ -139,7 +145,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     })?;
     drop(progress);
     match output.format() {
-        Format::Json => output.text(&part.to_text().map_err(std::io::Error::from)?)?,
+        Format::Json => output.text(&part.to_text().map_err(io::Error::from)?)?,
         Format::Text => output.text(&Summary(&part).to_string())?,
     }
     Ok(if part.findings().is_empty() { Exit::Holds } else { Exit::Refuted })
@@ -153,12 +159,18 @@ struct StateFile {
 
 impl StateFile {
     fn save(&self, part: &Part) -> Result<(), CliError> {
-        write_atomically(self.option, &self.path, &part.to_text().map_err(std::io::Error::from)?)
+        write_atomically(self.option, &self.path, &part.to_text().map_err(io::Error::from)?)
     }
 }
 
 /// The part of a search in a file, as [`Part::to_text`] has written it.
 pub(super) fn read_part(option: &'static str, path: &Path) -> Result<Part, CliError> {
+    let failed = |error| CliError::File { argument: option, action: "read", path: path.to_owned(), error };
+    // Reading a pipe could wait for ever.
+    if !fs::metadata(path).map_err(failed)?.is_file() {
+        let message = "it is no regular file, so no state of a search can be kept there";
+        return Err(failed(io::Error::new(io::ErrorKind::InvalidInput, message)));
+    }
     let text = read_up_to(LONGEST, option, path)?;
     Part::parse(&text).map_err(|error| CliError::SearchFile {
         argument: option,
@@ -207,7 +219,6 @@ impl Args {
         let space = match self.count {
             Some(count) => {
                 let spread = self.spread.unwrap_or(DEFAULT_SPREAD);
-                let spread = u32::try_from(spread).unwrap_or(u32::MAX);
                 Space::Random(Sample { count, seed: self.seed.unwrap_or(0), spread })
             }
             None if self.seed.is_some() || self.spread.is_some() => {
@@ -239,7 +250,7 @@ impl Args {
             ("--limit-height", differ(self.limit_height, limits.and_then(|limits| limits.height))),
             ("--count", differ(self.count, sample.map(|sample| sample.count))),
             ("--seed", differ(self.seed, sample.map(|sample| sample.seed))),
-            ("--spread", differ(self.spread, sample.map(|sample| sample.spread.into()))),
+            ("--spread", differ(self.spread, sample.map(|sample| sample.spread))),
             ("--shard", shard.is_some_and(|shard| shard != found.shard())),
         ];
         options.into_iter().find(|(_, differs)| *differs).map(|(option, _)| option)
@@ -251,7 +262,11 @@ fn blame(error: PartError) -> CliError {
     let argument = match &error {
         PartError::Shard(_) => "--shard",
         PartError::Space(SpaceError::Degree(_)) => "--degree",
-        PartError::Space(SpaceError::Empty(_) | SpaceError::TooLarge(_)) => "--limit",
+        PartError::Space(SpaceError::Empty(_) | SpaceError::TooLarge(_) | SpaceError::TooMany(_)) => {
+            "--limit"
+        }
+        PartError::Space(SpaceError::NoGap) => "--limit-gap",
+        PartError::Space(SpaceError::NoHeight) => "--limit-height",
         PartError::Space(SpaceError::NoCase) => "--count",
         PartError::Space(SpaceError::Spread(_)) => "--spread",
     };
