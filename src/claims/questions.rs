@@ -299,7 +299,8 @@ pub(super) fn claims() -> Vec<Claim> {
                 )
                 .given([Open, FiniteIndex, DegreeAtLeast(1), InnerMultiplicityAtMostDegree]),
             ),
-        ),
+        )
+        .note("A function with two local maxima crosses some horizontal line four times, and its control values, one 1 and else 0, twice: so for k ≥ 3 and every α ≠ ∞ the knots of X.maxima are counterexamples too."),
         Claim::new(
             "X.totalpositivity",
             "not in the paper",
@@ -310,7 +311,8 @@ pub(super) fn claims() -> Vec<Claim> {
                 )
                 .given([FiniteIndex, DegreeAtLeast(1)]),
             ),
-        ),
+        )
+        .note("It would imply X.variation: so for k ≥ 3 and every α ≠ ∞ it fails on the knots of X.maxima too."),
         Claim::new(
             "X.linear",
             "not in the paper",
