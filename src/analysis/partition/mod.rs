@@ -40,7 +40,8 @@ pub use boxes::PartitionEvent;
 /// use knotproof::spline::{Basis, Index, KnotVector};
 ///
 /// // The function of degree 4 on the knots 0, 1, …, 5 has two local maxima for some r near 2/5, and near 5/2.
-/// let basis = Basis::new(KnotVector::new((0..6).map(integer).collect())?, 4, Index::infinity())?;
+/// let knots = KnotVector::new([0, 1, 2, 3, 4, 5, 5, 5, 5].map(integer).to_vec())?;
+/// let basis = Basis::new(knots, 4, Index::infinity())?;
 /// let partition = Partition::by_ratio(&basis, 0, &rational(1, 1 << 20));
 /// let counts: Vec<_> = partition.cells().iter().map(|cell| cell.local_maxima).collect();
 /// assert_eq!(counts, [1, 2, 1, 2, 1].map(Some));
