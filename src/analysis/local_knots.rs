@@ -4,8 +4,8 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use thiserror::Error;
 
-use crate::scalar::{Polynomial, Ring};
-use crate::spline::{Basis, Span, Weights, triangle};
+use crate::scalar::{Polynomial, Ring, ScaleBy};
+use crate::spline::{Basis, Factors, FractionFree, triangle};
 
 /// The local knot vector t_i ≤ t_{i+1} ≤ … ≤ t_{i+k+1} of one function G_i^k, by its k + 1 gaps, and the slope
 /// ratio r = p/q as the pair (p, q): all that the function depends on, besides the place of t_i (D3.3).
@@ -137,16 +137,17 @@ impl<R: Ring> LocalKnots<R> {
 
     /// The function on span s; `None` if that is empty, or there is none.
     ///
-    /// The triangle runs over numerators. With L_{a,b} = A + Bu the denominator of the weight of [t_a, t_b], the
-    /// denominator of G_i^d on the span is the product of L_{a,b} over all i ≤ a ≤ s < b ≤ i + d + 1 but (a, b) =
-    /// (i, i + d + 1). From G_i^{d−1} to G_i^d the factors with b = i + d + 1, and from G_i^{d−1} to G_{i−1}^d
-    /// those with a = i − 1, are new.
+    /// By the [recursion without a division](FractionFree), on polynomials in u.
     #[must_use]
     pub fn on_span(&self, s: usize) -> Option<SpanQuotient<R>> {
         self.gaps.get(s).filter(|gap| !gap.is_zero())?;
-        let weights = Numerators::new(self, s);
-        let function = triangle(&weights, Span::assumed(s), self.degree(), self.gaps.len());
-        Some(SpanQuotient { numerator: function.get(0)?.clone(), denominator: weights.denominator() })
+        let factors = Factors::in_positive_coordinate(&self.gaps, s, self.degree(), self.ratio())?;
+        let one = Polynomial::constant(self.gaps[s].one());
+        let weights = FractionFree::new(&factors, &one);
+        let function = triangle(&weights, factors.span(), self.degree(), self.gaps.len());
+        let mut denominator = one.clone();
+        denominator.scale_by(factors.denominator(0));
+        Some(SpanQuotient { numerator: function.get(0)?.clone(), denominator })
     }
 }
 
@@ -168,80 +169,6 @@ impl LocalKnots<BigInt> {
         }
         let gaps = gaps.into_iter().map(|gap| gap / &divisor).collect();
         Some(Self { gaps, ratio: (ratio.numer().clone(), ratio.denom().clone()) })
-    }
-}
-
-/// The weights of one span times the new factors of the denominators, as linear polynomials (constant, slope).
-struct Numerators<R> {
-    span: usize,
-    /// Entry a, for the knot t_a ≤ t_s: p·(x − t_a)(1 + u) = p·((t_s − t_a) + (t_{s+1} − t_a)·u).
-    rises: Vec<(R, R)>,
-    /// Entry b − s − 1, for the knot t_b ≥ t_{s+1}: q·(t_b − x)(1 + u) = q·((t_b − t_s) + (t_b − t_{s+1})·u).
-    falls: Vec<(R, R)>,
-    /// Entry b − s − 1 of entry a: L_{a,b}.
-    sums: Vec<Vec<(R, R)>>,
-}
-
-impl<R: Ring> Numerators<R> {
-    fn new(knots: &LocalKnots<R>, span: usize) -> Self {
-        let gap = &knots.gaps[span];
-        let distances = |gaps: &mut dyn Iterator<Item = &R>| {
-            let mut list = vec![gap.zero()];
-            for gap in gaps {
-                list.push(list[list.len() - 1].plus(gap));
-            }
-            list
-        };
-        let (p, q) = &knots.ratio;
-        let before = distances(&mut knots.gaps[..span].iter().rev());
-        let after = distances(&mut knots.gaps[span + 1..].iter());
-        let rise = |distance: &R| (p.times(distance), p.times(&distance.plus(gap)));
-        let fall = |distance: &R| (q.times(&distance.plus(gap)), q.times(distance));
-        let rises: Vec<(R, R)> = before.iter().rev().map(rise).collect();
-        let falls: Vec<(R, R)> = after.iter().map(fall).collect();
-        let sum = |a: &(R, R), b: &(R, R)| (a.0.plus(&b.0), a.1.plus(&b.1));
-        let sums = rises.iter().map(|rise| falls.iter().map(|fall| sum(rise, fall)).collect()).collect();
-        Self { span, rises, falls, sums }
-    }
-
-    /// ∏ L_{a,b} over all (a, b) but the whole support, which is that of the first knot and the last.
-    fn denominator(&self) -> Polynomial<R> {
-        let rows = self.sums.iter().enumerate();
-        rows.fold(self.one(), |product, (a, row)| {
-            product.times_linear(row[..row.len() - usize::from(a == 0)].iter())
-        })
-    }
-}
-
-impl<R: Ring> Weights for Numerators<R> {
-    type Scalar = Polynomial<R>;
-
-    fn one(&self) -> Polynomial<R> {
-        Polynomial::constant(self.rises[0].0.one())
-    }
-
-    fn pair(&self, i: usize, d: usize) -> (Polynomial<R>, Polynomial<R>) {
-        self.split(i, d, &self.one())
-    }
-
-    /// What does not lead to a function of these knots is not needed, and 0 here.
-    fn split(&self, i: usize, d: usize, value: &Polynomial<R>) -> (Polynomial<R>, Polynomial<R>) {
-        // The place of t_{i+d} among the knots after the span.
-        let end = i + d - self.span - 1;
-        let up = if end + 1 < self.falls.len() {
-            let new = self.sums[i + 1..].iter().map(|row| &row[end + 1]);
-            value.times_linear(std::iter::once(&self.rises[i]).chain(new))
-        } else {
-            value.zero()
-        };
-        let down = match i.checked_sub(1) {
-            Some(before) => {
-                let new = self.sums[before][..end].iter();
-                value.times_linear(std::iter::once(&self.falls[end]).chain(new))
-            }
-            None => value.zero(),
-        };
-        (up, down)
     }
 }
 

@@ -7,7 +7,7 @@ use num_traits::Signed;
 use thiserror::Error;
 
 use crate::scalar::{Jet, Multivariate, Quotient, RationalAlgebra, Ring};
-use crate::spline::{Active, Span, Weights, de_boor, raise};
+use crate::spline::{Active, Span, Triangle, Weights, de_boor};
 
 use super::statement::{Class, Gap, Section};
 use super::term::{OfWeight, Place, Term, Where};
@@ -234,7 +234,7 @@ impl<'a> Evaluator<'a> {
         let Some(j) = usize::try_from(place.span - i).ok().filter(|j| *j <= degree) else { return Ok(zero) };
         let (weights, span, m) = (self.weights(place, i, order)?, Span::assumed(j), degree + 1);
         let lowest = self.unfolding.functions_to.map(|to| to.min(degree));
-        let mut active = match lowest {
+        let active = match lowest {
             None => Active::new(j, vec![weights.one()]),
             Some(d) => {
                 let (first, last) = (j.saturating_sub(d), j.min(m - d - 1));
@@ -249,11 +249,12 @@ impl<'a> Evaluator<'a> {
                 Active::new(first, values?)
             }
         };
+        let mut triangle = Triangle::starting_with(active, &weights.one());
         for d in lowest.unwrap_or(0) + 1..=degree {
-            active = raise(&weights, span, &active, d, m);
+            triangle.raise(&weights, span, d, m);
         }
         weights.fault()?;
-        Ok(active.get(0).cloned().unwrap_or(zero))
+        Ok(triangle.into_active().get(0).cloned().unwrap_or(zero))
     }
 
     fn jet(&self, coefficients: [Evaluated; 2], order: usize) -> Evaluated<Jet<Quotient>> {

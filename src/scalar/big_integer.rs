@@ -3,7 +3,8 @@
 use num_bigint::BigInt;
 use num_traits::{One, Zero};
 
-use super::ring::Ring;
+use super::ring::{Ring, ScaleBy};
+use super::words::Words;
 
 impl Ring for BigInt {
     fn zero(&self) -> Self {
@@ -24,7 +25,26 @@ impl Ring for BigInt {
     fn negate(&self) -> Self {
         -self
     }
+    fn increase(&mut self, rhs: &Self) {
+        *self += rhs;
+    }
     fn is_zero(&self) -> bool {
         Zero::is_zero(self)
+    }
+}
+
+impl ScaleBy<u64> for BigInt {
+    fn scale_by<'a>(&mut self, factors: impl Iterator<Item = &'a u64>) {
+        for word in Words::of(factors.copied()) {
+            *self *= word;
+        }
+    }
+}
+
+impl ScaleBy<BigInt> for BigInt {
+    fn scale_by<'a>(&mut self, factors: impl Iterator<Item = &'a BigInt>) {
+        for factor in factors {
+            *self *= factor;
+        }
     }
 }

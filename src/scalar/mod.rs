@@ -6,7 +6,7 @@
 //! | `f64` | field up to rounding | the value that a CAD program would get |
 //! | [`Interval`] | ring up to rounding | bounds of the exact value: a sign that is certain, or none |
 //! | [`Jet`] over any scalar | algebra | one-sided derivatives of any order |
-//! | [`BigInt`](num_bigint::BigInt) | ring | numerators without a single division |
+//! | [`BigInt`](num_bigint::BigInt), [`Fixed`] | ring | numerators without a single division |
 //! | [`Polynomial`] | ring | identities in weights that are polynomials |
 //! | [`Multivariate`] | ring | identities over the integers in many variables, of [`Monomial`]s: ratio, gaps, weights |
 //! | [`RationalFunction`] | exact field | the piece itself: a statement about every x of a span |
@@ -16,27 +16,33 @@ pub mod axioms;
 mod big_integer;
 mod decimal;
 mod factors;
+mod fixed;
 mod float;
 mod interval;
 mod jet;
 mod monomial;
 mod multivariate;
+mod natural;
 mod polynomial;
 mod product;
 mod quotient;
 mod rational;
 mod rational_function;
 mod ring;
+mod words;
 
 pub use decimal::decimal;
+pub use fixed::Fixed;
 pub use float::{exact_value, ulp};
 pub use interval::Interval;
 pub use jet::Jet;
 pub use monomial::Monomial;
 pub use multivariate::Multivariate;
+pub(crate) use natural::Natural;
 pub use num_rational::BigRational;
 pub use polynomial::Polynomial;
 pub use quotient::Quotient;
 pub use rational::{NumberError, height, integer, parse_rational, rational, rationals_between};
 pub use rational_function::RationalFunction;
-pub use ring::{ExactField, Field, OrderedField, RationalAlgebra, Ring};
+pub use ring::{Additive, ExactField, Field, OrderedField, RationalAlgebra, Ring, ScaleBy};
+pub(crate) use words::OddWord;

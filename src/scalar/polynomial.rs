@@ -1,14 +1,24 @@
 //! Polynomials in one variable.
 
-use super::ring::{Field, Ring};
+use super::ring::{Field, Ring, ScaleBy};
 
 /// c₀ + c₁u + … + c_n uⁿ with coefficients in a ring.
 ///
 /// The list of coefficients is never empty and ends with a non-zero one, unless the polynomial is 0: so
 /// equality of lists is equality of polynomials.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub struct Polynomial<S> {
     coefficients: Vec<S>,
+}
+
+impl<S: Clone> Clone for Polynomial<S> {
+    fn clone(&self) -> Self {
+        Self { coefficients: self.coefficients.clone() }
+    }
+    /// In the memory that is there already.
+    fn clone_from(&mut self, source: &Self) {
+        self.coefficients.clone_from(&source.coefficients);
+    }
 }
 
 impl<S: Ring> Polynomial<S> {
@@ -33,11 +43,17 @@ impl<S: Ring> Polynomial<S> {
     }
 
     /// From coefficients of which there is at least one.
-    fn from_coefficients(mut coefficients: Vec<S>) -> Self {
-        while coefficients.len() > 1 && coefficients.last().is_some_and(S::is_zero) {
-            coefficients.pop();
+    fn from_coefficients(coefficients: Vec<S>) -> Self {
+        let mut polynomial = Self { coefficients };
+        polynomial.trim();
+        polynomial
+    }
+
+    /// Drops leading zeros, so that the invariant holds.
+    fn trim(&mut self) {
+        while self.coefficients.len() > 1 && self.coefficients.last().is_some_and(S::is_zero) {
+            self.coefficients.pop();
         }
-        Self { coefficients }
     }
 
     /// c₀, …, c_n.
@@ -124,36 +140,6 @@ impl<S: Ring> Polynomial<S> {
         Self::from_coefficients(self.coefficients.iter().map(|c| c.times(factor)).collect())
     }
 
-    /// p·∏(a + bu) over pairs (a, b), in one list of coefficients.
-    ///
-    /// ```
-    /// use knotproof::scalar::{Polynomial, rational};
-    ///
-    /// // 2(1 + u)(3 − u).
-    /// let factors = [(1, 1), (3, -1)].map(|(a, b)| (rational(a, 1), rational(b, 1)));
-    /// let product = Polynomial::constant(rational(2, 1)).times_linear(factors.iter());
-    /// assert_eq!(product.coefficients(), [6, 4, -2].map(|c| rational(c, 1)));
-    /// ```
-    #[must_use]
-    pub fn times_linear<'a>(&self, factors: impl Iterator<Item = &'a (S, S)>) -> Self
-    where
-        S: 'a,
-    {
-        let mut c = Vec::with_capacity(self.coefficients.len() + factors.size_hint().0);
-        c.extend_from_slice(&self.coefficients);
-        for (constant, slope) in factors {
-            let degree = c.len() - 1;
-            if !slope.is_zero() {
-                c.push(c[degree].times(slope));
-            }
-            for i in (1..=degree).rev() {
-                c[i] = c[i].times(constant).plus(&c[i - 1].times(slope));
-            }
-            c[0] = c[0].times(constant);
-        }
-        Self::from_coefficients(c)
-    }
-
     fn zip_with(&self, rhs: &Self, operation: impl Fn(&S, &S) -> S) -> Self {
         let zero = self.coefficients[0].zero();
         let length = self.coefficients.len().max(rhs.coefficients.len());
@@ -172,6 +158,14 @@ impl<S: Ring> Ring for Polynomial<S> {
     }
     fn plus(&self, rhs: &Self) -> Self {
         self.zip_with(rhs, S::plus)
+    }
+    fn increase(&mut self, rhs: &Self) {
+        let shared = self.coefficients.len();
+        for (c, d) in self.coefficients.iter_mut().zip(&rhs.coefficients) {
+            c.increase(d);
+        }
+        self.coefficients.extend(rhs.coefficients.iter().skip(shared).cloned());
+        self.trim();
     }
     fn minus(&self, rhs: &Self) -> Self {
         self.zip_with(rhs, S::minus)
@@ -193,6 +187,37 @@ impl<S: Ring> Ring for Polynomial<S> {
     }
     fn is_zero(&self) -> bool {
         self.coefficients.len() == 1 && self.coefficients[0].is_zero()
+    }
+}
+
+/// By a + bu, written (a, b).
+///
+/// ```
+/// use knotproof::scalar::{Polynomial, ScaleBy, rational};
+///
+/// // 2(1 + u)(3 − u).
+/// let factors = [(1, 1), (3, -1)].map(|(a, b)| (rational(a, 1), rational(b, 1)));
+/// let mut product = Polynomial::constant(rational(2, 1));
+/// product.scale_by(factors.iter());
+/// assert_eq!(product.coefficients(), [6, 4, -2].map(|c| rational(c, 1)));
+/// ```
+impl<S: Ring> ScaleBy<(S, S)> for Polynomial<S> {
+    fn scale_by<'a>(&mut self, factors: impl Iterator<Item = &'a (S, S)>)
+    where
+        S: 'a,
+    {
+        let c = &mut self.coefficients;
+        for (constant, slope) in factors {
+            let degree = c.len() - 1;
+            if !slope.is_zero() {
+                c.push(c[degree].times(slope));
+            }
+            for i in (1..=degree).rev() {
+                c[i] = c[i].times(constant).plus(&c[i - 1].times(slope));
+            }
+            c[0] = c[0].times(constant);
+        }
+        self.trim();
     }
 }
 

@@ -8,6 +8,18 @@ use std::fmt::Debug;
 
 use num_rational::BigRational;
 
+/// What can be added up in place.
+pub trait Additive: Clone {
+    /// self ← self + rhs, in its own memory where it has any.
+    fn accumulate(&mut self, rhs: &Self);
+}
+
+impl<R: Ring> Additive for R {
+    fn accumulate(&mut self, rhs: &Self) {
+        self.increase(rhs);
+    }
+}
+
 /// A commutative ring with 1, as a type of elements.
 ///
 /// `zero` and `one` are taken from an element, since a ring may need more than its type to be known (a
@@ -26,6 +38,11 @@ pub trait Ring: Clone + PartialEq + Debug {
     fn times(&self, rhs: &Self) -> Self;
     /// −self.
     fn negate(&self) -> Self;
+
+    /// self ← self + rhs; to be overridden by what has memory of its own to do it in.
+    fn increase(&mut self, rhs: &Self) {
+        *self = self.plus(rhs);
+    }
 
     /// Is this the 0 of its ring?
     fn is_zero(&self) -> bool {
@@ -46,6 +63,15 @@ pub trait Ring: Clone + PartialEq + Debug {
         }
         result
     }
+}
+
+/// What can be multiplied in place by factors of another, simpler kind: integers of any size by machine words,
+/// polynomials by linear ones.
+pub trait ScaleBy<F>: Additive {
+    /// self ← self·∏ factors.
+    fn scale_by<'a>(&mut self, factors: impl Iterator<Item = &'a F>)
+    where
+        F: 'a;
 }
 
 /// A commutative ring that contains an image of the rational numbers and knows its units.

@@ -1,9 +1,9 @@
 //! The recursion of D3.3 on one span, once for all scalars.
 
-use crate::scalar::Ring;
+use crate::scalar::{Additive, Ring};
 
 use super::knots::Span;
-use super::weight::Weights;
+use super::weight::{Split, Weights};
 
 /// The functions of one degree that are not identically zero on a span: G_first, G_{first+1}, …
 #[derive(Debug, Clone, PartialEq)]
@@ -56,34 +56,101 @@ impl<S> Active<S> {
 /// them belongs to an interval that contains the span, so none is empty and nothing is compared here.
 ///
 /// The degree must be less than m.
-pub fn triangle<W: Weights>(weights: &W, span: Span, degree: usize, m: usize) -> Active<W::Scalar> {
-    let lowest = Active { first: span.index(), values: vec![weights.one()] };
-    (1..=degree).fold(lowest, |lower, d| raise(weights, span, &lower, d, m))
+pub fn triangle<W: Split>(weights: &W, span: Span, degree: usize, m: usize) -> Active<W::Scalar> {
+    let mut triangle = Triangle::new(weights.one());
+    triangle.run(weights, span, degree, m);
+    triangle.into_active()
 }
 
-/// One step of the [`triangle`]: the functions of degree d from those of degree d − 1 on the span.
-pub fn raise<W: Weights>(
-    weights: &W,
-    span: Span,
-    lower: &Active<W::Scalar>,
-    d: usize,
-    m: usize,
-) -> Active<W::Scalar> {
-    let pairs = lower.map_indexed(|i, value| weights.split(i, d, value));
-    // Each G_i^{d−1} is split in two: the part w goes to G_i^d, the part 1 − w to G_{i−1}^d.
-    let (first, last) = (span.index().saturating_sub(d), span.index().min(m - d - 1));
-    let values = (first..=last).filter_map(|i| match (pairs.get(i), pairs.get(i + 1)) {
-        (Some((own, _)), Some((_, next))) => Some(own.plus(next)),
-        (Some((own, _)), None) => Some(own.clone()),
-        (None, Some((_, next))) => Some(next.clone()),
-        (None, None) => None,
-    });
-    Active { first, values: values.collect() }
+/// The room in which the [`triangle()`] is computed: to be kept from one point to the next, so that scalars that
+/// own memory need no new one.
+#[derive(Debug, Clone)]
+pub struct Triangle<S> {
+    first: usize,
+    /// The functions of the present degree, the first `count` of them; the others are spare.
+    values: Vec<S>,
+    count: usize,
+    /// w_i^d G_i^{d−1} of the present function, and of the one before it.
+    own: S,
+    carry: S,
 }
 
-impl<S> Active<S> {
-    fn map_indexed<T>(&self, mut f: impl FnMut(usize, &S) -> T) -> Active<T> {
-        Active { first: self.first, values: self.iter().map(|(i, value)| f(i, value)).collect() }
+impl<S: Additive> Triangle<S> {
+    /// Room for scalars of the ring that `one` is the 1 of.
+    #[must_use]
+    pub fn new(one: S) -> Self {
+        Self { first: 0, own: one.clone(), carry: one.clone(), values: vec![one], count: 0 }
+    }
+
+    /// The functions of some degree, to go on from.
+    #[must_use]
+    pub fn starting_with(active: Active<S>, one: &S) -> Self {
+        let Active { first, values } = active;
+        Self { first, count: values.len(), values, own: one.clone(), carry: one.clone() }
+    }
+
+    /// The whole recursion, from degree 0; [`triangle()`] says what it computes.
+    pub fn run<W: Split<Scalar = S>>(&mut self, weights: &W, span: Span, degree: usize, m: usize) {
+        weights.set_one(&mut self.values[0]);
+        (self.first, self.count) = (span.index(), 1);
+        for d in 1..=degree {
+            self.raise(weights, span, d, m);
+        }
+    }
+
+    /// The index of the first function.
+    #[must_use]
+    pub fn first(&self) -> usize {
+        self.first
+    }
+
+    /// The functions, by rising index.
+    #[must_use]
+    pub fn values(&self) -> &[S] {
+        &self.values[..self.count]
+    }
+
+    /// The functions, without the room.
+    #[must_use]
+    pub fn into_active(mut self) -> Active<S> {
+        self.values.truncate(self.count);
+        Active { first: self.first, values: self.values }
+    }
+
+    /// From the functions of degree d − 1 to those of degree d.
+    ///
+    /// Each G_i^{d−1} is split in two: the part w goes to G_i^d, which is the next place in the list as it begins one
+    /// index lower, and the part 1 − w to G_{i−1}^d, which is the same place.
+    pub fn raise<W: Split<Scalar = S>>(&mut self, weights: &W, span: Span, d: usize, m: usize) {
+        for place in 0..self.count {
+            let (i, value) = (self.first + place, &mut self.values[place]);
+            match (i + d < m, i > 0) {
+                (true, true) => weights.split(i, d, value, &mut self.own),
+                (true, false) => weights.own(i, d, value, &mut self.own),
+                (false, true) => weights.rest(i, d, value),
+                (false, false) => {}
+            }
+            if place > 0 {
+                value.accumulate(&self.carry);
+            }
+            std::mem::swap(&mut self.own, &mut self.carry);
+        }
+        // G_{m−d}^d does not exist.
+        if span.index() < m - d {
+            if self.values.len() == self.count {
+                self.values.push(self.carry.clone());
+            } else {
+                std::mem::swap(&mut self.values[self.count], &mut self.carry);
+            }
+            self.count += 1;
+        }
+        // Neither does G_{−1}^d: the first place holds nothing.
+        if span.index() < d {
+            self.values[..self.count].rotate_left(1);
+            self.count -= 1;
+        } else {
+            self.first -= 1;
+        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use num_rational::BigRational;
 
-use crate::scalar::{RationalAlgebra, Ring};
+use crate::scalar::{Additive, RationalAlgebra, Ring};
 
 use super::knots::KnotVector;
 
@@ -16,12 +16,54 @@ pub trait Weights {
 
     /// (w_i^d, 1 − w_i^d), for an interval [t_i, t_{i+d}] that contains the span.
     fn pair(&self, i: usize, d: usize) -> (Self::Scalar, Self::Scalar);
+}
 
-    /// (w_i^d·value, (1 − w_i^d)·value): what the triangle asks for. To be overridden where a product is cheaper
-    /// without the weight as a whole.
-    fn split(&self, i: usize, d: usize, value: &Self::Scalar) -> (Self::Scalar, Self::Scalar) {
+/// How a function of degree d − 1 goes over to those of degree d: all that the triangle asks for.
+///
+/// By [`Weights`], if there are any; or without weights as a whole, where that is faster
+/// ([`FractionFree`](super::FractionFree)).
+pub trait Split {
+    /// What the triangle is run over.
+    type Scalar: Additive;
+
+    /// 1 of the scalars.
+    fn one(&self) -> Self::Scalar;
+
+    /// Splits G_i^{d−1}: sets `own` to its part of G_i^d, w_i^d·value, then `value` to its part of G_{i−1}^d,
+    /// (1 − w_i^d)·value.
+    fn split(&self, i: usize, d: usize, value: &mut Self::Scalar, own: &mut Self::Scalar);
+
+    /// Sets `own` to the part of G_i^d alone.
+    fn own(&self, i: usize, d: usize, value: &Self::Scalar, own: &mut Self::Scalar);
+
+    /// Sets `value` to its part of G_{i−1}^d alone.
+    fn rest(&self, i: usize, d: usize, value: &mut Self::Scalar);
+
+    /// Sets `value` to the 1 of the scalars.
+    fn set_one(&self, value: &mut Self::Scalar) {
+        *value = self.one();
+    }
+}
+
+impl<W: Weights> Split for W {
+    type Scalar = W::Scalar;
+
+    fn one(&self) -> Self::Scalar {
+        Weights::one(self)
+    }
+
+    fn split(&self, i: usize, d: usize, value: &mut Self::Scalar, own: &mut Self::Scalar) {
         let (w, complement) = self.pair(i, d);
-        (w.times(value), complement.times(value))
+        *own = w.times(value);
+        *value = complement.times(value);
+    }
+
+    fn own(&self, i: usize, d: usize, value: &Self::Scalar, own: &mut Self::Scalar) {
+        *own = self.pair(i, d).0.times(value);
+    }
+
+    fn rest(&self, i: usize, d: usize, value: &mut Self::Scalar) {
+        *value = self.pair(i, d).1.times(value);
     }
 }
 

@@ -1,0 +1,345 @@
+//! Exact values at many points of one basis, without a division on the way.
+
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_rational::BigRational;
+use num_traits::{One, Zero};
+
+use crate::scalar::{Fixed, Natural, ScaleBy};
+
+use super::basis::Basis;
+use super::factors::Factors;
+use super::fraction_free::FractionFree;
+use super::knots::{Side, Span};
+use super::reducer::Reducer;
+use super::triangle::{Active, Triangle};
+
+/// Exact values of the G_i^k of one basis at any number of points.
+///
+/// With t_i = T_i/D, r = p/q and x = X/ξ, all of them integers, the [factors](Factors) on a span times Dξ are
+///
+/// rise_a = p(DX − ξT_a),  fall_b = q(ξT_b − DX),
+///
+/// and the [recursion without a division](FractionFree) runs over their products. Numbers are machine words, of 64 and
+/// of 128 bits, as far as a bound that is computed first says that they fit, and integers of any size beyond; what
+/// comes out does not depend on that. The cost of a point is that of its span: the search for it is logarithmic
+/// in the number of knots, and nothing else depends on it.
+///
+/// ```
+/// use knotproof::scalar::{integer, rational};
+/// use knotproof::spline::{Basis, Evaluator, Index, KnotVector, Side};
+///
+/// let knots = KnotVector::new([0, 0, 0, 1, 1, 1].map(integer).to_vec())?;
+/// let basis = Basis::new(knots, 2, "-1".parse::<Index>()?)?;
+/// let mut evaluator = Evaluator::new(&basis);
+/// for x in [rational(1, 3), rational(1, 2)] {
+///     let mut unreduced = evaluator.at(&x, Side::Right).expect("x is inside");
+///     assert!(unreduced.sum_is_one());
+///     assert_eq!(unreduced.reduced().values(), basis.values(&x, Side::Right));
+/// }
+/// assert!(evaluator.at(&integer(2), Side::Right).is_none());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Evaluator {
+    degree: usize,
+    /// D.
+    scale: BigInt,
+    /// T_0, …, T_m.
+    knots: Vec<BigInt>,
+    /// (p, q).
+    ratio: (BigInt, BigInt),
+    /// The same in machine words, if all of it fits.
+    words: Option<InWords>,
+    short: Room<u64, Fixed>,
+    long: Room<u64, Natural>,
+    big: Room<BigInt, BigInt>,
+    reducer: Reducer,
+}
+
+/// D, T_i, p and q as machine words.
+#[derive(Debug, Clone)]
+struct InWords {
+    scale: i64,
+    knots: Vec<i64>,
+    ratio: (u64, u64),
+}
+
+/// What one run of the recursion writes to.
+#[derive(Debug, Clone)]
+struct Room<F, S> {
+    factors: Factors<F>,
+    one: S,
+    triangle: Triangle<S>,
+}
+
+impl<F: Clone, S: ScaleBy<F>> Room<F, S> {
+    fn new(degree: usize, one: S) -> Self {
+        Self { factors: Factors::empty(degree), triangle: Triangle::new(one.clone()), one }
+    }
+
+    fn run(&mut self, m: usize) -> (&Factors<F>, &Triangle<S>) {
+        let Self { factors, one, triangle } = self;
+        triangle.run(&FractionFree::new(factors, one), factors.span(), factors.degree(), m);
+        (factors, triangle)
+    }
+}
+
+impl Evaluator {
+    /// Brings the knots of a basis to a common denominator.
+    #[must_use]
+    pub fn new(basis: &Basis) -> Self {
+        let (knots, ratio, degree) = (basis.knots().knots(), basis.index().ratio(), basis.degree());
+        let scale = knots
+            .iter()
+            .fold(BigInt::one(), |lcm, t| if t.denom().is_one() { lcm } else { lcm.lcm(t.denom()) });
+        let integral = |t: &BigRational| t.numer() * (&scale / t.denom());
+        let knots: Vec<_> = knots.iter().map(integral).collect();
+        let ratio = (ratio.numer().clone(), ratio.denom().clone());
+        Self {
+            degree,
+            words: InWords::of(&scale, &knots, &ratio),
+            scale,
+            knots,
+            ratio,
+            short: Room::new(degree, Fixed::new(1)),
+            long: Room::new(degree, Natural::from(1)),
+            big: Room::new(degree, BigInt::one()),
+            reducer: Reducer::default(),
+        }
+    }
+
+    /// The functions that live at x, as limits from the given side; `None` where all are 0, that is, outside of
+    /// [t_0, t_m], on the left of t_0 and, as limits from there, on the right of t_m.
+    pub fn at(&mut self, x: &BigRational, side: Side) -> Option<Unreduced<'_>> {
+        let m = self.knots.len() - 1;
+        let in_words = self.words.as_ref().and_then(|words| words.place(x));
+        let span = match &in_words {
+            Some((words, dx, xi)) => {
+                span(m, side, |i| (i128::from(words.knots[i]) * i128::from(*xi)).cmp(dx))?
+            }
+            None => {
+                let (dx, xi) = (&self.scale * x.numer(), x.denom());
+                span(m, side, |i| (&self.knots[i] * xi).cmp(&dx))?
+            }
+        };
+        if let Some((words, dx, xi)) = in_words
+            && let Some(bits) = words.factors(&mut self.long.factors, span, dx, xi)
+        {
+            // The largest denominator has (s + 1)(w + 1) − 1 factors, s + w = k, and no number exceeds it.
+            let factors = (self.degree / 2 + 1) * self.degree.div_ceil(2).saturating_add(1) - 1;
+            if bits.saturating_mul(factors) < 128 {
+                std::mem::swap(&mut self.short.factors, &mut self.long.factors);
+                let (factors, triangle) = self.short.run(m);
+                return Some(Unreduced {
+                    parts: Parts::Short(factors, triangle),
+                    reducer: &mut self.reducer,
+                });
+            }
+            let (factors, triangle) = self.long.run(m);
+            return Some(Unreduced { parts: Parts::Long(factors, triangle), reducer: &mut self.reducer });
+        }
+        self.big_factors(span, x);
+        let (factors, triangle) = self.big.run(m);
+        Some(Unreduced { parts: Parts::Big(factors, triangle), reducer: &mut self.reducer })
+    }
+
+    /// The values at x in lowest terms: [`at`](Self::at), [`Unreduced::reduced`].
+    pub fn values(&mut self, x: &BigRational, side: Side) -> Option<Active<BigRational>> {
+        self.at(x, side).map(|mut unreduced| unreduced.reduced())
+    }
+
+    fn big_factors(&mut self, span: Span, x: &BigRational) {
+        let (j, m) = (span.index(), self.knots.len() - 1);
+        let (dx, xi, (p, q)) = (&self.scale * x.numer(), x.denom(), &self.ratio);
+        let steps = self.degree.max(1);
+        let rises = (0..steps.min(j + 1)).map(|s| Some(p * (&dx - xi * &self.knots[j - s])));
+        let falls = (0..steps.min(m - j)).map(|w| Some(q * (xi * &self.knots[j + 1 + w] - &dx)));
+        // Integers of any size always fit.
+        let filled = self.big.factors.fill(span, rises, falls, |rise, fall| Some(rise + fall));
+        debug_assert!(filled.is_some());
+    }
+}
+
+impl InWords {
+    fn of(scale: &BigInt, knots: &[BigInt], (p, q): &(BigInt, BigInt)) -> Option<Self> {
+        let word = |number: &BigInt| i64::try_from(number).ok();
+        let knots: Option<Vec<_>> = knots.iter().map(word).collect();
+        Some(Self {
+            scale: word(scale)?,
+            knots: knots?,
+            ratio: (u64::try_from(p).ok()?, u64::try_from(q).ok()?),
+        })
+    }
+
+    /// (DX, ξ) of x = X/ξ.
+    fn place(&self, x: &BigRational) -> Option<(&Self, i128, i64)> {
+        let (numerator, denominator) = (i64::try_from(x.numer()).ok()?, i64::try_from(x.denom()).ok()?);
+        Some((self, i128::from(self.scale) * i128::from(numerator), denominator))
+    }
+
+    /// Fills in the factors on a span, if all of them fit; with the bits of the largest.
+    fn factors(&self, factors: &mut Factors<u64>, span: Span, dx: i128, xi: i64) -> Option<usize> {
+        let (j, m) = (span.index(), self.knots.len() - 1);
+        let steps = factors.degree().max(1);
+        let part = |ratio: u64, distance: i128| u64::try_from(distance).ok()?.checked_mul(ratio);
+        let at = |i: usize| i128::from(self.knots[i]) * i128::from(xi);
+        let (p, q) = self.ratio;
+        let rises = (0..steps.min(j + 1)).map(|s| part(p, dx - at(j - s)));
+        let falls = (0..steps.min(m - j)).map(|w| part(q, at(j + 1 + w) - dx));
+        factors.fill(span, rises, falls, |rise, fall| rise.checked_add(*fall))?;
+        let all_bits = factors.all().fold(0, |bits, factor| bits | factor);
+        Some(64 - all_bits.leading_zeros() as usize)
+    }
+}
+
+/// The span of the limit at x from the side, where `compare` says how knot i compares with x: as
+/// [`KnotVector::span_at`](super::KnotVector::span_at).
+fn span(m: usize, side: Side, compare: impl Fn(usize) -> std::cmp::Ordering) -> Option<Span> {
+    let from_left = side == Side::Left || compare(m).is_eq();
+    let (mut low, mut high) = (0, m + 1);
+    while low < high {
+        let middle = usize::midpoint(low, high);
+        let ordering = compare(middle);
+        let below = if from_left { ordering.is_lt() } else { ordering.is_le() };
+        (low, high) = if below { (middle + 1, high) } else { (low, middle) };
+    }
+    (1..=m).contains(&low).then(|| Span::assumed(low - 1))
+}
+
+/// The functions that live at a point, as fractions that are not in lowest terms: numerators, and denominators as
+/// the [factors](Factors::denominator) that they are products of.
+///
+/// Signs, sums and equalities can be read from them; [`reduced`](Self::reduced) gives the values themselves.
+#[derive(Debug)]
+pub struct Unreduced<'a> {
+    parts: Parts<'a>,
+    reducer: &'a mut Reducer,
+}
+
+#[derive(Debug)]
+enum Parts<'a> {
+    Short(&'a Factors<u64>, &'a Triangle<Fixed>),
+    Long(&'a Factors<u64>, &'a Triangle<Natural>),
+    Big(&'a Factors<BigInt>, &'a Triangle<BigInt>),
+}
+
+impl Unreduced<'_> {
+    /// The index of the first function that lives at the point.
+    #[must_use]
+    pub fn first(&self) -> usize {
+        match &self.parts {
+            Parts::Short(_, triangle) => triangle.first(),
+            Parts::Long(_, triangle) => triangle.first(),
+            Parts::Big(_, triangle) => triangle.first(),
+        }
+    }
+
+    /// The numerators ≥ 0, by rising index.
+    #[must_use]
+    pub fn numerators(&self) -> Vec<BigInt> {
+        match &self.parts {
+            Parts::Short(_, triangle) => triangle.values().iter().map(|n| BigInt::from(*n)).collect(),
+            Parts::Long(_, triangle) => {
+                let mut half_digits = Vec::new();
+                triangle.values().iter().map(|n| n.to_integer(&mut half_digits)).collect()
+            }
+            Parts::Big(_, triangle) => triangle.values().to_vec(),
+        }
+    }
+
+    /// The denominators > 0, multiplied out, by rising index.
+    #[must_use]
+    pub fn denominators(&self) -> Vec<BigInt> {
+        let first = self.first();
+        let denominator = |i| self.scaled(BigInt::one(), Which::Denominator(i));
+        (first..first + self.count()).map(denominator).collect()
+    }
+
+    /// Do the functions add up to 1 here (T3.5.3)?
+    ///
+    /// With all the L that occur up to degree k as the common denominator, that is Σ N_i·∏(L that denominator i
+    /// lacks) = ∏ L.
+    #[must_use]
+    pub fn sum_is_one(&self) -> bool {
+        let terms = (self.first()..).zip(self.numerators());
+        let sum: BigInt = terms.map(|(i, numerator)| self.scaled(numerator, Which::Cofactor(i))).sum();
+        sum == self.scaled(BigInt::one(), Which::All)
+    }
+
+    /// The values in lowest terms.
+    ///
+    /// Every common divisor of a numerator and its denominator comes from one with a factor of it, so gcds are taken
+    /// with those only.
+    #[must_use]
+    pub fn reduced(&mut self) -> Active<BigRational> {
+        let first = self.first();
+        match &self.parts {
+            Parts::Short(factors, triangle) => {
+                let copy = |from: &Fixed, to: &mut Natural| to.set(from.value().unsigned_abs());
+                self.reducer.reduce(first, triangle.values(), factors, copy)
+            }
+            Parts::Long(factors, triangle) => {
+                self.reducer.reduce(first, triangle.values(), factors, |from, to| to.clone_from(from))
+            }
+            Parts::Big(factors, triangle) => {
+                let values = (first..).zip(triangle.values());
+                Active::new(
+                    first,
+                    values.map(|(i, n)| lowest_terms(n.clone(), factors.denominator(i))).collect(),
+                )
+            }
+        }
+    }
+
+    fn count(&self) -> usize {
+        match &self.parts {
+            Parts::Short(_, triangle) => triangle.values().len(),
+            Parts::Long(_, triangle) => triangle.values().len(),
+            Parts::Big(_, triangle) => triangle.values().len(),
+        }
+    }
+
+    fn scaled(&self, mut number: BigInt, which: Which) -> BigInt {
+        match &self.parts {
+            Parts::Short(factors, _) | Parts::Long(factors, _) => which.scale(&mut number, factors),
+            Parts::Big(factors, _) => which.scale(&mut number, factors),
+        }
+        number
+    }
+}
+
+/// Some of the factors.
+#[derive(Clone, Copy)]
+enum Which {
+    Denominator(usize),
+    Cofactor(usize),
+    All,
+}
+
+impl Which {
+    fn scale<F: Clone>(self, number: &mut BigInt, factors: &Factors<F>)
+    where
+        BigInt: ScaleBy<F>,
+    {
+        match self {
+            Self::Denominator(i) => number.scale_by(factors.denominator(i)),
+            Self::Cofactor(i) => number.scale_by(factors.cofactor(i)),
+            Self::All => number.scale_by(factors.all()),
+        }
+    }
+}
+
+/// numerator/∏ factors in lowest terms, for factors of any size.
+fn lowest_terms<'a>(mut numerator: BigInt, factors: impl Iterator<Item = &'a BigInt>) -> BigRational {
+    if numerator.is_zero() {
+        return BigRational::zero();
+    }
+    let mut denominator = BigInt::one();
+    for factor in factors {
+        let common = numerator.gcd(factor);
+        numerator /= &common;
+        denominator *= factor / common;
+    }
+    BigRational::new_raw(numerator, denominator)
+}

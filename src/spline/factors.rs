@@ -1,0 +1,193 @@
+//! The linear factors that the denominators on one span consist of.
+
+use std::ops::Range;
+
+use crate::scalar::Ring;
+
+use super::knots::Span;
+
+/// What all functions on a span [t_j, t_{j+1}) are computed from, without any division.
+///
+/// Up to one common factor of all of them,
+///
+/// rise_a = r(x − t_a) for the knots t_a ≤ t_j, fall_b = t_b − x for t_b ≥ t_{j+1}, L_{a,b} = rise_a + fall_b,
+///
+/// at a point x, in the jet of one, or as polynomials in a coordinate of the span. The weight of [t_a, t_b] is
+/// rise_a/L_{a,b} (D2.3), and all three are positive inside the span. The denominator of G_i^d is the product of L_{a,b}
+/// over all i ≤ a ≤ j < b ≤ i + d + 1 but (a, b) = (i, i + d + 1).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Factors<F> {
+    span: Span,
+    degree: usize,
+    /// Place s is that of the knot t_{j−s}.
+    rises: Vec<F>,
+    /// Place w is that of the knot t_{j+1+w}.
+    falls: Vec<F>,
+    /// L of the knots at the places s and w is at s·k + w, for s + w < k: that is all up to degree k.
+    sums: Vec<F>,
+}
+
+impl<F: Clone> Factors<F> {
+    /// From rise_j, rise_{j−1}, … and fall_{j+1}, fall_{j+2}, …, at least one of each: k of them, or as many as
+    /// there are knots. `sum` adds two factors.
+    #[must_use]
+    pub fn new(span: Span, degree: usize, rises: Vec<F>, falls: Vec<F>, sum: impl Fn(&F, &F) -> F) -> Self {
+        let mut factors = Self::empty(degree);
+        let (rises, falls) = (rises.into_iter().map(Some), falls.into_iter().map(Some));
+        let filled = factors.fill(span, rises, falls, |rise, fall| Some(sum(rise, fall)));
+        debug_assert!(filled.is_some());
+        factors
+    }
+
+    /// Room for the factors up to degree k.
+    pub(super) fn empty(degree: usize) -> Self {
+        let (rises, falls, sums) = (Vec::new(), Vec::new(), Vec::new());
+        Self { span: Span::assumed(0), degree, rises, falls, sums }
+    }
+
+    /// [`new`](Self::new) in the room that is there, for factors that may not exist in their type; `None` if one does
+    /// not.
+    pub(super) fn fill(
+        &mut self,
+        span: Span,
+        rises: impl Iterator<Item = Option<F>>,
+        falls: impl Iterator<Item = Option<F>>,
+        sum: impl Fn(&F, &F) -> Option<F>,
+    ) -> Option<()> {
+        self.span = span;
+        self.rises.clear();
+        self.falls.clear();
+        self.sums.clear();
+        for rise in rises {
+            self.rises.push(rise?);
+        }
+        for fall in falls {
+            self.falls.push(fall?);
+        }
+        for (s, rise) in self.rises.iter().enumerate().take(self.degree) {
+            for w in 0..self.degree {
+                // Beyond the last knot, and beyond the degree, nothing is ever asked for.
+                let fall = self.falls.get(w).filter(|_| s + w < self.degree);
+                self.sums.push(fall.map_or_else(|| Some(rise.clone()), |fall| sum(rise, fall))?);
+            }
+        }
+        Some(())
+    }
+
+    /// The span.
+    #[must_use]
+    pub fn span(&self) -> Span {
+        self.span
+    }
+
+    /// k, the highest degree that they are for.
+    #[must_use]
+    pub fn degree(&self) -> usize {
+        self.degree
+    }
+
+    /// The L_{a,b} of the denominator of G_i^k.
+    pub fn denominator(&self, i: usize) -> impl Iterator<Item = &F> {
+        self.denominator_places(i).flat_map(|row| &self.sums[row])
+    }
+
+    /// Their places in [`places`](Self::places), row by row.
+    pub(super) fn denominator_places(&self, i: usize) -> impl Iterator<Item = Range<usize>> + use<F> {
+        let (j, degree) = (self.span.index(), self.degree);
+        let (last_row, last_column) = (j - i, i + degree - j);
+        (0..=last_row).filter(move |s| *s < degree).map(move |s| {
+            let start = s * degree;
+            start..start + last_column + usize::from(s < last_row)
+        })
+    }
+
+    /// All L, by places; what is on places that belong to no L is without meaning.
+    pub(super) fn places(&self) -> &[F] {
+        &self.sums
+    }
+
+    /// The L_{a,b} with b − a ≤ k that the denominator of G_i^k lacks: with those all functions have the same.
+    pub fn cofactor(&self, i: usize) -> impl Iterator<Item = &F> {
+        let j = self.span.index();
+        let (last_row, last_column) = (j - i, i + self.degree - j);
+        (0..self.rises.len().min(self.degree)).flat_map(move |s| {
+            let known = if s <= last_row { last_column + usize::from(s < last_row) } else { 0 };
+            let end = self.row(s, self.degree - s).len();
+            &self.row(s, end)[known.min(end)..]
+        })
+    }
+
+    /// All L_{a,b} with b − a ≤ k.
+    pub fn all(&self) -> impl Iterator<Item = &F> {
+        (0..self.rises.len().min(self.degree)).flat_map(|s| self.row(s, self.degree - s))
+    }
+
+    /// rise_a and what else G_i^{d−1} is multiplied by on its way to G_i^d, a = i at place s, t_{i+d} at place w:
+    /// L of the next knot and all from t_{i+1} to t_j.
+    pub(super) fn for_own(&self, s: usize, w: usize) -> impl Iterator<Item = &F> {
+        std::iter::once(&self.rises[s]).chain((0..s).map(move |s| &self.sums[s * self.degree + w + 1]))
+    }
+
+    /// fall_b and what else G_i^{d−1} is multiplied by on its way to G_{i−1}^d, b = i + d at place w, t_i at place s:
+    /// L of the knot before and all from t_{j+1} to t_{b−1}.
+    pub(super) fn for_rest(&self, s: usize, w: usize) -> impl Iterator<Item = &F> {
+        std::iter::once(&self.falls[w]).chain(self.row(s + 1, w))
+    }
+
+    /// The first `count` of L of the knot at place s.
+    fn row(&self, s: usize, count: usize) -> &[F] {
+        let start = s * self.degree;
+        self.sums.get(start..start + count.min(self.falls.len())).unwrap_or(&[])
+    }
+}
+
+impl<R: Ring> Factors<(R, R)> {
+    /// The factors as polynomials A + Bu, written (A, B), in the span's positive coordinate u, times (1 + u): from
+    /// the gaps t_1 − t_0, …, t_m − t_{m−1}, the number j of the span's own, and r = p/q as (p, q). Here
+    ///
+    /// rise_a = p((t_j − t_a) + (t_{j+1} − t_a)u),  fall_b = q((t_b − t_j) + (t_b − t_{j+1})u).
+    ///
+    /// `None` if there is no such gap.
+    pub fn in_positive_coordinate(gaps: &[R], j: usize, degree: usize, (p, q): (&R, &R)) -> Option<Self> {
+        let gap = gaps.get(j)?;
+        let distances = |gaps: &mut dyn Iterator<Item = &R>| {
+            let mut list = vec![gap.zero()];
+            for gap in gaps {
+                list.push(list[list.len() - 1].plus(gap));
+            }
+            list
+        };
+        let before = distances(&mut gaps[..j].iter().rev().take(degree.saturating_sub(1)));
+        let after = distances(&mut gaps[j + 1..].iter().take(degree.saturating_sub(1)));
+        let rise = |distance: &R| (p.times(distance), p.times(&distance.plus(gap)));
+        let fall = |distance: &R| (q.times(&distance.plus(gap)), q.times(distance));
+        let (rises, falls) = (before.iter().map(rise).collect(), after.iter().map(fall).collect());
+        let sum = |a: &(R, R), b: &(R, R)| (a.0.plus(&b.0), a.1.plus(&b.1));
+        Some(Self::new(Span::assumed(j), degree, rises, falls, sum))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use num_bigint::BigInt;
+
+    /// Seven knots, the span in the middle, all functions of degree 3 that are there.
+    #[test]
+    fn denominators_and_cofactors_are_all_factors() {
+        let gaps: Vec<BigInt> = [1, 2, 3, 4, 5, 6].map(BigInt::from).to_vec();
+        let one = BigInt::from(1);
+        for j in 0..6 {
+            let factors = Factors::in_positive_coordinate(&gaps, j, 3, (&one, &one)).unwrap();
+            let functions = j.saturating_sub(3)..=j.min(2);
+            for i in functions {
+                let mut both: Vec<_> = factors.denominator(i).chain(factors.cofactor(i)).collect();
+                let mut all: Vec<_> = factors.all().collect();
+                both.sort();
+                all.sort();
+                assert_eq!(both, all, "span {j}, function {i}");
+                assert_eq!(factors.denominator(i).count(), (j - i + 1) * (i + 4 - j) - 1);
+            }
+        }
+    }
+}
