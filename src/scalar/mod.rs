@@ -17,6 +17,7 @@ mod big_integer;
 mod decimal;
 mod factors;
 mod float;
+mod gcd;
 mod interval;
 mod jet;
 mod monomial;
