@@ -121,7 +121,8 @@ fn by_words(mut a: Words, mut b: Words) -> BigUint {
             return number(&a);
         }
         if a.len() <= 2 {
-            let value = |words: &[u64]| words.iter().rev().fold(0, |value, &word| value << 64 | u128::from(word));
+            let value =
+                |words: &[u64]| words.iter().rev().fold(0, |value, &word| value << 64 | u128::from(word));
             return two_words(value(&a), value(&b)).into();
         }
         match euclid(leading(&a, a.len(), shift(&a)), leading(&b, a.len(), shift(&a))) {

@@ -14,12 +14,16 @@
 
 pub mod axioms;
 mod big_integer;
+mod big_rational;
 mod decimal;
 mod factors;
 mod float;
+mod fraction;
 mod gcd;
+mod integer_polynomial;
 mod interval;
 mod jet;
+mod modular;
 mod monomial;
 mod multivariate;
 mod polynomial;
@@ -31,6 +35,7 @@ mod ring;
 
 pub use decimal::decimal;
 pub use float::{exact_value, ulp};
+pub(crate) use integer_polynomial::IntegerPolynomial;
 pub use interval::Interval;
 pub use jet::Jet;
 pub use monomial::Monomial;
