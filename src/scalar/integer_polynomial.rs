@@ -8,7 +8,7 @@ use num_traits::{One, Signed, Zero};
 
 use super::fraction::over_one_denominator;
 use super::gcd::gcd;
-use super::modular::ModularPolynomial;
+use super::modular::{ModularPolynomial, SMALL_PRIMES, has_no_root};
 use super::polynomial::Polynomial;
 
 /// c₀ + c₁u + … + c_n uⁿ, c_n ≠ 0, with coprime integer coefficients; no coefficient at all for 0.
@@ -63,6 +63,11 @@ impl IntegerPolynomial {
         let order = self.coefficients.iter().take_while(|c| c.is_zero()).count();
         self.coefficients.drain(..order);
         self
+    }
+
+    /// Could it have a rational root? Not if it has none modulo one of a few small primes.
+    pub(crate) fn may_have_rational_root(&self) -> bool {
+        !SMALL_PRIMES.iter().any(|&prime| has_no_root(&self.coefficients, prime))
     }
 
     fn derivative(&self) -> Self {

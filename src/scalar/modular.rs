@@ -30,6 +30,25 @@ impl ModularPolynomial {
     }
 }
 
+/// Modulo each of these an irreducible polynomial of a higher degree has no root more often than one time in three.
+pub(super) const SMALL_PRIMES: [u64; 16] =
+    [53, 59, 61, 67, 71, 73, 79, 83, 89, 97, 101, 103, 107, 109, 113, 127];
+
+/// Does the polynomial keep its degree modulo this prime, and have no root there? A rational root a/d in lowest terms would
+/// be one: d divides the leading coefficient, and so the prime does not divide d.
+pub(super) fn has_no_root(coefficients: &[BigInt], prime: u64) -> bool {
+    let image: Vec<u64> = coefficients
+        .iter()
+        .map(|c| {
+            let digits = c.magnitude().iter_u32_digits().rev();
+            let magnitude = digits.fold(0, |rest, digit| (rest << 32 | u64::from(digit)) % prime);
+            if c.is_negative() { prime - magnitude } else { magnitude }
+        })
+        .collect();
+    image.last().is_some_and(|leading| leading % prime != 0)
+        && (0..prime).all(|u| image.iter().rev().fold(0, |value, c| (value * u + c) % prime) != 0)
+}
+
 /// By Euclid's algorithm, for a last coefficient of `a` ≠ 0.
 fn degree_of_gcd(mut a: Vec<u64>, mut b: Vec<u64>) -> usize {
     while let Some(leading) = strip(&mut b) {
@@ -113,6 +132,25 @@ mod tests {
         assert_eq!(product(PRIME - 1, PRIME - 1), 1);
         assert_eq!(reduced((1 << 125) - 1), 7);
         assert_eq!(product(power(12_345, PRIME - 2), 12_345), 1);
+    }
+
+    #[test]
+    fn roots_modulo_small_primes() {
+        let none = |c: &[i64]| {
+            let c: Vec<BigInt> = c.iter().map(|&c| c.into()).collect();
+            SMALL_PRIMES.map(|prime| has_no_root(&c, prime))
+        };
+        // −1 is a square modulo the primes of the form 4n + 1.
+        assert_eq!(none(&[1, 0, 1]), SMALL_PRIMES.map(|prime| prime % 4 == 3));
+        assert_eq!(
+            none(&[1 + (53 << 33), 0, 1]),
+            SMALL_PRIMES.map(|prime| { (0..prime).all(|u| (u * u + 1 + (53 << 33)) % prime != 0) })
+        );
+        // 3/7; the root 1/53 is at infinity modulo 53.
+        assert_eq!(none(&[-3, 7]), [false; 16]);
+        assert_eq!(none(&[-1, 53]), [false; 16]);
+        assert_eq!(none(&[-53, 0, 53]), [false; 16]);
+        assert_eq!(none(&[5]), [true; 16]);
     }
 
     #[test]
