@@ -2,9 +2,9 @@
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{One, Signed};
+use num_traits::Signed;
 
-use crate::scalar::{Polynomial, Ring, integer};
+use crate::scalar::{Polynomial, RationalAlgebra, Ring, integer};
 
 use super::pieces::Piece;
 use super::roots::IsolatedRoot;
@@ -93,8 +93,8 @@ fn enclose(f: &Piece, (lo, hi): &(BigRational, BigRational)) -> Option<(BigRatio
     if !q_lo.is_positive() {
         return None;
     }
-    let lower = &p_lo / if p_lo.is_negative() { &q_lo } else { &q_hi };
-    let upper = &p_hi / if p_hi.is_negative() { &q_hi } else { &q_lo };
+    let lower = p_lo.over(if p_lo.is_negative() { &q_lo } else { &q_hi })?;
+    let upper = p_hi.over(if p_hi.is_negative() { &q_hi } else { &q_lo })?;
     Some((lower, upper))
 }
 
@@ -103,15 +103,15 @@ fn enclose_polynomial(
     lo: &BigRational,
     hi: &BigRational,
 ) -> (BigRational, BigRational) {
-    let (mut lower, mut upper) = (integer(0), integer(0));
-    let (mut lo_power, mut hi_power): (BigRational, BigRational) = (One::one(), One::one());
-    for c in p.coefficients() {
-        let (small, large) = if c.is_negative() { (&hi_power, &lo_power) } else { (&lo_power, &hi_power) };
-        lower += c * small;
-        upper += c * large;
-        lo_power *= lo;
-        hi_power *= hi;
-    }
+    let part = |negative: bool| {
+        let coefficients = p.coefficients().iter();
+        let kept = coefficients.map(|c| if c.is_negative() == negative { c.clone() } else { integer(0) });
+        kept.collect::<Vec<_>>()
+    };
+    let (positive, negative) = (part(false), part(true));
+    let value = BigRational::value_of_polynomial;
+    let lower = value(&positive, lo).plus(&value(&negative, hi));
+    let upper = value(&positive, hi).plus(&value(&negative, lo));
     (lower, upper)
 }
 

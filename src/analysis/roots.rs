@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use num_bigint::BigInt;
+use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
@@ -57,7 +58,7 @@ impl IsolatedRoot {
         if self.lo == self.hi {
             return;
         }
-        let middle = (&self.lo + &self.hi) / BigInt::from(2);
+        let middle = middle(&self.lo, &self.hi);
         match self.sign_at(&middle) {
             Sign::Zero => (self.lo, self.hi) = (middle.clone(), middle),
             sign if sign == self.below => self.lo = middle,
@@ -74,23 +75,27 @@ impl IsolatedRoot {
 
     /// The root u if it is rational, decided exactly; afterwards such a root is [`exact`](Self::exact).
     ///
-    /// The denominator of a rational root divides the leading coefficient c, so c·u is an integer: the interval
-    /// is refined until it holds one candidate at most.
+    /// Most polynomials have no root modulo some small prime, and then no rational one. Otherwise the denominator of a
+    /// rational root divides the leading coefficient c, so c·u is an integer: the interval is refined until it holds one
+    /// candidate at most.
     pub fn rational(&mut self) -> Option<BigRational> {
         let polynomial = Arc::clone(&self.polynomial);
         let scale = polynomial.coefficients().last()?.abs();
+        if self.lo < self.hi && !polynomial.may_have_rational_root() {
+            return None;
+        }
         while self.lo < self.hi {
-            let (lo, hi) = self.interval();
-            let candidate = (lo * &scale).floor() + BigRational::one();
-            let end = hi * &scale;
-            if candidate >= end {
+            let [(a, d), (b, e)] = [&self.lo, &self.hi].map(positive_parts);
+            let candidate: BigInt = (a * &scale).div_floor(&d) + 1;
+            let end = b * &scale;
+            if &candidate * &e >= end {
                 return None;
             }
-            if &candidate + BigRational::one() < end {
+            if (&candidate + 1_u32) * e < end {
                 self.refine();
                 continue;
             }
-            let u = candidate / &scale;
+            let u = BigRational::new(candidate, scale.clone());
             if polynomial.sign_at(u.numer(), u.denom()) != Sign::Zero {
                 return None;
             }
@@ -122,12 +127,33 @@ impl IsolatedRoot {
 
 /// The sign at u = y/(1 − y) for 0 ≤ y ≤ 1.
 fn sign_in_unit(p: &IntegerPolynomial, y: &BigRational) -> Sign {
-    p.sign_at(y.numer(), &(y.denom() - y.numer()))
+    let (a, d) = positive_parts(y);
+    p.sign_at(a, &d)
+}
+
+/// (a, d) for a/d = u = y/(1 − y), in lowest terms as y is.
+fn positive_parts(y: &BigRational) -> (&BigInt, BigInt) {
+    (y.numer(), y.denom() - y.numer())
 }
 
 /// u = y/(1 − y), for y < 1.
 fn to_positive(y: &BigRational) -> BigRational {
-    y / (BigRational::one() - y)
+    let (a, d) = positive_parts(y);
+    BigRational::new_raw(a.clone(), d)
+}
+
+/// place/2^depth.
+fn dyadic(place: BigInt, depth: u64) -> BigRational {
+    let common = place.trailing_zeros().unwrap_or(depth).min(depth);
+    BigRational::new_raw(place >> common, BigInt::one() << (depth - common))
+}
+
+/// (lo + hi)/2, for dyadic rationals.
+fn middle(lo: &BigRational, hi: &BigRational) -> BigRational {
+    let depth = |y: &BigRational| y.denom().trailing_zeros().unwrap_or(0);
+    let common = depth(lo).max(depth(hi));
+    let at = |y: &BigRational| y.numer() << (common - depth(y));
+    dyadic(at(lo) + at(hi), common + 1)
 }
 
 /// The roots of p in (0, ∞), each once, from left to right in disjoint intervals (ends may be shared). A root
@@ -203,15 +229,14 @@ pub(super) fn roots_of(p: IntegerPolynomial) -> Vec<IsolatedRoot> {
 /// An interval [place/2^depth, (place + 1)/2^depth] for y, or the root place/2^depth itself.
 enum Task {
     /// The polynomial in the positive coordinate of the interval, with no root at its ends.
-    Search { coefficients: Vec<BigInt>, place: BigInt, depth: u32 },
+    Search { coefficients: Vec<BigInt>, place: BigInt, depth: u64 },
     /// A root between two halves.
-    Exact { place: BigInt, depth: u32 },
+    Exact { place: BigInt, depth: u64 },
 }
 
 /// Intervals for y with one root each, lo = hi where it is exact; for a square-free polynomial without a root
 /// at 0. An interval may end at a root that another entry holds exactly.
 fn isolate(polynomial: &IntegerPolynomial) -> Vec<(BigRational, BigRational)> {
-    let dyadic = |place: BigInt, depth: u32| BigRational::new(place, BigInt::one() << depth);
     if let [constant, leading] = polynomial.coefficients() {
         // u = −c₀/c₁, that is y = c₀/(c₀ − c₁).
         let y = BigRational::new(constant.clone(), constant - leading);

@@ -107,9 +107,8 @@ impl<S: Ring> Ring for Jet<S> {
     }
     fn times(&self, rhs: &Self) -> Self {
         let order = self.order().min(rhs.order());
-        let coefficient =
-            |d: usize| sum_of_products((0..=d).map(|a| (&self.coefficients[a], &rhs.coefficients[d - a])));
-        Self { coefficients: (0..=order).map(coefficient).collect() }
+        let coefficients = S::product_of_polynomials(&self.coefficients, &rhs.coefficients, order + 1);
+        Self { coefficients }
     }
     fn negate(&self) -> Self {
         Self { coefficients: self.coefficients.iter().map(S::negate).collect() }

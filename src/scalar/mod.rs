@@ -14,12 +14,17 @@
 
 pub mod axioms;
 mod big_integer;
+mod big_rational;
 mod decimal;
 mod factors;
 mod fixed;
 mod float;
+mod fraction;
+mod gcd;
+mod integer_polynomial;
 mod interval;
 mod jet;
+mod modular;
 mod monomial;
 mod multivariate;
 mod natural;
@@ -34,6 +39,7 @@ mod words;
 pub use decimal::decimal;
 pub use fixed::Fixed;
 pub use float::{exact_value, ulp};
+pub(crate) use integer_polynomial::IntegerPolynomial;
 pub use interval::Interval;
 pub use jet::Jet;
 pub use monomial::Monomial;

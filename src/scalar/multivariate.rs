@@ -8,6 +8,7 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed};
 
+use super::gcd::gcd;
 use super::monomial::Monomial;
 use super::product::{Terms, degrees, merged, product};
 use super::ring::{RationalAlgebra, Ring};
@@ -165,14 +166,14 @@ impl Multivariate {
 
     /// gcd of `with` ≥ 0 and all coefficients.
     pub(super) fn common_divisor(&self, with: BigInt) -> BigInt {
-        let mut gcd = with;
+        let mut divisor = with;
         for (_, c) in &self.terms {
-            if gcd.is_one() {
+            if divisor.is_one() {
                 break;
             }
-            gcd = gcd.gcd(c);
+            divisor = gcd(&divisor, c);
         }
-        gcd
+        divisor
     }
 
     /// The greatest monomial that divides every term; 1 for 0.

@@ -77,9 +77,7 @@ impl<S: Ring> Polynomial<S> {
     /// The value at u, by Horner's rule.
     #[must_use]
     pub fn evaluate(&self, u: &S) -> S {
-        let mut coefficients = self.coefficients.iter().rev();
-        let leading = coefficients.next().map_or_else(|| u.zero(), S::clone);
-        coefficients.fold(leading, |value, c| value.times(u).plus(c))
+        S::value_of_polynomial(&self.coefficients, u)
     }
 
     /// d/du.
@@ -174,13 +172,8 @@ impl<S: Ring> Ring for Polynomial<S> {
         if self.is_zero() || rhs.is_zero() {
             return self.zero();
         }
-        let (a, b) = (&self.coefficients, &rhs.coefficients);
-        let coefficient = |n: usize| {
-            let (first, last) = (n.saturating_sub(rhs.degree()), n.min(self.degree()));
-            let others = a[first + 1..=last].iter().zip(b[n - last..n - first].iter().rev());
-            others.fold(a[first].times(&b[n - first]), |sum, (a, b)| sum.plus(&a.times(b)))
-        };
-        Self::from_coefficients((0..=self.degree() + rhs.degree()).map(coefficient).collect())
+        let length = self.degree() + rhs.degree() + 1;
+        Self::from_coefficients(S::product_of_polynomials(&self.coefficients, &rhs.coefficients, length))
     }
     fn negate(&self) -> Self {
         Self { coefficients: self.coefficients.iter().map(S::negate).collect() }
@@ -225,40 +218,21 @@ impl<S: Field> Polynomial<S> {
     /// Quotient and remainder: self = q·divisor + r with r = 0 or deg r < deg divisor. `None` for divisor 0.
     #[must_use]
     pub fn divide(&self, divisor: &Self) -> Option<(Self, Self)> {
-        let inverse = divisor.leading().reciprocal()?;
-        let mut remainder = self.coefficients.clone();
-        let mut quotient = Vec::new();
-        while remainder.len() >= divisor.coefficients.len() {
-            let factor = match remainder.last() {
-                Some(leading) => leading.times(&inverse),
-                None => break,
-            };
-            let shift = remainder.len() - divisor.coefficients.len();
-            for (i, c) in divisor.coefficients.iter().enumerate() {
-                remainder[shift + i] = remainder[shift + i].minus(&factor.times(c));
-            }
-            remainder.pop();
-            quotient.push(factor);
-        }
-        quotient.reverse();
+        let (quotient, remainder) = S::quotient_of_polynomials(&self.coefficients, &divisor.coefficients)?;
         let or_zero = |list: Vec<S>| {
             if list.is_empty() { self.zero() } else { Self::from_coefficients(list) }
         };
         Some((or_zero(quotient), or_zero(remainder)))
     }
 
-    /// The monic greatest common divisor, by Euclid's algorithm; 0 only for two zeros.
+    /// The monic greatest common divisor; 0 only for two zeros.
     #[must_use]
     pub fn gcd(&self, rhs: &Self) -> Self {
         // A constant other than 0 divides everything: most gcds here are with one.
         if [self, rhs].iter().any(|p| p.degree() == 0 && !p.is_zero()) {
             return self.one();
         }
-        let (mut a, mut b) = (self.monic(), rhs.monic());
-        while let Some((_, remainder)) = a.divide(&b) {
-            (a, b) = (b, remainder.monic());
-        }
-        a
+        Self::from_coefficients(S::gcd_of_polynomials(&self.coefficients, &rhs.coefficients))
     }
 
     /// Divided by the leading coefficient; 0 stays 0.

@@ -1,10 +1,10 @@
 //! Quotients of polynomials in many variables whose denominators stay factored.
 
 use num_bigint::BigInt;
-use num_integer::Integer;
 use num_rational::BigRational;
 
 use super::factors::{Factors, as_variable, combined, expanded, factored};
+use super::gcd::lcm;
 use super::monomial::Monomial;
 use super::multivariate::Multivariate;
 use super::ring::{ExactField, Field, RationalAlgebra, Ring};
@@ -228,7 +228,7 @@ impl Quotient {
 
     /// The numerators of both over their least common denominator, and that one.
     fn on_one_denominator(&self, rhs: &Self) -> (Multivariate, Multivariate, BigInt, Factors) {
-        let divisor = self.divisor.lcm(&rhs.divisor);
+        let divisor = lcm(&self.divisor, &rhs.divisor);
         let factors = combined(&self.factors, &rhs.factors, usize::max);
         let raised = |q: &Self| {
             let missing = combined(&factors, &q.factors, usize::saturating_sub);

@@ -1,5 +1,4 @@
-//! Exact rational numbers: [`BigRational`] as a scalar, how to read and write them, and the simplest one in
-//! an interval.
+//! Exact rational numbers: how to read and write them, and the simplest one in an interval.
 
 use std::collections::VecDeque;
 
@@ -7,45 +6,6 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 use thiserror::Error;
-
-use super::ring::{ExactField, Field, OrderedField, RationalAlgebra, Ring};
-
-impl Ring for BigRational {
-    fn zero(&self) -> Self {
-        Zero::zero()
-    }
-    fn one(&self) -> Self {
-        One::one()
-    }
-    fn plus(&self, rhs: &Self) -> Self {
-        self + rhs
-    }
-    fn minus(&self, rhs: &Self) -> Self {
-        self - rhs
-    }
-    fn times(&self, rhs: &Self) -> Self {
-        self * rhs
-    }
-    fn negate(&self) -> Self {
-        -self
-    }
-    fn is_zero(&self) -> bool {
-        Zero::is_zero(self)
-    }
-}
-
-impl RationalAlgebra for BigRational {
-    fn embed(&self, value: &BigRational) -> Self {
-        value.clone()
-    }
-    fn reciprocal(&self) -> Option<Self> {
-        (!Zero::is_zero(self)).then(|| self.recip())
-    }
-}
-
-impl Field for BigRational {}
-impl ExactField for BigRational {}
-impl OrderedField for BigRational {}
 
 /// Why a text is not an exact number.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]

@@ -63,6 +63,29 @@ pub trait Ring: Clone + PartialEq + Debug {
         }
         result
     }
+
+    /// The first `length` coefficients of the product of two polynomials, by rising powers as are those given, of which
+    /// there is at least one each; at most as many as the product has. To be overridden where that costs less than
+    /// products and sums one by one.
+    fn product_of_polynomials(a: &[Self], b: &[Self], length: usize) -> Vec<Self> {
+        let coefficient = |n: usize| {
+            let (first, last) = (n.saturating_sub(b.len() - 1), n.min(a.len() - 1));
+            let pairs = a[first..=last].iter().zip(b[n - last..=n - first].iter().rev());
+            let mut terms = pairs.filter(|(a, b)| !a.is_zero() && !b.is_zero()).map(|(a, b)| a.times(b));
+            match terms.next() {
+                Some(term) => terms.fold(term, |sum, term| sum.plus(&term)),
+                None => a[0].zero(),
+            }
+        };
+        (0..length.min(a.len() + b.len() - 1)).map(coefficient).collect()
+    }
+
+    /// The value of a polynomial at u, by Horner's rule; to be overridden likewise.
+    fn value_of_polynomial(coefficients: &[Self], u: &Self) -> Self {
+        let mut coefficients = coefficients.iter().rev();
+        let leading = coefficients.next().map_or_else(|| u.zero(), Self::clone);
+        coefficients.fold(leading, |value, c| value.times(u).plus(c))
+    }
 }
 
 /// What can be multiplied in place by factors of another, simpler kind: integers of any size by machine words,
@@ -95,7 +118,47 @@ pub trait RationalAlgebra: Ring {
 }
 
 /// A [`RationalAlgebra`] in which every element except 0 is a unit.
-pub trait Field: RationalAlgebra {}
+pub trait Field: RationalAlgebra {
+    /// Quotient and remainder of two polynomials, given by their coefficients as for
+    /// [`product_of_polynomials`](Ring::product_of_polynomials), with a remainder shorter than the divisor, either without a coefficient if it
+    /// is 0; `None` if the leading coefficient of the divisor is 0.
+    fn quotient_of_polynomials(dividend: &[Self], divisor: &[Self]) -> Option<(Vec<Self>, Vec<Self>)> {
+        let inverse = divisor.last()?.reciprocal()?;
+        let mut remainder = dividend.to_vec();
+        let mut quotient = Vec::new();
+        while remainder.len() >= divisor.len() {
+            let factor = match remainder.last() {
+                Some(leading) => leading.times(&inverse),
+                None => break,
+            };
+            let shift = remainder.len() - divisor.len();
+            for (i, c) in divisor.iter().enumerate() {
+                remainder[shift + i] = remainder[shift + i].minus(&factor.times(c));
+            }
+            remainder.pop();
+            quotient.push(factor);
+        }
+        quotient.reverse();
+        Some((quotient, remainder))
+    }
+
+    /// The monic greatest common divisor of two polynomials, by Euclid's algorithm; 0 only for two zeros.
+    fn gcd_of_polynomials(a: &[Self], b: &[Self]) -> Vec<Self> {
+        let monic = |list: &[Self]| -> Vec<Self> {
+            let degree = list.iter().rposition(|c| !c.is_zero()).unwrap_or(0);
+            match list[degree].reciprocal() {
+                Some(inverse) => list[..=degree].iter().map(|c| c.times(&inverse)).collect(),
+                None => list[..=degree].to_vec(),
+            }
+        };
+        let (mut a, mut b) = (monic(a), monic(b));
+        while let Some((_, remainder)) = Self::quotient_of_polynomials(&a, &b) {
+            let remainder = if remainder.is_empty() { vec![a[0].zero()] } else { remainder };
+            (a, b) = (b, monic(&remainder));
+        }
+        a
+    }
+}
 
 /// A [`Field`] in which `==` and every operation are those of mathematics: no rounding.
 ///
