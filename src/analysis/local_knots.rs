@@ -1,10 +1,11 @@
 //! One basis function by its own knots, over any ring: numerators and denominators without a division.
 
 use num_bigint::BigInt;
-use num_integer::Integer;
+use num_rational::BigRational;
 use thiserror::Error;
 
-use crate::scalar::{Polynomial, Ring, ScaleBy};
+use super::pieces::Piece;
+use crate::scalar::{Polynomial, RationalFunction, Ring, ScaleBy, Whole, over_one_denominator};
 use crate::spline::{Basis, Factors, FractionFree, triangle};
 
 /// The local knot vector t_i ≤ t_{i+1} ≤ … ≤ t_{i+k+1} of one function G_i^k, by its k + 1 gaps, and the slope
@@ -54,6 +55,13 @@ pub struct SpanQuotient<R> {
     pub numerator: Polynomial<R>,
     /// Q, a product of linear polynomials; deg P ≤ deg Q.
     pub denominator: Polynomial<R>,
+}
+
+impl SpanQuotient<BigInt> {
+    /// P/Q as a rational function with Q monic, for P and Q without a common factor.
+    pub(super) fn piece(&self) -> Piece {
+        RationalFunction::in_lowest_terms(&self.numerator, &self.denominator)
+    }
 }
 
 impl<R: Ring> SpanQuotient<R> {
@@ -161,22 +169,31 @@ impl LocalKnots<BigInt> {
     pub fn of(basis: &Basis, i: usize) -> Option<Self> {
         let (knots, ratio) = (basis.knots(), basis.index().ratio());
         let gaps: Vec<_> = (i..=i + basis.degree()).map(|j| knots.t(j + 1) - knots.t(j)).collect();
-        let common = gaps.iter().fold(BigInt::from(1), |lcm, gap| lcm.lcm(gap.denom()));
-        let gaps: Vec<_> = gaps.iter().map(|gap| gap.numer() * (&common / gap.denom())).collect();
-        let divisor = gaps.iter().fold(BigInt::ZERO, |gcd, gap| gcd.gcd(gap));
-        if divisor == BigInt::ZERO {
+        let gaps = coprime_gaps(&gaps);
+        if gaps.iter().all(Ring::is_zero) {
             return None;
         }
-        let gaps = gaps.into_iter().map(|gap| gap / &divisor).collect();
         Some(Self { gaps, ratio: (ratio.numer().clone(), ratio.denom().clone()) })
     }
+}
+
+/// Gaps in the unit that makes all of them coprime integers; zeros, if all are 0.
+pub(super) fn coprime_gaps(gaps: &[BigRational]) -> Vec<BigInt> {
+    let (mut gaps, _) = over_one_denominator(gaps);
+    let divisor = gaps.iter().fold(BigInt::ZERO, |divisor, gap| divisor.common_divisor(gap));
+    if !divisor.is_unit() && divisor != BigInt::ZERO {
+        for gap in &mut gaps {
+            *gap /= &divisor;
+        }
+    }
+    gaps
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::analysis::Pieces;
-    use crate::scalar::{BigRational, RationalFunction, integer};
+    use crate::scalar::integer;
     use crate::spline::{Index, KnotVector};
 
     /// The same functions as by the triangle over rational functions, on spans of every kind.

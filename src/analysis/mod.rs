@@ -3,7 +3,6 @@
 mod contenders;
 mod decision;
 mod extremum;
-mod factored;
 mod integer_polynomial;
 mod linear;
 mod local_knots;
@@ -16,6 +15,7 @@ mod roots;
 mod shape;
 mod sign;
 mod slopes;
+mod span_quotients;
 mod supremum;
 
 pub use decision::{
@@ -35,4 +35,5 @@ pub use roots::{IsolatedRoot, count_positive_roots, positive_roots};
 pub use shape::Shape;
 pub use sign::Sign;
 pub use slopes::{KnotSlopes, knot_slopes};
+pub use span_quotients::span_quotients;
 pub use supremum::{ClosedCoordinate, Enclosure, SupremumError, supremum};

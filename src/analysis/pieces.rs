@@ -5,6 +5,9 @@ use num_rational::BigRational;
 use crate::scalar::{ExactField, Polynomial, RationalAlgebra, RationalFunction, Ring};
 use crate::spline::{Active, Basis, KnotVector, Span};
 
+use super::local_knots::SpanQuotient;
+use super::span_quotients::span_quotients;
+
 /// A function on a span, in the span's positive coordinate u.
 pub type Piece = RationalFunction<BigRational>;
 
@@ -49,7 +52,9 @@ pub struct SpanPieces {
     pub functions: Active<Piece>,
 }
 
-/// All pieces of a basis, by the triangle over rational functions of u.
+/// All pieces of a basis: [`span_quotients`] on every span.
+///
+/// They are what the triangle gives over rational functions of u, `basis.active(span, &positive_coordinate(…))`.
 ///
 /// ```
 /// use knotproof::analysis::Pieces;
@@ -70,12 +75,12 @@ pub struct Pieces {
 }
 
 impl Pieces {
-    /// Runs the triangle on every span.
+    /// The quotients of every span.
     #[must_use]
     pub fn of(basis: &Basis) -> Self {
         let on_span = |span| {
             let x = positive_coordinate(basis.knots(), span);
-            let functions = basis.active(span, &x);
+            let functions = span_quotients(basis, span).map(SpanQuotient::piece);
             SpanPieces { span, x, functions }
         };
         let spans = basis.knots().spans().map(on_span).collect();

@@ -5,7 +5,7 @@ use num_rational::BigRational;
 use crate::scalar::{Polynomial, RationalAlgebra, Ring, integer};
 use crate::spline::{Curve, Point, Side, Span, binomial};
 
-use super::factored::{FactoredSpan, linear, product};
+use super::span_quotients::OneDenominator;
 
 /// A curve on one span [t_j, t_{j+1}] as a rational Bézier curve: with s = (x − t_j)/(t_{j+1} − t_j),
 ///
@@ -59,6 +59,11 @@ pub struct RationalBezier {
     points: Vec<Point>,
 }
 
+/// u + c.
+fn linear(c: &BigRational) -> Polynomial<BigRational> {
+    Polynomial::new(c.clone(), [integer(1)])
+}
+
 impl RationalBezier {
     /// The pieces of a curve on all spans of [t_0, t_m] that are not empty, from left to right.
     pub fn pieces(curve: &Curve) -> impl Iterator<Item = Self> {
@@ -66,7 +71,7 @@ impl RationalBezier {
     }
 
     fn on(curve: &Curve, span: Span) -> Self {
-        let FactoredSpan { mut factors, numerators } = FactoredSpan::of(curve.basis(), span);
+        let OneDenominator { mut factors, numerators } = OneDenominator::of(curve.basis(), span);
         let zero = Polynomial::constant(integer(0));
         let coordinate = |c: usize| {
             let terms = numerators.iter().map(|(i, p)| p.scaled(&curve.points()[i][c]));
@@ -80,7 +85,7 @@ impl RationalBezier {
             }
             None => true,
         });
-        let denominator = product(&factors);
+        let denominator = factors.iter().fold(zero.one(), |product, c| product.times(&linear(c)));
         let degree = factors.len();
         // All q_m > 0: see above.
         let q = denominator.coefficients();

@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 
 use super::rational::integer;
-use super::ring::{ExactField, RationalAlgebra, Ring};
+use super::ring::{ExactField, RationalAlgebra, Ring, ScaleBy};
 
 /// c₀ + c₁ε + … + c_Dε^D modulo ε^(D+1), over any scalar: the jet of order D of a function at a point, with
 /// c_d = f^(d)/d!.
@@ -45,6 +45,12 @@ impl<S: Ring> Jet<S> {
         jet
     }
 
+    /// From c₀, …, c_D, of which there is at least one.
+    pub(crate) fn from_coefficients(coefficients: Vec<S>) -> Self {
+        debug_assert!(!coefficients.is_empty());
+        Self { coefficients }
+    }
+
     /// D, the highest power of ε that is kept.
     #[must_use]
     pub fn order(&self) -> usize {
@@ -61,6 +67,22 @@ impl<S: Ring> Jet<S> {
         let coefficients =
             self.coefficients.iter().zip(&rhs.coefficients).map(|(a, b)| operation(a, b)).collect();
         Self { coefficients }
+    }
+}
+
+/// By a + bε, written (a, b).
+impl<S: Ring> ScaleBy<(S, S)> for Jet<S> {
+    fn scale_by<'a>(&mut self, factors: impl Iterator<Item = &'a (S, S)>)
+    where
+        S: 'a,
+    {
+        let c = &mut self.coefficients;
+        for (constant, slope) in factors {
+            for d in (1..c.len()).rev() {
+                c[d] = c[d].times(constant).plus(&c[d - 1].times(slope));
+            }
+            c[0] = c[0].times(constant);
+        }
     }
 }
 

@@ -30,6 +30,18 @@ impl ModularPolynomial {
     }
 }
 
+/// Could a polynomial with these coefficients, by rising powers, vanish at −a/b? All are given modulo the prime, a and b
+/// not 0 there. If not, it does not.
+pub(crate) fn may_vanish(coefficients: &[u64], (a, b): (u64, u64)) -> bool {
+    // Σ c_i (−a)^i b^(n−i), by Horner's rule.
+    let (mut value, mut power) = (0, 1);
+    for c in coefficients.iter().rev() {
+        value = reduced(u128::from(value) * u128::from(PRIME - a) + u128::from(*c) * u128::from(power));
+        power = product(power, b);
+    }
+    value == 0
+}
+
 /// Modulo each of these an irreducible polynomial of a higher degree has no root more often than one time in three.
 pub(super) const SMALL_PRIMES: [u64; 16] =
     [53, 59, 61, 67, 71, 73, 79, 83, 89, 97, 101, 103, 107, 109, 113, 127];
@@ -75,7 +87,8 @@ fn strip(coefficients: &mut Vec<u64>) -> Option<u64> {
     coefficients.last().copied()
 }
 
-fn residue(value: &BigInt) -> u64 {
+/// The value modulo 2⁶¹ − 1.
+pub(super) fn residue(value: &BigInt) -> u64 {
     let digits = value.magnitude().iter_u64_digits().rev();
     let magnitude = digits.fold(0, |rest, digit| reduced(u128::from(rest) << 64 | u128::from(digit)));
     if value.is_negative() && magnitude != 0 { PRIME - magnitude } else { magnitude }

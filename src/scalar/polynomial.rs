@@ -138,6 +138,12 @@ impl<S: Ring> Polynomial<S> {
         Self::from_coefficients(self.coefficients.iter().map(|c| c.times(factor)).collect())
     }
 
+    /// The coefficients in another ring; leading ones that become 0 there are dropped.
+    #[must_use]
+    pub fn map<T: Ring>(&self, image: impl Fn(&S) -> T) -> Polynomial<T> {
+        Polynomial::from_coefficients(self.coefficients.iter().map(image).collect())
+    }
+
     fn zip_with(&self, rhs: &Self, operation: impl Fn(&S, &S) -> S) -> Self {
         let zero = self.coefficients[0].zero();
         let length = self.coefficients.len().max(rhs.coefficients.len());

@@ -1,7 +1,9 @@
 //! Quotients of polynomials in one variable: the field in which the triangle gives whole pieces.
 
+use num_bigint::BigInt;
 use num_rational::BigRational;
 
+use super::fraction::fraction;
 use super::polynomial::Polynomial;
 use super::ring::{ExactField, Field, RationalAlgebra, Ring};
 
@@ -19,6 +21,15 @@ use super::ring::{ExactField, Field, RationalAlgebra, Ring};
 pub struct RationalFunction<S> {
     numerator: Polynomial<S>,
     denominator: Polynomial<S>,
+}
+
+impl RationalFunction<BigRational> {
+    /// numerator/denominator for integer polynomials without a common factor, denominator ≠ 0.
+    pub(crate) fn in_lowest_terms(numerator: &Polynomial<BigInt>, denominator: &Polynomial<BigInt>) -> Self {
+        let leading = denominator.leading();
+        let over_leading = |p: &Polynomial<BigInt>| p.map(|c| fraction(c.clone(), leading.clone()));
+        Self { numerator: over_leading(numerator), denominator: over_leading(denominator) }
+    }
 }
 
 impl<S: ExactField> RationalFunction<S> {

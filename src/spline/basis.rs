@@ -5,6 +5,7 @@ use thiserror::Error;
 
 use crate::scalar::{Jet, RationalAlgebra, integer};
 
+use super::evaluator::Evaluator;
 use super::index::Index;
 use super::knots::{KnotVector, Side, Span};
 use super::triangle::{Active, triangle};
@@ -103,34 +104,38 @@ impl Basis {
     }
 
     /// The functions that live on the span, at any scalar x of the closed span: a point, a jet, a variable.
+    ///
+    /// Over exact numbers this is the reference: every operation is reduced at once, and slow. [`Evaluator`] gives the
+    /// same values and jets.
     pub fn active<S: RationalAlgebra>(&self, span: Span, x: &S) -> Active<S> {
         let weights = PointWeights::new(&self.knots, x.embed(self.index.ratio()), x.clone());
         triangle(&weights, span, self.degree, self.knots.m())
     }
 
     /// G_0^k, …, G_n^k at x as jets of the given order: values and one-sided derivatives.
+    ///
+    /// For many points of one basis, [`Evaluator::jets`] brings its knots to a common denominator once only.
     #[must_use]
     pub fn jets(&self, x: &BigRational, side: Side, order: usize) -> Vec<Jet<BigRational>> {
-        let zero = Jet::constant(integer(0), order);
-        let mut jets = vec![zero; self.n() + 1];
-        if let Some(span) = self.knots.span_at(x, side) {
-            let active = self.active(span, &Jet::variable(x.clone(), order));
-            for (i, jet) in active.iter() {
-                jets[i] = jet.clone();
-            }
-        }
-        jets
+        let jets = Evaluator::new(self).jets(x, side, order);
+        self.all(jets, &Jet::constant(integer(0), order))
     }
 
     /// G_0^k(x), …, G_n^k(x), as limits from the given side.
+    ///
+    /// For many points of one basis, [`Evaluator::values`] brings its knots to a common denominator once only.
     #[must_use]
     pub fn values(&self, x: &BigRational, side: Side) -> Vec<BigRational> {
-        let mut values = vec![integer(0); self.n() + 1];
-        if let Some(span) = self.knots.span_at(x, side) {
-            for (i, value) in self.active(span, x).iter() {
-                values[i] = value.clone();
-            }
+        let values = Evaluator::new(self).values(x, side);
+        self.all(values, &integer(0))
+    }
+
+    /// The list of all functions, from those that live at a point.
+    fn all<S: Clone>(&self, active: Option<Active<S>>, zero: &S) -> Vec<S> {
+        let mut all = vec![zero.clone(); self.n() + 1];
+        if let Some(active) = active {
+            all[active.first()..active.first() + active.values().len()].clone_from_slice(active.values());
         }
-        values
+        all
     }
 }

@@ -1,18 +1,16 @@
 //! Exact values at many points of one basis, without a division on the way.
 
 use num_bigint::BigInt;
-use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{One, Zero};
 
-use crate::scalar::{Fixed, Natural, ScaleBy};
+use crate::scalar::{Fixed, Jet, Natural, Ring, ScaleBy, gcd, integer, lcm};
 
 use super::basis::Basis;
 use super::factors::Factors;
 use super::fraction_free::FractionFree;
 use super::knots::{Side, Span};
 use super::reducer::Reducer;
-use super::triangle::{Active, Triangle};
+use super::triangle::{Active, Triangle, triangle};
 
 /// Exact values of the G_i^k of one basis at any number of points.
 ///
@@ -90,9 +88,10 @@ impl Evaluator {
     #[must_use]
     pub fn new(basis: &Basis) -> Self {
         let (knots, ratio, degree) = (basis.knots().knots(), basis.index().ratio(), basis.degree());
+        let one = BigInt::from(1);
         let scale = knots
             .iter()
-            .fold(BigInt::one(), |lcm, t| if t.denom().is_one() { lcm } else { lcm.lcm(t.denom()) });
+            .fold(one.clone(), |common, t| if t.denom() == &one { common } else { lcm(&common, t.denom()) });
         let integral = |t: &BigRational| t.numer() * (&scale / t.denom());
         let knots: Vec<_> = knots.iter().map(integral).collect();
         let ratio = (ratio.numer().clone(), ratio.denom().clone());
@@ -104,7 +103,7 @@ impl Evaluator {
             ratio,
             short: Room::new(degree, Fixed::new(1)),
             long: Room::new(degree, Natural::from(1)),
-            big: Room::new(degree, BigInt::one()),
+            big: Room::new(degree, BigInt::from(1)),
             reducer: Reducer::default(),
         }
     }
@@ -147,6 +146,35 @@ impl Evaluator {
     /// The values at x in lowest terms: [`at`](Self::at), [`Unreduced::reduced`].
     pub fn values(&mut self, x: &BigRational, side: Side) -> Option<Active<BigRational>> {
         self.at(x, side).map(|mut unreduced| unreduced.reduced())
+    }
+
+    /// The functions that live at x as jets of the given order, in lowest terms: values and one-sided derivatives;
+    /// `None` where all are 0, as in [`at`](Self::at).
+    ///
+    /// The factors on the span are linear in x, so in ε = Dξ·(x′ − x) they are rise + pε and fall − qε. The recursion
+    /// without a division gives numerator N and denominator Q as jets with integer coefficients. Those of N/Q are
+    /// h_d/Q_0^(d+1), where
+    ///
+    /// h_d = N_d Q_0^d − Σ_{l=1..d} Q_l Q_0^(l−1) h_{d−l}.
+    pub fn jets(&mut self, x: &BigRational, side: Side, order: usize) -> Option<Active<Jet<BigRational>>> {
+        let m = self.knots.len() - 1;
+        let (dx, xi) = (&self.scale * x.numer(), x.denom());
+        let span = span(m, side, |i| (&self.knots[i] * xi).cmp(&dx))?;
+        self.big_factors(span, x);
+        let (p, q) = &self.ratio;
+        let factors = self.big.factors.map(|rise| (rise.clone(), p.clone()), |fall| (fall.clone(), -q));
+        let one = Jet::constant(BigInt::from(1), order);
+        let numerators = triangle(&FractionFree::new(&factors, &one), span, self.degree, m);
+        let unit = &self.scale * xi;
+        let quotient = |(i, numerator): (usize, &Jet<BigInt>)| {
+            let mut denominator = one.clone();
+            denominator.scale_by(factors.denominator(i));
+            let places = || factors.denominator(i).map(|(constant, _)| constant);
+            quotient(numerator, &denominator, &unit, |d| {
+                std::iter::repeat_n((), d + 1).flat_map(|()| places())
+            })
+        };
+        Some(Active::new(numerators.first(), numerators.iter().map(quotient).collect()))
     }
 
     fn big_factors(&mut self, span: Span, x: &BigRational) {
@@ -252,7 +280,7 @@ impl Unreduced<'_> {
     #[must_use]
     pub fn denominators(&self) -> Vec<BigInt> {
         let first = self.first();
-        let denominator = |i| self.scaled(BigInt::one(), Which::Denominator(i));
+        let denominator = |i| self.scaled(BigInt::from(1), Which::Denominator(i));
         (first..first + self.count()).map(denominator).collect()
     }
 
@@ -264,7 +292,7 @@ impl Unreduced<'_> {
     pub fn sum_is_one(&self) -> bool {
         let terms = (self.first()..).zip(self.numerators());
         let sum: BigInt = terms.map(|(i, numerator)| self.scaled(numerator, Which::Cofactor(i))).sum();
-        sum == self.scaled(BigInt::one(), Which::All)
+        sum == self.scaled(BigInt::from(1), Which::All)
     }
 
     /// The values in lowest terms.
@@ -330,14 +358,42 @@ impl Which {
     }
 }
 
+/// N/Q as a jet in x, for jets in ε = unit·x; Q_0^(d+1) is the product of `factors(d)`.
+fn quotient<'a, I: Iterator<Item = &'a BigInt>>(
+    numerator: &Jet<BigInt>,
+    denominator: &Jet<BigInt>,
+    unit: &BigInt,
+    factors: impl Fn(usize) -> I,
+) -> Jet<BigRational> {
+    let (n, q) = (numerator.coefficients(), denominator.coefficients());
+    let mut powers = vec![BigInt::from(1)];
+    let mut h: Vec<BigInt> = Vec::with_capacity(n.len());
+    for d in 0..n.len() {
+        let known = (1..=d).map(|l| &q[l] * &powers[l - 1] * &h[d - l]).sum::<BigInt>();
+        h.push(&n[d] * &powers[d] - known);
+        powers.push(&powers[d] * &q[0]);
+    }
+    let mut scale = BigInt::from(1);
+    let coefficients = h.into_iter().enumerate().map(|(d, h)| {
+        let value = lowest_terms(h, factors(d)).times(&BigRational::from_integer(scale.clone()));
+        scale *= unit;
+        value
+    });
+    Jet::from_coefficients(coefficients.collect())
+}
+
 /// numerator/∏ factors in lowest terms, for factors of any size.
 fn lowest_terms<'a>(mut numerator: BigInt, factors: impl Iterator<Item = &'a BigInt>) -> BigRational {
-    if numerator.is_zero() {
-        return BigRational::zero();
+    if numerator == BigInt::ZERO {
+        return integer(0);
     }
-    let mut denominator = BigInt::one();
+    let mut denominator = BigInt::from(1);
     for factor in factors {
-        let common = numerator.gcd(factor);
+        let common = gcd(&numerator, factor);
+        if common == BigInt::from(1) {
+            denominator *= factor;
+            continue;
+        }
         numerator /= &common;
         denominator *= factor / common;
     }

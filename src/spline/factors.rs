@@ -74,6 +74,17 @@ impl<F: Clone> Factors<F> {
         Some(())
     }
 
+    /// The same in another ring, where rises and falls have images that add up; those of L are the sums.
+    pub(super) fn map<T: Ring>(
+        &self,
+        rise: impl Fn(&F) -> (T, T),
+        fall: impl Fn(&F) -> (T, T),
+    ) -> Factors<(T, T)> {
+        let (rises, falls) = (self.rises.iter().map(rise).collect(), self.falls.iter().map(fall).collect());
+        let sum = |a: &(T, T), b: &(T, T)| (a.0.plus(&b.0), a.1.plus(&b.1));
+        Factors::new(self.span, self.degree, rises, falls, sum)
+    }
+
     /// The span.
     #[must_use]
     pub fn span(&self) -> Span {
@@ -92,7 +103,7 @@ impl<F: Clone> Factors<F> {
     }
 
     /// Their places in [`places`](Self::places), row by row.
-    pub(super) fn denominator_places(&self, i: usize) -> impl Iterator<Item = Range<usize>> + use<F> {
+    pub(crate) fn denominator_places(&self, i: usize) -> impl Iterator<Item = Range<usize>> + use<F> {
         let (j, degree) = (self.span.index(), self.degree);
         let (last_row, last_column) = (j - i, i + degree - j);
         (0..=last_row).filter(move |s| *s < degree).map(move |s| {
@@ -102,7 +113,7 @@ impl<F: Clone> Factors<F> {
     }
 
     /// All L, by places; what is on places that belong to no L is without meaning.
-    pub(super) fn places(&self) -> &[F] {
+    pub(crate) fn places(&self) -> &[F] {
         &self.sums
     }
 

@@ -1,0 +1,335 @@
+//! All functions of one span in lowest terms, over denominators that are known as products of linear factors.
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+
+use crate::scalar::{Fixed, Polynomial, Ring, ScaleBy, Whole, may_vanish};
+use crate::spline::{Active, Basis, Factors, FractionFree, Span, triangle};
+
+use super::local_knots::{SpanQuotient, coprime_gaps};
+
+/// G_i^k = P/(c·∏ (a + bu)) on a span, in its [positive coordinate](super::positive_coordinate) u and in lowest terms:
+/// with integers, gcd(a, b) = 1, and neither c nor a factor a + bu has anything in common with P.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct FactoredQuotient {
+    pub(super) numerator: Polynomial<BigInt>,
+    pub(super) constant: BigInt,
+    /// (a, b), a > 0, b > 0, each as often as it divides the denominator.
+    pub(super) factors: Vec<(BigInt, BigInt)>,
+    /// c·∏ (a + bu).
+    pub(super) denominator: Polynomial<BigInt>,
+}
+
+/// The functions that live on a span of a basis, as quotients of polynomials in its [positive
+/// coordinate](super::positive_coordinate) u with integer coefficients ≥ 0: P and Q without a common factor, a number
+/// included.
+///
+/// By the [recursion without a division](FractionFree), in integers of 128 bits if ∏ (A + B), over all factors A + Bu
+/// of a denominator, has no more than 127, for any of the functions: all coefficients on the way are ≥ 0, and their
+/// sum is the value at u = 1, where no function exceeds 1. Then P is divided by those factors of Q that divide it.
+///
+/// ```
+/// use knotproof::analysis::span_quotients;
+/// use knotproof::scalar::integer;
+/// use knotproof::spline::{Basis, Index, KnotVector};
+/// use num_bigint::BigInt;
+///
+/// // 1 − φ and φ of (0, 1) for r = 2: 1/(1 + 2u) and 2u/(1 + 2u).
+/// let basis = Basis::new(KnotVector::bernstein(1, &integer(0), &integer(1))?, 1, "2".parse::<Index>()?)?;
+/// let span = basis.knots().spans().next().unwrap();
+/// let functions = span_quotients(&basis, span);
+/// assert_eq!(functions.values()[1].numerator.coefficients(), [0, 2].map(BigInt::from));
+/// assert_eq!(functions.values()[1].denominator.coefficients(), [1, 2].map(BigInt::from));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[must_use]
+pub fn span_quotients(basis: &Basis, span: Span) -> Active<SpanQuotient<BigInt>> {
+    let quotient = |factored: &FactoredQuotient| SpanQuotient {
+        numerator: factored.numerator.clone(),
+        denominator: factored.denominator.clone(),
+    };
+    factored_quotients(basis, span).map(quotient)
+}
+
+/// The same with the factors of the denominators.
+pub(super) fn factored_quotients(basis: &Basis, span: Span) -> Active<FactoredQuotient> {
+    let (knots, k, j) = (basis.knots(), basis.degree(), span.index());
+    // The knots t_{j−k}, …, t_{j+k+1}, of which the first and the last do not matter on the span.
+    let (low, high) = (j.saturating_sub(k), (j + k + 1).min(knots.m()));
+    let matters = |i: usize| i + k > j && i < j + k;
+    let gap = |i: usize| if matters(i) { knots.t(i + 1) - knots.t(i) } else { knots.t(i).zero() };
+    let gaps = coprime_gaps(&(low..high).map(gap).collect::<Vec<_>>());
+    let ratio = basis.index().ratio();
+    let big = Window { gaps, ratio: (ratio.numer().clone(), ratio.denom().clone()), low, j, k };
+    match big.in_words() {
+        Some(words) => words.quotients(),
+        None => big.quotients(),
+    }
+}
+
+/// The gaps around a span, from the knot t_low on.
+struct Window<R> {
+    gaps: Vec<R>,
+    ratio: (R, R),
+    low: usize,
+    j: usize,
+    k: usize,
+}
+
+impl Window<BigInt> {
+    /// The same in 128 bits, if all that is computed from it fits.
+    fn in_words(&self) -> Option<Window<Fixed>> {
+        let word = |number: &BigInt| Fixed::try_from(number).ok();
+        let gaps: Option<Vec<_>> = self.gaps.iter().map(word).collect();
+        let ratio = (word(&self.ratio.0)?, word(&self.ratio.1)?);
+        let window = Window { gaps: gaps?, ratio, low: self.low, j: self.j, k: self.k };
+        window.fits().then_some(window)
+    }
+}
+
+impl Window<Fixed> {
+    /// Is ∏ (A + B), over the factors A + Bu of any denominator, less than 2^127?
+    fn fits(&self) -> bool {
+        // So that the factors themselves fit.
+        let (p, q) = (self.ratio.0.value(), self.ratio.1.value());
+        let sum = self.gaps.iter().try_fold(0_i128, |sum, gap| sum.checked_add(gap.value()));
+        let largest =
+            p.checked_add(q).zip(sum).and_then(|(ratio, sum)| ratio.checked_mul(sum.checked_mul(2)?));
+        if largest.is_none() {
+            return false;
+        }
+        let Some(factors) = self.factors() else { return false };
+        self.functions(&factors).all(|i| {
+            let mut values = factors.denominator(i).map(|(a, b)| a.plus(b).value());
+            values.try_fold(1_i128, |product, value| product.checked_mul(value)).is_some()
+        })
+    }
+}
+
+impl<R: Whole> Window<R> {
+    fn factors(&self) -> Option<Factors<(R, R)>> {
+        Factors::in_positive_coordinate(&self.gaps, self.j - self.low, self.k, (&self.ratio.0, &self.ratio.1))
+    }
+
+    /// The indices of the functions that live on the span, counted from `low`.
+    fn functions(&self, factors: &Factors<(R, R)>) -> impl Iterator<Item = usize> + use<R> {
+        let j = factors.span().index();
+        j.saturating_sub(self.k)..(j + 1).min(self.gaps.len() - self.k)
+    }
+
+    fn quotients(&self) -> Active<FactoredQuotient> {
+        let Some(factors) = self.factors() else { unreachable!("the span is within its window") };
+        let one = Polynomial::constant(self.gaps[0].one());
+        let weights = FractionFree::new(&factors, &one);
+        let numerators = triangle(&weights, factors.span(), self.k, self.gaps.len());
+        let primitive: Vec<_> = factors.places().iter().map(primitive).collect();
+        let reduced = |(i, numerator): (usize, &Polynomial<R>)| {
+            let places = factors.denominator_places(i).flatten().map(|place| &primitive[place]);
+            reduce(numerator.clone(), places)
+        };
+        let values = numerators.iter().map(reduced).collect();
+        Active::new(self.low + numerators.first(), values)
+    }
+}
+
+/// A linear factor content·(a + bu), gcd(a, b) = 1, with a and b modulo the prime.
+struct Primitive<R> {
+    content: R,
+    factor: (R, R),
+    residues: (u64, u64),
+}
+
+fn primitive<R: Whole>((a, b): &(R, R)) -> Primitive<R> {
+    let content = a.common_divisor(b);
+    let factor = (a.divided(&content), b.divided(&content));
+    let residues = (factor.0.residue(), factor.1.residue());
+    Primitive { content, factor, residues }
+}
+
+/// numerator/∏ factors in lowest terms.
+fn reduce<'a, R: Whole + 'a>(
+    mut numerator: Polynomial<R>,
+    factors: impl Iterator<Item = &'a Primitive<R>>,
+) -> FactoredQuotient {
+    let one = numerator.leading().one();
+    let residues = |p: &Polynomial<R>| p.coefficients().iter().map(R::residue).collect::<Vec<_>>();
+    let (mut image, mut constant) = (residues(&numerator), one.clone());
+    // Those that stay; a repeated one that did not divide is not tried again.
+    let mut left: Vec<(R, R)> = Vec::new();
+    for Primitive { content, factor, residues: at } in factors {
+        constant = constant.times(content);
+        // Modulo the prime a and b may be 0, which says nothing.
+        let may_divide = at.0 == 0 || at.1 == 0 || may_vanish(&image, *at);
+        let quotient = if may_divide && !left.contains(factor) { divided(&numerator, factor) } else { None };
+        match quotient {
+            Some(quotient) => {
+                image = residues(&quotient);
+                numerator = quotient;
+            }
+            None => left.push(factor.clone()),
+        }
+    }
+    if !constant.is_unit() {
+        let common = numerator.coefficients().iter().fold(constant.clone(), |gcd, c| gcd.common_divisor(c));
+        constant = constant.divided(&common);
+        numerator = numerator.map(|c| c.divided(&common));
+    }
+    let mut denominator = Polynomial::constant(constant.clone());
+    denominator.scale_by(left.iter());
+    FactoredQuotient {
+        numerator: numerator.map(|c| c.clone().into()),
+        constant: constant.into(),
+        factors: left.into_iter().map(|(a, b)| (a.into(), b.into())).collect(),
+        denominator: denominator.map(|c| c.clone().into()),
+    }
+}
+
+/// The quotient by a + bu, written (a, b), a and b coprime and not 0, if that divides. Then its coefficients are
+/// integers, by Gauss's lemma.
+fn divided<R: Whole>(p: &Polynomial<R>, (a, b): &(R, R)) -> Option<Polynomial<R>> {
+    let (leading, lower) = p.coefficients().split_last()?;
+    let mut quotient: Vec<R> = Vec::with_capacity(lower.len());
+    for c in lower {
+        let rest = quotient.last().map_or_else(|| c.clone(), |last| c.minus(&b.times(last)));
+        quotient.push(rest.quotient(a)?);
+    }
+    let exact = b.times(quotient.last()?) == *leading;
+    let mut quotient = quotient.into_iter();
+    Some(Polynomial::new(quotient.next()?, quotient)).filter(|_| exact)
+}
+
+/// All functions of a span over one denominator: the least common multiple Q of theirs, a product of a + bu.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct OneDenominator {
+    /// a/b for each factor of Q.
+    pub(super) factors: Vec<BigRational>,
+    /// The numerators over ∏ (u + a/b).
+    pub(super) numerators: Active<Polynomial<BigRational>>,
+}
+
+impl OneDenominator {
+    pub(super) fn of(basis: &Basis, span: Span) -> Self {
+        let functions = factored_quotients(basis, span);
+        let mut common: Vec<(BigInt, BigInt)> = Vec::new();
+        for function in functions.values() {
+            for factor in lacking(&common, &function.factors) {
+                common.push(factor);
+            }
+        }
+        let leading: BigInt = common.iter().map(|(_, b)| b).product();
+        let numerator = |function: &FactoredQuotient| {
+            let mut numerator = function.numerator.clone();
+            numerator.scale_by(lacking(&function.factors, &common).iter());
+            let denominator = &function.constant * &leading;
+            numerator.map(|c| BigRational::new(c.clone(), denominator.clone()))
+        };
+        let numerators = functions.map(numerator);
+        Self { factors: common.into_iter().map(|(a, b)| BigRational::new(a, b)).collect(), numerators }
+    }
+}
+
+/// What a list lacks to contain another, with multiplicities.
+fn lacking(list: &[(BigInt, BigInt)], other: &[(BigInt, BigInt)]) -> Vec<(BigInt, BigInt)> {
+    let mut there = list.to_vec();
+    let mut missing = Vec::new();
+    for factor in other {
+        match there.iter().position(|own| own == factor) {
+            Some(at) => drop(there.swap_remove(at)),
+            None => missing.push(factor.clone()),
+        }
+    }
+    missing
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::analysis::positive_coordinate;
+    use crate::scalar::{RationalFunction, integer, rational};
+    use crate::spline::KnotVector;
+    use num_traits::Signed;
+
+    fn over_rationals(p: &Polynomial<BigInt>) -> Polynomial<BigRational> {
+        p.map(|c| BigRational::from_integer(c.clone()))
+    }
+
+    /// The same functions as by the triangle over rational functions, on spans of every kind, in lowest terms.
+    #[test]
+    fn the_quotients_are_the_pieces() {
+        for knots in [
+            &[0, 0, 0, 0, 1, 2, 2, 5, 5, 5, 5][..],
+            &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10],
+            &[0, 0, 1, 1, 1, 1, 2, 4],
+            &[0, 1_000_000, 1_000_003, 4_000_000, 9_000_000, 9_000_001, 9_900_000],
+        ] {
+            let knots = KnotVector::new(knots.iter().map(|&t| rational(t, 6)).collect()).unwrap();
+            for (degree, alpha) in
+                [(0, "2"), (1, "-1"), (2, "5"), (3, "-1/7"), (3, "inf"), (5, "-1/2"), (5, "-1e30")]
+            {
+                let Ok(basis) = Basis::new(knots.clone(), degree, alpha.parse().unwrap()) else { continue };
+                for span in knots.spans() {
+                    let reference = basis.active(span, &positive_coordinate(&knots, span));
+                    let quotients = span_quotients(&basis, span);
+                    let pieces = quotients.map(|quotient| {
+                        let [p, q] = [&quotient.numerator, &quotient.denominator].map(over_rationals);
+                        assert_eq!(p.gcd(&q).degree(), 0, "in lowest terms");
+                        let content = p.coefficients().iter().chain(q.coefficients());
+                        let content = content.fold(BigInt::ZERO, |gcd, c| gcd.common_divisor(c.numer()));
+                        assert_eq!(content, 1.into(), "no common number");
+                        RationalFunction::new(&p, &q).unwrap()
+                    });
+                    assert_eq!(pieces, reference);
+
+                    let one = OneDenominator::of(&basis, span);
+                    assert!(one.factors.iter().all(Signed::is_positive));
+                    let factors: Vec<_> = one.factors.iter().map(|c| (c.clone(), integer(1))).collect();
+                    let mut q = Polynomial::constant(integer(1));
+                    q.scale_by(factors.iter());
+                    assert_eq!(one.numerators.map(|p| RationalFunction::new(p, &q).unwrap()), reference);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn at_infinity_there_is_one_factor_for_each_degree() {
+        let knots = KnotVector::new((0..8).map(integer).collect()).unwrap();
+        let factors = |alpha: &str| {
+            let basis = Basis::new(knots.clone(), 3, alpha.parse().unwrap()).unwrap();
+            knots.spans().map(|span| OneDenominator::of(&basis, span).factors.len()).collect::<Vec<_>>()
+        };
+        assert_eq!(factors("inf"), [3; 7]);
+        assert_eq!(factors("-1"), [3, 5, 6, 6, 6, 5, 3]);
+    }
+
+    /// Degree 1 on (0, 1) with r = p/q: the factor is q + pu, and 128 bits hold up to p + q = 2^127 − 1.
+    #[test]
+    fn words_are_left_at_the_very_bound() {
+        let window = |p: BigInt| Window {
+            gaps: vec![BigInt::ZERO, 1.into(), BigInt::ZERO],
+            ratio: (p, 1.into()),
+            low: 0,
+            j: 1,
+            k: 1,
+        };
+        let edge = (BigInt::from(1) << 126) - 1;
+        assert!(window(&edge / 2).in_words().is_some());
+        // Twice the largest factor no longer fits, which is asked for so that sums of two rises and falls do.
+        assert!(window(&edge * 2).in_words().is_none());
+        // Degree 2, Bernstein: the middle function has the denominator (q + pu)^3.
+        let window = |p: i64| Window {
+            gaps: [0, 0, 1, 0, 0].map(BigInt::from).to_vec(),
+            ratio: (p.into(), 1.into()),
+            low: 0,
+            j: 2,
+            k: 2,
+        };
+        // The largest p with (p + 1)^3 < 2^127.
+        let largest = 5_541_191_377_756_i64;
+        assert!((BigInt::from(largest) + 1).pow(3) < BigInt::from(1) << 127);
+        assert!((BigInt::from(largest) + 2).pow(3) >= BigInt::from(1) << 127);
+        let words = window(largest).in_words().expect("it fits");
+        assert_eq!(words.quotients(), window(largest).quotients());
+        assert!(window(largest + 1).in_words().is_none());
+    }
+}
