@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # knotproof beside FLINT (in C and in Python) and PARI/GP on the same jobs, in one run and on one core: compares all
-# results, then times the systems in turn, and writes benches/peers.md. About five minutes.
+# results, then times the systems in turn, and writes benches/peers.md. About three minutes.
 #
 #   benches/peers.sh setup            installs what is missing, on Debian or Ubuntu, as root
 #   benches/peers.sh [REPETITIONS]    runs; 5 repetitions unless given
