@@ -14,6 +14,7 @@ use crate::scalar::NumberError;
 use crate::search::{MergeError, PartError, RecordError};
 use crate::spline::{BasisError, CurveError, KnotError};
 
+use super::eval::PointError;
 use super::exit::Exit;
 use super::place::Place;
 
@@ -144,6 +145,22 @@ pub enum CliError {
         order: usize,
         /// The most that is allowed.
         limit: usize,
+    },
+    /// A line of a file of points that is no point.
+    #[error("--points-file: {name}, line {line}: {error}")]
+    Points {
+        /// The file.
+        name: String,
+        /// The number of the line, from 1.
+        line: u64,
+        /// What is wrong with it.
+        error: PointError,
+    },
+    /// A file of points without any.
+    #[error("--points-file: {name}: there is no point in it: write one x on each line")]
+    NoPoint {
+        /// The file.
+        name: String,
     },
     /// No control points where a curve is wanted.
     #[error("--points is missing: there is no curve without control points; give {needed}, d_0 to d_{}", needed - 1)]
@@ -307,6 +324,7 @@ impl CliError {
             | Self::NoIndices { place } => Some(place.argument()),
             Self::Missing { argument, .. } | Self::Degree { argument, .. } => Some(argument),
             Self::Parentheses { .. } | Self::PointsJson(_) | Self::NoPoints { .. } => Some("--points"),
+            Self::Points { .. } | Self::NoPoint { .. } => Some("--points-file"),
             Self::TooHigh { .. } => Some("--degree"),
             Self::UnknownInstance { .. } | Self::Malformed { .. } => Some("--instance"),
             Self::SeveralIndices { .. } | Self::AllIndices => Some("--alpha"),

@@ -36,6 +36,7 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 
 pub use error::CliError;
+pub use eval::PointError;
 pub use exit::Exit;
 pub use output::{Format, Output};
 pub use place::Place;

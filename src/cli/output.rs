@@ -1,7 +1,7 @@
 //! Results to standard output, errors to standard error, as text or as JSON.
 
 use std::fmt;
-use std::io::{self, Write};
+use std::io::{self, BufWriter, Write};
 use std::panic::PanicHookInfo;
 
 use anstyle::{AnsiColor, Style};
@@ -81,6 +81,20 @@ impl Output {
     /// [`CliError::Output`] if standard output takes no more, for any reason but a closed pipe.
     pub fn text(&self, text: &str) -> Result<(), CliError> {
         write(text)
+    }
+
+    /// Writes a result bit by bit, as `write` produces it. What it has written before an error stays written.
+    ///
+    /// # Errors
+    /// Those of `write`, and [`CliError::Output`] if standard output takes no more, for any reason but a closed pipe.
+    pub fn stream(&self, write: impl FnOnce(&mut dyn Write) -> Result<(), CliError>) -> Result<(), CliError> {
+        let mut stdout = BufWriter::new(anstream::stdout().lock());
+        let written = write(&mut stdout);
+        let flushed = stdout.flush().map_err(CliError::from);
+        match written.and(flushed) {
+            Err(CliError::Output(error)) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+            result => result,
+        }
     }
 
     /// Writes one error message to standard error.

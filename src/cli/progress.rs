@@ -17,6 +17,19 @@ impl Progress {
         Self { bar }
     }
 
+    /// A bar for a file of so many bytes, or a count of bytes if nobody knows how many there are.
+    pub(super) fn of_bytes(length: Option<u64>) -> Self {
+        let template = match length {
+            Some(_) => "{bar:30} {bytes}/{total_bytes} {elapsed} {wide_msg}",
+            None => "{bytes} {elapsed} {wide_msg}",
+        };
+        let bar = length.map_or_else(ProgressBar::no_length, ProgressBar::new);
+        if let Ok(style) = ProgressStyle::with_template(template) {
+            bar.set_style(style);
+        }
+        Self { bar }
+    }
+
     /// The step before is done; this one comes next.
     pub(super) fn step(&self, name: &str) {
         if !self.bar.message().is_empty() {

@@ -1,13 +1,20 @@
-//! The command `eval`: exact values and derivatives at a point.
+//! The command `eval`: exact values and derivatives at a point, or at many.
 
+mod input;
+mod line;
+mod point;
+mod stream;
 mod text;
+
+use std::fmt;
+use std::path::PathBuf;
 
 use clap::ValueEnum;
 use num_rational::BigRational;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
-use crate::scalar::{Jet, parse_rational};
-use crate::spline::{Basis, Curve, Side};
+use crate::scalar::parse_rational;
+use crate::spline::{Curve, Side};
 
 use super::error::CliError;
 use super::exact::Exact;
@@ -15,7 +22,11 @@ use super::exit::Exit;
 use super::instance::{FunctionArgs, InstanceArgs, whole_number};
 use super::output::Output;
 
-/// Exact values and derivatives of the basis functions at a point, and of the curve by de Boor.
+pub use line::PointError;
+use point::{PointValues, Request};
+
+/// Exact values and derivatives of the basis functions at a point, and of the curve by de Boor; or at all points of a
+/// file.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLE)]
 pub(super) struct Args {
@@ -24,9 +35,20 @@ pub(super) struct Args {
     #[command(flatten)]
     function: FunctionArgs,
     /// The point x.
-    #[arg(long, value_name = "X", value_parser = parse_rational, allow_hyphen_values = true)]
-    x: BigRational,
-    /// The side from which limits are taken; at t_m it is the left one in any case.
+    #[arg(
+        long,
+        value_name = "X",
+        value_parser = parse_rational,
+        allow_hyphen_values = true,
+        required_unless_present = "points_file",
+        conflicts_with = "points_file"
+    )]
+    x: Option<BigRational>,
+    /// Many points x, one on each line of a CSV or JSON Lines file, or of standard input for `-`; see below.
+    #[arg(long, value_name = "FILE")]
+    points_file: Option<PathBuf>,
+    /// The side from which limits are taken, unless a file of points says otherwise; at t_m it is the left one in any
+    /// case.
     #[arg(long, value_enum, default_value_t)]
     side: OneSide,
     /// The highest derivative, at most 50.
@@ -36,13 +58,34 @@ pub(super) struct Args {
 
 const EXAMPLE: &str = r#"Examples:
   knotproof eval --instance U4 --alpha -1 --x 1 --side left --derivatives 2
-  knotproof eval --degree 2 --knots "0 0 0 1 2 2 2" --alpha 5 --x 1/2 --points "0,0 1,2 2,2 3,0""#;
+  knotproof eval --degree 2 --knots "0 0 0 1 2 2 2" --alpha 5 --x 1/2 --points "0,0 1,2 2,2 3,0"
+  knotproof eval --instance U4 --alpha -1 --points-file points.csv > values.csv
+  seq 0 1/64 3 | knotproof eval --instance U4 --alpha -1 --points-file - --format json
+
+Files of points are read and answered line by line, in constant memory:
+  CSV (.csv, .txt)
+      x, or x,side with the side left or right. A first line `x` or `x,side` is a header; blank
+      lines and lines that begin with # are skipped.
+  JSON lines (.jsonl, .ndjson)
+      A number, a string with an exact number, or {"x": "1/3", "side": "left"}.
+  Under any other name, and on standard input, it is JSON lines if the first line begins with {.
+The answer has a line for each point, in the same order:
+  --format text
+      CSV with a header: x, side, G_0, ..., G_n, and G_0^(d), ..., G_n^(d) for each derivative d;
+      with control points then the coordinates of the curve, curve_0, ... and curve_0^(d), ...
+  --format json
+      JSON lines. The first has what all points share: schema, degree, knots, alpha, index. Each
+      other is a point: x, side, values, derivatives, curve, curve_derivatives.
+A line that is no point ends the run with exit code 2; the answers before it are written."#;
 
 /// The highest derivative that is computed. The numbers grow with the order, and the time with more than its
 /// cube: on knots of a few digits this one takes a second or two up to degree 5.
 const DERIVATIVES_LIMIT: usize = 50;
 
-#[derive(Debug, Clone, Copy, Default, ValueEnum, Serialize)]
+/// The schema of the JSON.
+const SCHEMA: &str = "knotproof.eval/1";
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 enum OneSide {
     /// The limit from below.
@@ -61,25 +104,23 @@ impl From<OneSide> for Side {
     }
 }
 
-/// The result: its fields are the JSON.
+impl fmt::Display for OneSide {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        Side::from(*self).fmt(f)
+    }
+}
+
+/// The result at one point: its fields are the JSON.
 #[derive(Debug, Serialize)]
 struct Evaluation {
     schema: &'static str,
     degree: usize,
     knots: Vec<Exact>,
     alpha: String,
-    x: Exact,
-    side: OneSide,
     #[serde(skip_serializing_if = "Option::is_none")]
     index: Option<usize>,
-    values: Vec<Exact>,
-    /// Entry d − 1 holds the d-th derivatives.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    derivatives: Vec<Vec<Exact>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    curve: Option<Vec<Exact>>,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    curve_derivatives: Vec<Vec<Exact>>,
+    #[serde(flatten)]
+    at: PointValues,
     #[serde(skip_serializing_if = "Option::is_none")]
     de_boor: Option<Vec<Level>>,
     #[serde(skip)]
@@ -103,47 +144,28 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     let label = subject.label.clone();
     let case = subject.only_case()?;
     let index = args.function.chosen(&case.basis)?;
-    output.result(&evaluate(args, &case.basis, case.curve.as_ref(), index, label))?;
+    let request = Request { basis: &case.basis, curve: case.curve.as_ref(), index, order: args.derivatives };
+    if let Some(x) = &args.x {
+        output.result(&evaluate(&request, x, args.side, label))?;
+    }
+    if let Some(path) = &args.points_file {
+        stream::evaluate_file(path, &request, args.side, output)?;
+    }
     Ok(Exit::Holds)
 }
 
-fn evaluate(
-    args: &Args,
-    basis: &Basis,
-    curve: Option<&Curve>,
-    index: Option<usize>,
-    label: Option<String>,
-) -> Evaluation {
-    let (x, side, order) = (&args.x, args.side.into(), args.derivatives);
-    let mut functions = basis.jets(x, side, order);
-    if let Some(index) = index {
-        functions = vec![functions.swap_remove(index)];
-    }
-    let mut derivatives = by_order(&functions, order);
-    let values = derivatives.remove(0);
-    let mut coordinates = curve.map(|curve| by_order(&curve.jets(x, side, order), order)).unwrap_or_default();
-    let point = (!coordinates.is_empty()).then(|| coordinates.remove(0));
+fn evaluate(request: &Request<'_>, x: &BigRational, side: OneSide, label: Option<String>) -> Evaluation {
+    let basis = request.basis;
     Evaluation {
-        schema: "knotproof.eval/1",
+        schema: SCHEMA,
         degree: basis.degree(),
         knots: exact(basis.knots().knots()),
         alpha: basis.index().to_string(),
-        x: Exact(x.clone()),
-        side: args.side,
-        index,
-        values,
-        derivatives,
-        curve: point,
-        curve_derivatives: coordinates,
-        de_boor: curve.and_then(|curve| levels(curve, x, side)),
+        index: request.index,
+        at: request.at(x.clone(), side),
+        de_boor: request.curve.and_then(|curve| levels(curve, x, side.into())),
         label,
     }
-}
-
-/// Entry d holds the d-th derivatives of all the jets.
-fn by_order(jets: &[Jet<BigRational>], order: usize) -> Vec<Vec<Exact>> {
-    let derivatives: Vec<_> = jets.iter().map(Jet::derivatives).collect();
-    (0..=order).map(|d| derivatives.iter().map(|of_one| Exact(of_one[d].clone())).collect()).collect()
 }
 
 fn levels(curve: &Curve, x: &BigRational, side: Side) -> Option<Vec<Level>> {

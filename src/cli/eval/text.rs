@@ -21,17 +21,17 @@ impl fmt::Display for Evaluation {
             writeln!(f, "Instance {label}")?;
         }
         writeln!(f, "Knots {}, degree {}, α = {}", point(&self.knots), self.degree, self.alpha)?;
-        writeln!(f, "x = {}, {}", self.x, self.limit())?;
+        writeln!(f, "x = {}, {}", self.at.x, self.limit())?;
         if let Some(note) = self.note() {
             writeln!(f, "Note: {note}")?;
         }
         heading(f, "Values")?;
-        writeln!(f, "{}", self.table(&self.values, "G_i(x)").trim_fmt())?;
-        for (order, values) in (1..).zip(&self.derivatives) {
+        writeln!(f, "{}", self.table(&self.at.values, "G_i(x)").trim_fmt())?;
+        for (order, values) in (1..).zip(&self.at.derivatives) {
             heading(f, &format!("Derivative {order}"))?;
             writeln!(f, "{}", self.table(values, &derivative("G_i", order)).trim_fmt())?;
         }
-        let Some(curve) = &self.curve else { return Ok(()) };
+        let Some(curve) = &self.at.curve else { return Ok(()) };
         heading(f, "Curve")?;
         writeln!(f, "{}", self.curve_table(curve).trim_fmt())?;
         heading(f, "De Boor's points d_i^r")?;
@@ -44,7 +44,7 @@ impl fmt::Display for Evaluation {
 
 impl Evaluation {
     fn limit(&self) -> &'static str {
-        match self.side {
+        match self.at.side {
             OneSide::Left => "limits from the left",
             OneSide::Right => "values (limits from the right)",
         }
@@ -53,10 +53,10 @@ impl Evaluation {
     /// What is special about x.
     fn note(&self) -> Option<String> {
         let (first, last) = (self.knots.first()?, self.knots.last()?);
-        let x = &self.x.0;
+        let x = &self.at.x.0;
         if *x < first.0 || *x > last.0 {
             Some(format!("x lies outside of [t_0, t_m] = [{first}, {last}], where every function is 0."))
-        } else if *x == first.0 && matches!(self.side, OneSide::Left) {
+        } else if *x == first.0 && matches!(self.at.side, OneSide::Left) {
             Some(format!("x is t_0 = {first}, and left of it every function is 0."))
         } else if *x == last.0 {
             Some(format!("x is t_m = {last}, where all limits are taken from the left (D3.3)."))
@@ -80,7 +80,7 @@ impl Evaluation {
     fn curve_table(&self, curve: &[Exact]) -> Table {
         let mut table = plain(["", "exact", "≈"].map(str::to_owned).to_vec());
         for (order, coordinates) in
-            std::iter::once(curve).chain(self.curve_derivatives.iter().map(Vec::as_slice)).enumerate()
+            std::iter::once(curve).chain(self.at.curve_derivatives.iter().map(Vec::as_slice)).enumerate()
         {
             let name = if order == 0 { "G(x)".to_owned() } else { derivative("G", order) };
             let decimals = coordinates.iter().map(|c| decimal(&c.0, DIGITS)).collect();

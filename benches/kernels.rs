@@ -1,0 +1,101 @@
+//! The kernels, one group for each job that `benches/peers.sh` compares with other systems, and one for growth.
+
+#[path = "peers/jobs.rs"]
+mod jobs;
+
+use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use jobs::CaseError;
+
+const POINTS: usize = 25;
+
+/// A: exact values at points.
+fn values(criterion: &mut Criterion) -> Result<(), CaseError> {
+    let mut group = criterion.benchmark_group("A, values");
+    group.throughput(Throughput::Elements(POINTS as u64));
+    for degree in [3, 5, 10, 20] {
+        let basis = jobs::basis(degree, jobs::inner(degree))?;
+        let points = jobs::points(&basis, POINTS);
+        group.bench_function(BenchmarkId::new("reduced", degree), |bencher| {
+            bencher.iter(|| points.iter().map(|x| jobs::values(&basis, x)).collect::<Vec<_>>());
+        });
+    }
+    group.finish();
+    Ok(())
+}
+
+/// B: the pieces of one span.
+fn pieces(criterion: &mut Criterion) -> Result<(), CaseError> {
+    let mut group = criterion.benchmark_group("B, pieces");
+    for degree in 3..=10 {
+        let basis = jobs::basis(degree, jobs::inner(degree))?;
+        let Some(span) = jobs::middle(&basis) else { continue };
+        group.bench_function(BenchmarkId::new("one span", degree), |bencher| {
+            bencher.iter(|| jobs::pieces(&basis, span));
+        });
+    }
+    group.finish();
+    Ok(())
+}
+
+/// C: the critical points of one function. From polynomials only `benches/peers.sh` times it, on those of others.
+fn critical_points(criterion: &mut Criterion) -> Result<(), CaseError> {
+    let mut group = criterion.benchmark_group("C, critical points");
+    for degree in 2..=8 {
+        for (family, cases) in
+            [("uniform", jobs::uniform(degree)), ("non-uniform", jobs::non_uniform(degree))]
+        {
+            let functions = cases.iter().map(jobs::local_knots).collect::<Result<Vec<_>, _>>()?;
+            group.throughput(Throughput::Elements(functions.len() as u64));
+            group.bench_function(BenchmarkId::new(family, degree), |bencher| {
+                bencher.iter(|| functions.iter().map(jobs::turns).collect::<Vec<_>>());
+            });
+        }
+    }
+    group.finish();
+    Ok(())
+}
+
+/// E: the pieces of one span for every r.
+fn pieces_for_every_ratio(criterion: &mut Criterion) -> Result<(), CaseError> {
+    let mut group = criterion.benchmark_group("E, pieces for every ratio");
+    for degree in 3..=5 {
+        let basis = jobs::basis(degree, jobs::inner(degree))?;
+        let Some(span) = jobs::middle(&basis) else { continue };
+        group.bench_function(BenchmarkId::new("one span", degree), |bencher| {
+            bencher.iter(|| jobs::pieces_for_every_ratio(&basis, span));
+        });
+    }
+    group.finish();
+    Ok(())
+}
+
+/// Values at points as the degree grows, and as the number of knots does.
+fn growth(criterion: &mut Criterion) -> Result<(), CaseError> {
+    let mut group = criterion.benchmark_group("growth of A");
+    group.throughput(Throughput::Elements(POINTS as u64)).sample_size(10);
+    let by_degree = jobs::GROWTH_DEGREES.map(|degree| ("degree", degree, 100));
+    let by_knots = jobs::GROWTH_KNOTS.map(|inner| ("inner knots", 3, inner));
+    for (what, degree, inner) in by_degree.into_iter().chain(by_knots) {
+        let basis = jobs::basis(degree, inner)?;
+        let points = jobs::points(&basis, POINTS);
+        let id =
+            if what == "degree" { BenchmarkId::new(what, degree) } else { BenchmarkId::new(what, inner) };
+        group.bench_function(id, |bencher| {
+            bencher.iter(|| points.iter().map(|x| jobs::values(&basis, x)).collect::<Vec<_>>());
+        });
+    }
+    group.finish();
+    Ok(())
+}
+
+fn kernels(criterion: &mut Criterion) {
+    for group in [values, pieces, critical_points, pieces_for_every_ratio, growth] {
+        if let Err(error) = group(criterion) {
+            eprintln!("a case of benches/peers/jobs.rs is wrong: {error}");
+            std::process::exit(1);
+        }
+    }
+}
+
+criterion_group!(benches, kernels);
+criterion_main!(benches);

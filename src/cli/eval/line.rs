@@ -1,0 +1,286 @@
+//! One line of a file of points, as CSV or as JSON.
+
+use std::path::Path;
+
+use num_rational::BigRational;
+use serde::Deserialize;
+use thiserror::Error;
+
+use crate::scalar::{NumberError, parse_rational};
+
+use super::super::exact::Exact;
+use super::OneSide;
+
+/// Why a line is not a point.
+#[derive(Debug, Error)]
+pub enum PointError {
+    /// Longer than any point needs.
+    #[error("the line is longer than {0} bytes, which no point needs: write one point on each line")]
+    TooLong(usize),
+    /// Not UTF-8.
+    #[error("byte {0} of the line is not UTF-8 text: write the file in UTF-8")]
+    Encoding(usize),
+    /// Binary data, or UTF-16.
+    #[error("byte {0} of the line is NUL: write the file as UTF-8 text")]
+    Nul(usize),
+    /// x is not an exact number.
+    #[error("{}", shortened(.0))]
+    Number(NumberError),
+    /// Neither `left` nor `right`.
+    #[error("the side is `{}`: write left, right, or nothing", shortened(.0))]
+    Side(String),
+    /// More than x and side.
+    #[error("there are more than two columns: write x, or x,side (a decimal number with a point: 0.4)")]
+    Columns,
+    /// A quotation mark without its partner.
+    #[error("a quotation mark is not closed: a number needs none")]
+    Quote,
+    /// A carriage return inside the line, as in files of old Macintoshes.
+    #[error("there is a carriage return inside the line: end each line with a line feed")]
+    CarriageReturn,
+    /// Not the JSON of a point.
+    #[error(
+        "{message}, at column {column}: write a number, a string with an exact number, or {{\"x\": \"1/3\", \"side\": \"left\"}}"
+    )]
+    Json {
+        /// What is wrong.
+        message: String,
+        /// Where, from 1.
+        column: usize,
+    },
+}
+
+/// A line may be long, and a message should not be: its beginning and its end.
+fn shortened(text: &impl ToString) -> String {
+    const PART: usize = 100;
+    let text: Vec<char> = text.to_string().chars().collect();
+    match (text.get(..PART), text.len().checked_sub(PART)) {
+        (Some(start), Some(tail)) if tail > PART => start.iter().chain(&['…']).chain(&text[tail..]).collect(),
+        _ => text.iter().collect(),
+    }
+}
+
+/// A point of a file.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) struct FilePoint {
+    pub(super) x: BigRational,
+    /// `None` if the line does not say.
+    pub(super) side: Option<OneSide>,
+}
+
+/// How points are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Form {
+    /// x, or x and a side.
+    Csv,
+    /// A JSON value on each line.
+    JsonLines,
+}
+
+impl Form {
+    /// The form that the name of a file promises, if any.
+    pub(super) fn of_file(path: &Path) -> Option<Self> {
+        match path.extension()?.to_ascii_lowercase().to_str()? {
+            "csv" | "txt" => Some(Self::Csv),
+            "jsonl" | "ndjson" => Some(Self::JsonLines),
+            _ => None,
+        }
+    }
+
+    /// The form that a first line has: JSON if it begins with a brace or a bracket. Numbers and strings are read
+    /// alike in both.
+    pub(super) fn of_line(line: &str) -> Self {
+        if line.starts_with(['{', '[']) { Self::JsonLines } else { Self::Csv }
+    }
+}
+
+/// Reads a line of JSON without white space before it: a number, a string with one, or an object.
+///
+/// # Errors
+/// [`PointError::Json`].
+pub(super) fn from_json(line: &str) -> Result<FilePoint, PointError> {
+    #[derive(Deserialize)]
+    #[serde(deny_unknown_fields)]
+    struct Object {
+        x: Exact,
+        side: Option<OneSide>,
+    }
+
+    let point = if line.starts_with('{') {
+        serde_json::from_str(line).map(|Object { x: Exact(x), side }| FilePoint { x, side })
+    } else {
+        serde_json::from_str(line).map(|Exact(x)| FilePoint { x, side: None })
+    };
+    point.map_err(|error| {
+        let (text, column) = (error.to_string(), error.column());
+        // The line of the file is known better.
+        let message = text.strip_suffix(&format!(" at line {} column {column}", error.line()));
+        PointError::Json { message: shortened(&message.unwrap_or(&text)), column }
+    })
+}
+
+/// Reads lines of CSV. A line is a record, so an open quotation mark costs one line and not the rest of the file.
+#[derive(Debug)]
+pub(super) struct CsvLines {
+    parser: csv_core::Reader,
+    fields: Vec<u8>,
+}
+
+impl CsvLines {
+    /// A reader that has read nothing.
+    pub(super) fn new() -> Self {
+        // Not `default()`: that one has no tables, and takes every line for an empty one.
+        Self { parser: csv_core::Reader::new(), fields: Vec::new() }
+    }
+
+    /// The point of a line.
+    ///
+    /// # Errors
+    /// [`PointError`].
+    pub(super) fn point(&mut self, line: &str) -> Result<FilePoint, PointError> {
+        let (x, side) = self.columns(line)?;
+        let side = match side.map(str::trim) {
+            None | Some("") => None,
+            Some("left") => Some(OneSide::Left),
+            Some("right") => Some(OneSide::Right),
+            Some(other) => return Err(PointError::Side(other.to_owned())),
+        };
+        Ok(FilePoint { x: parse_rational(x).map_err(PointError::Number)?, side })
+    }
+
+    /// Is the line a header: `x`, or `x,side`?
+    pub(super) fn is_header(&mut self, line: &str) -> bool {
+        let columns = self.columns(line).map(|(x, side)| (x.trim(), side.map(str::trim)));
+        matches!(columns, Ok(("x", None | Some("side"))))
+    }
+
+    /// The one or two columns of a line.
+    fn columns(&mut self, line: &str) -> Result<(&str, Option<&str>), PointError> {
+        if line.bytes().filter(|&byte| byte == b'"').count() % 2 == 1 {
+            return Err(PointError::Quote);
+        }
+        self.parser.reset();
+        // Unquoting makes nothing longer, and to the parser a buffer that is just long enough is full.
+        self.fields.resize(line.len() + 1, 0);
+        let mut ends = [0; 2];
+        let (mut read, mut written, mut columns) = (0, 0, 0);
+        loop {
+            // The parser knows the end of a record by the end of the input, and that by an empty piece.
+            let (result, consumed, copied, ended) = self.parser.read_record(
+                &line.as_bytes()[read..],
+                &mut self.fields[written..],
+                &mut ends[columns..],
+            );
+            (read, written, columns) = (read + consumed, written + copied, columns + ended);
+            match result {
+                csv_core::ReadRecordResult::InputEmpty => {}
+                csv_core::ReadRecordResult::OutputFull | csv_core::ReadRecordResult::OutputEndsFull => {
+                    return Err(PointError::Columns);
+                }
+                csv_core::ReadRecordResult::Record | csv_core::ReadRecordResult::End => break,
+            }
+        }
+        if read < line.len() {
+            return Err(PointError::CarriageReturn);
+        }
+        let field = |from: usize, to: usize| {
+            let bytes = self.fields.get(from..to).unwrap_or_default();
+            // Fields of UTF-8 text are UTF-8 text: they are cut at ASCII characters only.
+            std::str::from_utf8(bytes).map_err(|error| PointError::Encoding(error.valid_up_to()))
+        };
+        let second = (columns == 2).then(|| field(ends[0], ends[1])).transpose()?;
+        Ok((field(0, ends[0])?, second))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::{integer, rational};
+
+    fn csv(line: &str) -> Result<FilePoint, PointError> {
+        CsvLines::new().point(line)
+    }
+
+    fn point(x: BigRational, side: Option<OneSide>) -> FilePoint {
+        FilePoint { x, side }
+    }
+
+    #[test]
+    fn lines_of_csv() {
+        let third = || rational(1, 3);
+        for line in ["1/3", " 1/3 ", "\"1/3\"", "1/3,", "1/3, ", "1/3\t,\"\""] {
+            assert_eq!(csv(line).unwrap(), point(third(), None), "{line}");
+        }
+        for line in ["1/3,left", "\"1/3\",\"left\"", " 1/3 , left "] {
+            assert_eq!(csv(line).unwrap(), point(third(), Some(OneSide::Left)), "{line}");
+        }
+        assert_eq!(csv("-2e-1,right").unwrap(), point(rational(-1, 5), Some(OneSide::Right)));
+    }
+
+    #[test]
+    fn one_reader_reads_many_lines() {
+        let mut lines = CsvLines::new();
+        for (line, x) in [("1,left", 1), ("23456789", 23_456_789), ("2,", 2), ("\"3\"", 3)] {
+            assert_eq!(lines.point(line).unwrap().x, integer(x), "{line}");
+        }
+        assert!(lines.point("\"4").is_err() && lines.point("4\r5").is_err() && lines.point("4,,").is_err());
+        assert_eq!(lines.point("4").unwrap().x, integer(4), "an error leaves nothing behind");
+    }
+
+    #[test]
+    fn lines_of_csv_that_are_no_points() {
+        assert!(matches!(csv("1,left,").unwrap_err(), PointError::Columns));
+        assert!(matches!(csv("1,2,3,4").unwrap_err(), PointError::Columns));
+        assert!(matches!(csv("0,4").unwrap_err(), PointError::Side(side) if side == "4"));
+        assert!(matches!(csv("1,LEFT").unwrap_err(), PointError::Side(_)));
+        assert!(matches!(csv("\"1").unwrap_err(), PointError::Quote));
+        assert!(matches!(csv("1\r2").unwrap_err(), PointError::CarriageReturn));
+        assert!(matches!(csv(",left").unwrap_err(), PointError::Number(NumberError::Empty)));
+        assert!(matches!(csv("nan").unwrap_err(), PointError::Number(NumberError::NotFinite(_))));
+    }
+
+    #[test]
+    fn a_header_names_the_columns() {
+        for line in ["x", " x ", "\"x\"", "x,side", "x, side"] {
+            assert!(CsvLines::new().is_header(line), "{line}");
+        }
+        for line in ["1", "y", "side,x", "x,y", "x,side,", "xx", "\"x"] {
+            assert!(!CsvLines::new().is_header(line), "{line}");
+        }
+    }
+
+    #[test]
+    fn lines_of_json() {
+        let third = || rational(1, 3);
+        assert_eq!(from_json("0.1").unwrap(), point(rational(1, 10), None));
+        assert_eq!(from_json("\"1/3\"").unwrap(), point(third(), None));
+        assert_eq!(from_json(r#"{"x": "1/3"}"#).unwrap(), point(third(), None));
+        assert_eq!(
+            from_json(r#"{"side": "left", "x": "1/3"}"#).unwrap(),
+            point(third(), Some(OneSide::Left))
+        );
+        for (line, part) in [
+            ("1/3", "trailing characters, at column 2"),
+            ("NaN", "expected value, at column 1"),
+            ("\"nan\"", "`nan` is not a finite number"),
+            ("[1]", "found a list"),
+            ("null", "found null"),
+            (r#"{"side": "left"}"#, "missing field `x`"),
+            (r#"{"x": 1, "x": 2}"#, "duplicate field `x`"),
+            (r#"{"x": 1, "y": 2}"#, "unknown field `y`"),
+            (r#"{"x": 1, "side": "up"}"#, "unknown variant `up`"),
+            (r#"{"x": 1} 2"#, "trailing characters"),
+        ] {
+            let message = from_json(line).unwrap_err().to_string();
+            assert!(message.contains(part) && !message.contains("at line"), "{line}: {message}");
+        }
+    }
+
+    #[test]
+    fn messages_stay_short() {
+        let message = csv(&"7a".repeat(10_000)).unwrap_err().to_string();
+        assert!(message.chars().count() < 250, "{message}");
+        assert!(message.starts_with("`7a7a") && message.contains('…') && message.ends_with("0x1.8p-3"));
+    }
+}

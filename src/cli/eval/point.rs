@@ -1,0 +1,63 @@
+//! What there is to say of one point: the one place where `eval` computes.
+
+use num_rational::BigRational;
+use serde::Serialize;
+
+use crate::scalar::Jet;
+use crate::spline::{Basis, Curve};
+
+use super::super::exact::Exact;
+use super::OneSide;
+
+/// What is asked for at every point.
+pub(super) struct Request<'a> {
+    pub(super) basis: &'a Basis,
+    pub(super) curve: Option<&'a Curve>,
+    /// The one function that is wanted; all if there is none.
+    pub(super) index: Option<usize>,
+    /// The highest derivative.
+    pub(super) order: usize,
+}
+
+/// The values at a point: the fields are the JSON.
+#[derive(Debug, Serialize)]
+pub(super) struct PointValues {
+    pub(super) x: Exact,
+    pub(super) side: OneSide,
+    pub(super) values: Vec<Exact>,
+    /// Entry d − 1 holds the d-th derivatives.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(super) derivatives: Vec<Vec<Exact>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) curve: Option<Vec<Exact>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(super) curve_derivatives: Vec<Vec<Exact>>,
+}
+
+impl Request<'_> {
+    /// The indices of the functions that are asked for.
+    pub(super) fn functions(&self) -> std::ops::RangeInclusive<usize> {
+        self.index.map_or(0..=self.basis.n(), |index| index..=index)
+    }
+
+    /// Values and derivatives at x, as limits from the side.
+    pub(super) fn at(&self, x: BigRational, side: OneSide) -> PointValues {
+        let mut functions = self.basis.jets(&x, side.into(), self.order);
+        if let Some(index) = self.index {
+            functions = vec![functions.swap_remove(index)];
+        }
+        let mut derivatives = self.by_order(&functions);
+        let values = derivatives.remove(0);
+        let jets = self.curve.map(|curve| curve.jets(&x, side.into(), self.order));
+        let mut curve_derivatives = jets.map(|jets| self.by_order(&jets)).unwrap_or_default();
+        let curve = (!curve_derivatives.is_empty()).then(|| curve_derivatives.remove(0));
+        PointValues { x: Exact(x), side, values, derivatives, curve, curve_derivatives }
+    }
+
+    /// Entry d holds the d-th derivatives of all the jets.
+    fn by_order(&self, jets: &[Jet<BigRational>]) -> Vec<Vec<Exact>> {
+        let derivatives: Vec<_> = jets.iter().map(Jet::derivatives).collect();
+        let of_order = |d: usize| derivatives.iter().map(|of_one| Exact(of_one[d].clone())).collect();
+        (0..=self.order).map(of_order).collect()
+    }
+}
