@@ -120,8 +120,8 @@ pub trait RationalAlgebra: Ring {
 /// A [`RationalAlgebra`] in which every element except 0 is a unit.
 pub trait Field: RationalAlgebra {
     /// Quotient and remainder of two polynomials, given by their coefficients as for
-    /// [`product_of_polynomials`](Ring::product_of_polynomials), with a remainder shorter than the divisor, either without a coefficient if it
-    /// is 0; `None` if the leading coefficient of the divisor is 0.
+    /// [`product_of_polynomials`](Ring::product_of_polynomials): the remainder is shorter than the divisor, and a list
+    /// may be empty for 0. `None` if the leading coefficient of the divisor is 0. To be overridden likewise.
     fn quotient_of_polynomials(dividend: &[Self], divisor: &[Self]) -> Option<(Vec<Self>, Vec<Self>)> {
         let inverse = divisor.last()?.reciprocal()?;
         let mut remainder = dividend.to_vec();
@@ -142,7 +142,8 @@ pub trait Field: RationalAlgebra {
         Some((quotient, remainder))
     }
 
-    /// The monic greatest common divisor of two polynomials, by Euclid's algorithm; 0 only for two zeros.
+    /// The monic greatest common divisor of two polynomials, by Euclid's algorithm; 0 only for two zeros. To be
+    /// overridden likewise.
     fn gcd_of_polynomials(a: &[Self], b: &[Self]) -> Vec<Self> {
         let monic = |list: &[Self]| -> Vec<Self> {
             let degree = list.iter().rposition(|c| !c.is_zero()).unwrap_or(0);
