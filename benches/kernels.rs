@@ -5,6 +5,7 @@ mod jobs;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use jobs::CaseError;
+use knotproof::spline::Evaluator;
 
 const POINTS: usize = 25;
 
@@ -15,8 +16,13 @@ fn values(criterion: &mut Criterion) -> Result<(), CaseError> {
     for degree in [3, 5, 10, 20] {
         let basis = jobs::basis(degree, jobs::inner(degree))?;
         let points = jobs::points(&basis, POINTS);
+        let mut evaluator = Evaluator::new(&basis);
         group.bench_function(BenchmarkId::new("reduced", degree), |bencher| {
-            bencher.iter(|| points.iter().map(|x| jobs::values(&basis, x)).collect::<Vec<_>>());
+            bencher.iter(|| points.iter().map(|x| jobs::values(&mut evaluator, x)).collect::<Vec<_>>());
+        });
+        group.bench_function(BenchmarkId::new("unreduced", degree), |bencher| {
+            let mut first = |x| Some(jobs::unreduced(&mut evaluator, x)?.first());
+            bencher.iter(|| points.iter().filter_map(&mut first).sum::<usize>());
         });
     }
     group.finish();
@@ -78,10 +84,11 @@ fn growth(criterion: &mut Criterion) -> Result<(), CaseError> {
     for (what, degree, inner) in by_degree.into_iter().chain(by_knots) {
         let basis = jobs::basis(degree, inner)?;
         let points = jobs::points(&basis, POINTS);
+        let mut evaluator = Evaluator::new(&basis);
         let id =
             if what == "degree" { BenchmarkId::new(what, degree) } else { BenchmarkId::new(what, inner) };
         group.bench_function(id, |bencher| {
-            bencher.iter(|| points.iter().map(|x| jobs::values(&basis, x)).collect::<Vec<_>>());
+            bencher.iter(|| points.iter().map(|x| jobs::values(&mut evaluator, x)).collect::<Vec<_>>());
         });
     }
     group.finish();

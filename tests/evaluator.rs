@@ -111,7 +111,7 @@ fn the_widths_of_integers_change_at_their_bounds() {
     let mut evaluator = Evaluator::new(&basis);
     for bits in [41, 42, 43, 62, 63, 64, 65, 127, 128, 129] {
         for off in -2..=2 {
-            let denominator = (BigInt::from(1) << bits) + off;
+            let denominator: BigInt = (BigInt::from(1) << bits) + off;
             for numerator in [BigInt::from(1), &denominator / 2, &denominator / 3, &denominator - 1] {
                 agree(&mut evaluator, &basis, &BigRational::new(numerator, denominator.clone()));
             }
@@ -125,7 +125,8 @@ fn points_of_all_sizes_in_any_order() {
     let knots = KnotVector::new([0, 0, 1, 2, 2, 2, 5, 6, 6].map(integer).to_vec()).unwrap();
     let basis = Basis::new(knots, 3, "-1/3".parse().unwrap()).unwrap();
     let mut evaluator = Evaluator::new(&basis);
-    let huge = BigRational::new((BigInt::from(3) << 200) + 1, BigInt::from(1) << 200);
+    let power: BigInt = BigInt::from(1) << 200;
+    let huge = BigRational::new(&power * 3 + 1, power);
     for x in
         [integer(0), huge.clone(), rational(1, 3), rational(7, 2), huge, integer(6), rational(1, 1 << 50)]
     {

@@ -1,8 +1,12 @@
 //! The jobs that are timed, one small function each, and the cases for them.
 
-use knotproof::analysis::{LocalKnots, LocalKnotsError, Monotonicity, SpanQuotient};
-use knotproof::scalar::{Multivariate, RationalFunction, integer, rational};
-use knotproof::spline::{Active, Basis, BasisError, Index, IndexError, KnotError, KnotVector, Side, Span};
+use knotproof::analysis::{
+    LocalKnots, LocalKnotsError, Monotonicity, SpanQuotient, span_quotients, symbolic_quotients,
+};
+use knotproof::scalar::{Polynomial, integer, rational};
+use knotproof::spline::{
+    Active, Basis, BasisError, Evaluator, Index, IndexError, KnotError, KnotVector, Side, Span, Unreduced,
+};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use rand_chacha::ChaCha8Rng;
@@ -77,13 +81,18 @@ pub(crate) fn local_knots((gaps, (p, q)): &Gaps) -> Result<LocalKnots<BigInt>, C
 }
 
 /// A: the k + 1 functions at a point, in lowest terms.
-pub(crate) fn values(basis: &Basis, x: &BigRational) -> Option<Active<BigRational>> {
-    Some(basis.active(basis.knots().span_at(x, Side::Right)?, x))
+pub(crate) fn values(evaluator: &mut Evaluator, x: &BigRational) -> Option<Active<BigRational>> {
+    evaluator.values(x, Side::Right)
 }
 
-/// B: the k + 1 functions on a span, as functions of x in lowest terms.
-pub(crate) fn pieces(basis: &Basis, span: Span) -> Active<RationalFunction<BigRational>> {
-    basis.active(span, &RationalFunction::variable(&integer(1)))
+/// A: the same as numerators over known factors.
+pub(crate) fn unreduced<'a>(evaluator: &'a mut Evaluator, x: &BigRational) -> Option<Unreduced<'a>> {
+    evaluator.at(x, Side::Right)
+}
+
+/// B: the k + 1 functions on a span, as P/Q in lowest terms in its positive coordinate u.
+pub(crate) fn pieces(basis: &Basis, span: Span) -> Active<SpanQuotient<BigInt>> {
+    span_quotients(basis, span)
 }
 
 /// C, from the knots: how often the slope changes its sign on each span.
@@ -93,14 +102,8 @@ pub(crate) fn turns(knots: &LocalKnots<BigInt>) -> Vec<usize> {
 
 /// E: the k + 1 functions on a span as P/Q in the span's positive coordinate u, with r as a variable: neither P nor
 /// Q has a fraction in it, and nothing is reduced.
-pub(crate) fn pieces_for_every_ratio(basis: &Basis, span: Span) -> Vec<SpanQuotient<Multivariate>> {
-    let (j, k) = (span.index(), basis.degree());
-    let gap = |i: usize| Multivariate::constant((basis.knots().t(i + 1) - basis.knots().t(i)).to_integer());
-    let function = |i: usize| {
-        let ratio = (Multivariate::variable(0), Multivariate::constant(1));
-        LocalKnots::new((i..=i + k).map(gap).collect(), ratio).ok()?.on_span(j - i)
-    };
-    (j - k..=j).filter_map(function).collect()
+pub(crate) fn pieces_for_every_ratio(basis: &Basis, span: Span) -> Active<SpanQuotient<Polynomial<BigInt>>> {
+    symbolic_quotients(basis.knots(), basis.degree(), span)
 }
 
 /// The degrees on 100 inner knots, and the numbers of inner knots in degree 3, for which growth is shown.

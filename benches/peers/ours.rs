@@ -16,9 +16,9 @@ use std::fs;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-use knotproof::analysis::count_positive_roots;
-use knotproof::scalar::{Multivariate, Polynomial, RationalFunction, integer};
-use knotproof::spline::{Active, Basis};
+use knotproof::analysis::{SpanQuotient, count_positive_roots};
+use knotproof::scalar::{Polynomial, RationalAlgebra, RationalFunction, integer, rational};
+use knotproof::spline::{Active, Basis, Evaluator};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
@@ -101,14 +101,24 @@ fn write_results(folder: &str) -> Outcome {
     for (degree, _) in VALUES {
         let basis = basis_of(degree)?;
         let points = jobs::points(&basis, CHECKED);
-        let values = points.iter().filter_map(|x| jobs::values(&basis, x));
+        let mut evaluator = Evaluator::new(&basis);
+        let values = points.iter().filter_map(|x| jobs::values(&mut evaluator, x));
         let text = values.map(|values| joined(values.values().iter().map(fraction)) + "\n").collect();
         write(format!("A.{degree}.knotproof-reduced"), text)?;
+        let mut text = String::new();
+        for x in &points {
+            let values = jobs::unreduced(&mut evaluator, x).ok_or("the points are inside")?;
+            let quotients = values.numerators().into_iter().zip(values.denominators());
+            writeln!(text, "{}", joined(quotients.map(|(p, q)| fraction(&BigRational::new(p, q)))))?;
+        }
+        write(format!("A.{degree}.knotproof-unreduced"), text)?;
     }
     for degree in PIECES {
         let basis = basis_of(degree)?;
         let span = jobs::middle(&basis).ok_or("there is a span in the middle")?;
-        let text = jobs::pieces(&basis, span).values().iter().map(quotient).collect();
+        let pieces = jobs::pieces(&basis, span);
+        let text =
+            pieces.values().iter().map(|piece| quotient(&in_x(piece, basis.knots().ends(span)))).collect();
         write(format!("B.{degree}.knotproof"), text)?;
     }
     for degree in CRITICAL {
@@ -127,14 +137,24 @@ fn write_results(folder: &str) -> Outcome {
     for degree in SYMBOLIC {
         let basis = basis_of(degree)?;
         let span = jobs::middle(&basis).ok_or("there is a span in the middle")?;
-        let line = |p: &Polynomial<Multivariate>, q: &Polynomial<Multivariate>| {
-            format!("{} / {}\n", terms(p), terms(q))
-        };
-        let quotients = jobs::pieces_for_every_ratio(&basis, span);
-        let text = quotients.iter().map(|g| line(&g.numerator, &g.denominator)).collect();
+        let line = |g: &SpanQuotient<_>| format!("{} / {}\n", terms(&g.numerator), terms(&g.denominator));
+        let text = jobs::pieces_for_every_ratio(&basis, span).values().iter().map(line).collect();
         write(format!("E.{degree}.knotproof"), text)?;
     }
     Ok(())
+}
+
+/// A piece in the span's positive coordinate u = (x − a)/(b − x) as a function of x.
+fn in_x(piece: &SpanQuotient<BigInt>, (a, b): (&BigRational, &BigRational)) -> RationalFunction<BigRational> {
+    let linear = |constant: BigRational, slope| {
+        RationalFunction::from_polynomial(Polynomial::new(constant, [rational(slope, 1)]))
+    };
+    let u = linear(-a, 1).over(&linear(b.clone(), -1));
+    let of_u = |p: &Polynomial<BigInt>, u: &RationalFunction<BigRational>| {
+        p.map(|c| RationalFunction::constant(BigRational::from_integer(c.clone()))).evaluate(u)
+    };
+    let value = u.and_then(|u| of_u(&piece.numerator, &u).over(&of_u(&piece.denominator, &u)));
+    value.unwrap_or_else(|| RationalFunction::constant(integer(0)))
 }
 
 /// `P / Q` by rising powers of x, with coprime integers, the last of Q positive.
@@ -149,9 +169,10 @@ fn quotient(g: &RationalFunction<BigRational>) -> String {
 }
 
 /// The terms c·u^a·r^b of a polynomial as `c:a:b`.
-fn terms(p: &Polynomial<Multivariate>) -> String {
-    let of_power = |(a, c): (usize, &Multivariate)| -> Vec<String> {
-        c.terms().map(|(monomial, c)| format!("{c}:{a}:{}", monomial.exponent(0))).collect()
+fn terms(p: &Polynomial<Polynomial<BigInt>>) -> String {
+    let of_power = |(a, c): (usize, &Polynomial<BigInt>)| -> Vec<String> {
+        let terms = c.coefficients().iter().enumerate().filter(|(_, c)| **c != BigInt::ZERO);
+        terms.map(|(b, c)| format!("{c}:{a}:{b}")).collect()
     };
     joined(p.coefficients().iter().enumerate().flat_map(of_power))
 }
@@ -202,8 +223,12 @@ fn time_values() -> Outcome {
     for (degree, count) in VALUES {
         let basis = basis_of(degree)?;
         let points = jobs::points(&basis, count);
-        let run = || points.iter().map(|x| jobs::values(&basis, x)).collect::<Vec<_>>();
-        time("A", &format!("k = {degree}"), "knotproof, reduced", points.len(), run);
+        let (mut evaluator, case) = (Evaluator::new(&basis), format!("k = {degree}"));
+        let run = || points.iter().map(|x| jobs::values(&mut evaluator, x)).collect::<Vec<_>>();
+        time("A", &case, "knotproof, reduced", points.len(), run);
+        let run =
+            || points.iter().filter_map(|x| Some(jobs::unreduced(&mut evaluator, x)?.first())).sum::<usize>();
+        time("A", &case, "knotproof, unreduced", points.len(), run);
     }
     Ok(())
 }
@@ -248,8 +273,9 @@ fn time_growth() -> Outcome {
     for (degree, inner) in cases {
         let basis = jobs::basis(degree, inner)?;
         let points = jobs::points(&basis, CHECKED);
+        let mut evaluator = Evaluator::new(&basis);
         let run = || -> Vec<Option<Active<BigRational>>> {
-            points.iter().map(|x| jobs::values(&basis, x)).collect()
+            points.iter().map(|x| jobs::values(&mut evaluator, x)).collect()
         };
         time(
             "growth",

@@ -4,7 +4,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 
 use crate::scalar::{Fixed, Polynomial, Ring, ScaleBy, Whole, may_vanish};
-use crate::spline::{Active, Basis, Factors, FractionFree, Span, triangle};
+use crate::spline::{Active, Basis, Factors, FractionFree, KnotVector, Span, triangle};
 
 use super::local_knots::{SpanQuotient, coprime_gaps};
 
@@ -51,19 +51,46 @@ pub fn span_quotients(basis: &Basis, span: Span) -> Active<SpanQuotient<BigInt>>
     factored_quotients(basis, span).map(quotient)
 }
 
-/// The same with the factors of the denominators.
+/// [`span_quotients`] for every slope ratio r at once: the coefficients are polynomials in r. Nothing is reduced.
+///
+/// In integers of 128 bits under the same bound as there, with r = 1.
+///
+/// ```
+/// use knotproof::analysis::symbolic_quotients;
+/// use knotproof::scalar::integer;
+/// use knotproof::spline::KnotVector;
+/// use num_bigint::BigInt;
+///
+/// // φ = ru/(1 + ru) on (0, 1).
+/// let knots = KnotVector::bernstein(1, &integer(0), &integer(1))?;
+/// let functions = symbolic_quotients(&knots, 1, knots.spans().next().unwrap());
+/// let [zero, one] = [0, 1].map(BigInt::from);
+/// let phi = &functions.values()[1];
+/// assert_eq!(phi.numerator.coefficients()[1].coefficients(), [zero.clone(), one.clone()]);
+/// assert_eq!(phi.denominator.coefficients()[0].coefficients(), [one]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[must_use]
+pub fn symbolic_quotients(
+    knots: &KnotVector,
+    degree: usize,
+    span: Span,
+) -> Active<SpanQuotient<Polynomial<BigInt>>> {
+    let window = Window::of(knots, degree, span, (1.into(), 1.into()));
+    match window.in_words() {
+        Some(words) => words.symbolic(),
+        None => window.symbolic(),
+    }
+}
+
+/// [`span_quotients`] with the factors of the denominators.
 pub(super) fn factored_quotients(basis: &Basis, span: Span) -> Active<FactoredQuotient> {
-    let (knots, k, j) = (basis.knots(), basis.degree(), span.index());
-    // The knots t_{j−k}, …, t_{j+k+1}, of which the first and the last do not matter on the span.
-    let (low, high) = (j.saturating_sub(k), (j + k + 1).min(knots.m()));
-    let matters = |i: usize| i + k > j && i < j + k;
-    let gap = |i: usize| if matters(i) { knots.t(i + 1) - knots.t(i) } else { knots.t(i).zero() };
-    let gaps = coprime_gaps(&(low..high).map(gap).collect::<Vec<_>>());
     let ratio = basis.index().ratio();
-    let big = Window { gaps, ratio: (ratio.numer().clone(), ratio.denom().clone()), low, j, k };
-    match big.in_words() {
+    let ratio = (ratio.numer().clone(), ratio.denom().clone());
+    let window = Window::of(basis.knots(), basis.degree(), span, ratio);
+    match window.in_words() {
         Some(words) => words.quotients(),
-        None => big.quotients(),
+        None => window.quotients(),
     }
 }
 
@@ -77,6 +104,17 @@ struct Window<R> {
 }
 
 impl Window<BigInt> {
+    fn of(knots: &KnotVector, k: usize, span: Span, ratio: (BigInt, BigInt)) -> Self {
+        let j = span.index();
+        // The knots t_{j−k}, …, t_{j+k+1}, of which the first and the last do not matter on the span.
+        let (low, high) = (j.saturating_sub(k), (j + k + 1).min(knots.m()));
+        let matters = |i: usize| i + k > j && i < j + k;
+        let gap =
+            |i: usize| if matters(i) || i == j { knots.t(i + 1) - knots.t(i) } else { knots.t(i).zero() };
+        let gaps = coprime_gaps(&(low..high).map(gap).collect::<Vec<_>>());
+        Self { gaps, ratio, low, j, k }
+    }
+
     /// The same in 128 bits, if all that is computed from it fits.
     fn in_words(&self) -> Option<Window<Fixed>> {
         let word = |number: &BigInt| Fixed::try_from(number).ok();
@@ -115,6 +153,24 @@ impl<R: Whole> Window<R> {
     fn functions(&self, factors: &Factors<(R, R)>) -> impl Iterator<Item = usize> + use<R> {
         let j = factors.span().index();
         j.saturating_sub(self.k)..(j + 1).min(self.gaps.len() - self.k)
+    }
+
+    /// The quotients with a variable in the place of the ratio.
+    fn symbolic(&self) -> Active<SpanQuotient<Polynomial<BigInt>>> {
+        let gaps: Vec<_> = self.gaps.iter().map(|gap| Polynomial::constant(gap.clone())).collect();
+        let (r, one) = (Polynomial::variable(&self.gaps[0]), gaps[0].one());
+        let place = self.j - self.low;
+        let factors = Factors::in_positive_coordinate(&gaps, place, self.k, (&r, &one));
+        let Some(factors) = factors else { unreachable!("the span is within its window") };
+        let one = Polynomial::constant(one);
+        let numerators = triangle(&FractionFree::new(&factors, &one), factors.span(), self.k, gaps.len());
+        let big = |p: &Polynomial<Polynomial<R>>| p.map(|c| c.map(|c| c.clone().into()));
+        let quotient = |(i, numerator): (usize, &Polynomial<Polynomial<R>>)| {
+            let mut denominator = one.clone();
+            denominator.scale_by(factors.denominator(i));
+            SpanQuotient { numerator: big(numerator), denominator: big(&denominator) }
+        };
+        Active::new(self.low + numerators.first(), numerators.iter().map(quotient).collect())
     }
 
     fn quotients(&self) -> Active<FactoredQuotient> {
@@ -246,7 +302,7 @@ mod tests {
     use super::*;
     use crate::analysis::positive_coordinate;
     use crate::scalar::{RationalFunction, integer, rational};
-    use crate::spline::KnotVector;
+    use crate::spline::Index;
     use num_traits::Signed;
 
     fn over_rationals(p: &Polynomial<BigInt>) -> Polynomial<BigRational> {
@@ -291,6 +347,30 @@ mod tests {
         }
     }
 
+    /// At a ratio they are the quotients there.
+    #[test]
+    fn symbolic_quotients_have_values() {
+        for knots in
+            [&[0, 0, 0, 0, 1, 2, 2, 5, 5, 5, 5][..], &[0, 1, 2, 3, 4, 5, 7, 8, 1 << 30, 1 << 40, 1 << 62]]
+        {
+            let knots = KnotVector::new(knots.iter().map(|&t| rational(t, 1)).collect()).unwrap();
+            for (degree, ratio) in [(0, 2), (2, 3), (3, 1), (4, 5)] {
+                let index = Index::from_ratio(integer(ratio)).unwrap();
+                let basis = Basis::new(knots.clone(), degree, index).unwrap();
+                for span in knots.spans() {
+                    let at = BigInt::from(ratio);
+                    let value =
+                        |p: &Polynomial<Polynomial<BigInt>>| over_rationals(&p.map(|c| c.evaluate(&at)));
+                    let symbolic = symbolic_quotients(&knots, degree, span);
+                    let pieces = symbolic.map(|g| {
+                        RationalFunction::new(&value(&g.numerator), &value(&g.denominator)).unwrap()
+                    });
+                    assert_eq!(pieces, basis.active(span, &positive_coordinate(&knots, span)));
+                }
+            }
+        }
+    }
+
     #[test]
     fn at_infinity_there_is_one_factor_for_each_degree() {
         let knots = KnotVector::new((0..8).map(integer).collect()).unwrap();
@@ -299,7 +379,7 @@ mod tests {
             knots.spans().map(|span| OneDenominator::of(&basis, span).factors.len()).collect::<Vec<_>>()
         };
         assert_eq!(factors("inf"), [3; 7]);
-        assert_eq!(factors("-1"), [3, 5, 6, 6, 6, 5, 3]);
+        assert_eq!(factors("-1"), [3, 5, 5, 5, 5, 4, 3]);
     }
 
     /// Degree 1 on (0, 1) with r = p/q: the factor is q + pu, and 128 bits hold up to p + q = 2^127 − 1.
@@ -325,9 +405,10 @@ mod tests {
             k: 2,
         };
         // The largest p with (p + 1)^3 < 2^127.
-        let largest = 5_541_191_377_756_i64;
-        assert!((BigInt::from(largest) + 1).pow(3) < BigInt::from(1) << 127);
-        assert!((BigInt::from(largest) + 2).pow(3) >= BigInt::from(1) << 127);
+        let largest = 5_541_191_377_755_i64;
+        let cube = |number: i64| BigInt::from(number).pow(3);
+        let bound: BigInt = BigInt::from(1) << 127;
+        assert!(cube(largest + 1) < bound && cube(largest + 2) >= bound);
         let words = window(largest).in_words().expect("it fits");
         assert_eq!(words.quotients(), window(largest).quotients());
         assert!(window(largest + 1).in_words().is_none());

@@ -6,6 +6,7 @@ use thiserror::Error;
 use crate::scalar::{Jet, RationalAlgebra, integer};
 
 use super::basis::Basis;
+use super::evaluator::Evaluator;
 use super::knots::{Side, Span};
 use super::triangle::{Active, de_boor};
 use super::weight::PointWeights;
@@ -128,8 +129,8 @@ impl Curve {
     /// The point of the curve at x, as a limit from the given side: Σ d_i G_i^k(x).
     #[must_use]
     pub fn point(&self, x: &BigRational, side: Side) -> Point {
-        match self.basis.knots().span_at(x, side) {
-            Some(span) => self.combine(&self.basis.active(span, x)),
+        match Evaluator::new(&self.basis).values(x, side) {
+            Some(active) => self.combine(&active),
             None => vec![integer(0); self.dimension()],
         }
     }
@@ -137,8 +138,8 @@ impl Curve {
     /// The coordinates of the curve at x as jets of the given order.
     #[must_use]
     pub fn jets(&self, x: &BigRational, side: Side, order: usize) -> Vec<Jet<BigRational>> {
-        match self.basis.knots().span_at(x, side) {
-            Some(span) => self.combine(&self.basis.active(span, &Jet::variable(x.clone(), order))),
+        match Evaluator::new(&self.basis).jets(x, side, order) {
+            Some(active) => self.combine(&active),
             None => vec![Jet::constant(integer(0), order); self.dimension()],
         }
     }

@@ -157,6 +157,9 @@ impl Evaluator {
     ///
     /// h_d = N_d Q_0^d − Σ_{l=1..d} Q_l Q_0^(l−1) h_{d−l}.
     pub fn jets(&mut self, x: &BigRational, side: Side, order: usize) -> Option<Active<Jet<BigRational>>> {
+        if order == 0 {
+            return self.values(x, side).map(|values| values.map(|value| Jet::constant(value.clone(), 0)));
+        }
         let m = self.knots.len() - 1;
         let (dx, xi) = (&self.scale * x.numer(), x.denom());
         let span = span(m, side, |i| (&self.knots[i] * xi).cmp(&dx))?;

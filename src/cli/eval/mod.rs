@@ -14,7 +14,7 @@ use num_rational::BigRational;
 use serde::{Deserialize, Serialize};
 
 use crate::scalar::parse_rational;
-use crate::spline::{Curve, Side};
+use crate::spline::{Curve, Evaluator, Side};
 
 use super::error::CliError;
 use super::exact::Exact;
@@ -162,7 +162,7 @@ fn evaluate(request: &Request<'_>, x: &BigRational, side: OneSide, label: Option
         knots: exact(basis.knots().knots()),
         alpha: basis.index().to_string(),
         index: request.index,
-        at: request.at(x.clone(), side),
+        at: request.at(&mut Evaluator::new(basis), x.clone(), side),
         de_boor: request.curve.and_then(|curve| levels(curve, x, side.into())),
         label,
     }

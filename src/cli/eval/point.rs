@@ -3,8 +3,8 @@
 use num_rational::BigRational;
 use serde::Serialize;
 
-use crate::scalar::Jet;
-use crate::spline::{Basis, Curve};
+use crate::scalar::{Jet, integer};
+use crate::spline::{Active, Basis, Curve, Evaluator};
 
 use super::super::exact::Exact;
 use super::OneSide;
@@ -40,15 +40,18 @@ impl Request<'_> {
         self.index.map_or(0..=self.basis.n(), |index| index..=index)
     }
 
-    /// Values and derivatives at x, as limits from the side.
-    pub(super) fn at(&self, x: BigRational, side: OneSide) -> PointValues {
-        let mut functions = self.basis.jets(&x, side.into(), self.order);
-        if let Some(index) = self.index {
-            functions = vec![functions.swap_remove(index)];
-        }
+    /// Values and derivatives at x, as limits from the side, by an evaluator of the basis.
+    pub(super) fn at(&self, evaluator: &mut Evaluator, x: BigRational, side: OneSide) -> PointValues {
+        let zero = Jet::constant(integer(0), self.order);
+        let active =
+            evaluator.jets(&x, side.into(), self.order).unwrap_or_else(|| Active::new(0, Vec::new()));
+        let functions = self.functions().map(|i| active.get(i).unwrap_or(&zero).clone()).collect::<Vec<_>>();
         let mut derivatives = self.by_order(&functions);
         let values = derivatives.remove(0);
-        let jets = self.curve.map(|curve| curve.jets(&x, side.into(), self.order));
+        let jets = self.curve.map(|curve| {
+            let jets = curve.combine(&active);
+            if jets.is_empty() { vec![zero; curve.dimension()] } else { jets }
+        });
         let mut curve_derivatives = jets.map(|jets| self.by_order(&jets)).unwrap_or_default();
         let curve = (!curve_derivatives.is_empty()).then(|| curve_derivatives.remove(0));
         PointValues { x: Exact(x), side, values, derivatives, curve, curve_derivatives }

@@ -6,6 +6,8 @@ use std::time::{Duration, Instant};
 
 use serde::Serialize;
 
+use crate::spline::Evaluator;
+
 use super::super::error::CliError;
 use super::super::exact::Exact;
 use super::super::output::{Format, Output};
@@ -40,12 +42,13 @@ pub(super) fn evaluate_file(
     output: &Output,
 ) -> Result<(), CliError> {
     let mut file = PointFile::open(path)?;
+    let mut evaluator = Evaluator::new(request.basis);
     // On one terminal the bar and the results would be in each other's way.
     let progress = (!io::stdout().is_terminal()).then(|| Progress::of_bytes(file.length()));
     let mut shown = Instant::now();
     output.stream(|to| {
         while let Some(point) = file.next()? {
-            let values = request.at(point.x, point.side.unwrap_or(side));
+            let values = request.at(&mut evaluator, point.x, point.side.unwrap_or(side));
             // Not before: an error in the first line leaves nothing on standard output.
             let first = file.points() == 1;
             match output.format() {
