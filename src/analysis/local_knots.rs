@@ -6,7 +6,7 @@ use thiserror::Error;
 
 use super::pieces::Piece;
 use crate::scalar::{Polynomial, RationalFunction, Ring, ScaleBy, Whole, over_one_denominator};
-use crate::spline::{Basis, Factors, FractionFree, triangle};
+use crate::spline::{Basis, Factors, FractionFree, Triangle};
 
 /// The local knot vector t_i ≤ t_{i+1} ≤ … ≤ t_{i+k+1} of one function G_i^k, by its k + 1 gaps, and the slope
 /// ratio r = p/q as the pair (p, q): all that the function depends on, besides the place of t_i (D3.3).
@@ -80,19 +80,15 @@ impl<R: Ring> SpanQuotient<R> {
         if degree == 0 {
             return Polynomial::constant(zero);
         }
-        let padded = |p: &Polynomial<R>| {
-            let mut coefficients = p.coefficients().to_vec();
-            coefficients.resize(degree + 1, zero.clone());
-            coefficients
-        };
-        let (p, q) = (padded(&self.numerator), padded(&self.denominator));
         let one = zero.one();
+        let p = |i: usize| self.numerator.coefficients().get(i).unwrap_or(&zero);
+        let q = |i: usize| self.denominator.coefficients().get(i).unwrap_or(&zero);
         let naturals: Vec<R> =
             std::iter::successors(Some(zero.clone()), |n| Some(n.plus(&one))).take(degree + 1).collect();
         let coefficient = |m: usize| {
             let term = |i: usize| {
                 let j = m - i;
-                naturals[i - j].times(&p[i].times(&q[j]).minus(&p[j].times(&q[i])))
+                naturals[i - j].times(&p(i).times(q(j)).minus(&p(j).times(q(i))))
             };
             let highest = m.min(degree);
             (m / 2 + 1..highest).fold(term(highest), |sum, i| sum.plus(&term(i)))
@@ -148,15 +144,39 @@ impl<R: Ring> LocalKnots<R> {
     /// By the [recursion without a division](FractionFree), on polynomials in u.
     #[must_use]
     pub fn on_span(&self, s: usize) -> Option<SpanQuotient<R>> {
-        self.gaps.get(s).filter(|gap| !gap.is_zero())?;
-        let factors = Factors::in_positive_coordinate(&self.gaps, s, self.degree(), self.ratio())?;
-        let one = Polynomial::constant(self.gaps[s].one());
-        let weights = FractionFree::new(&factors, &one);
-        let function = triangle(&weights, factors.span(), self.degree(), self.gaps.len());
-        let mut denominator = one.clone();
-        denominator.scale_by(factors.denominator(0));
-        Some(SpanQuotient { numerator: function.get(0)?.clone(), denominator })
+        self.on_span_in(s, &mut self.room()).cloned()
     }
+
+    /// Room for [`on_span_in`](Self::on_span_in), span after span.
+    pub(super) fn room(&self) -> Room<R> {
+        let one = Polynomial::constant(self.ratio.0.one());
+        Room {
+            factors: Factors::empty(self.degree()),
+            triangle: Triangle::new(one.clone()),
+            quotient: SpanQuotient { numerator: one.clone(), denominator: one.clone() },
+            one,
+        }
+    }
+
+    /// [`on_span`](Self::on_span) in room that is there.
+    pub(super) fn on_span_in<'a>(&self, s: usize, room: &'a mut Room<R>) -> Option<&'a SpanQuotient<R>> {
+        self.gaps.get(s).filter(|gap| !gap.is_zero())?;
+        let Room { factors, triangle, one, quotient } = room;
+        factors.fill_in_positive_coordinate(&self.gaps, s, self.ratio())?;
+        triangle.run(&FractionFree::new(factors, one), factors.span(), self.degree(), self.gaps.len());
+        quotient.numerator.clone_from(triangle.values().first()?);
+        quotient.denominator.clone_from(one);
+        quotient.denominator.scale_by(factors.denominator(0));
+        Some(quotient)
+    }
+}
+
+/// What the function on a span is computed in.
+pub(super) struct Room<R> {
+    factors: Factors<(R, R)>,
+    triangle: Triangle<Polynomial<R>>,
+    one: Polynomial<R>,
+    quotient: SpanQuotient<R>,
 }
 
 impl LocalKnots<BigInt> {

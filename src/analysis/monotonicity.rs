@@ -14,7 +14,7 @@ use super::sign::Sign;
 
 /// The signs of the derivative of one G_i^k, span by span.
 ///
-/// Exact and for every x. On each span the slope P′Q − PQ′ is computed over [`Interval`]s first; where the signs
+/// Exact and for every x. On each span between the first and the last the slope P′Q − PQ′ is computed over [`Interval`]s first; where the signs
 /// of its coefficients leave a choice, it is computed over integers, and its roots are isolated.
 ///
 /// ```
@@ -47,9 +47,13 @@ pub struct SpanMonotonicity {
     pub route: Route,
 }
 
-/// How the signs on a span were decided. Both ways are exact.
+/// How the signs on a span were decided. All ways are exact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Route {
+    /// Without computing: on [t_i, t_{i+1}], if that is not empty, G_i^k is the product of its weights w_i^d, d = 1..k,
+    /// each of which rises, and on [t_{i+k}, t_{i+k+1}] the product of 1 − w_{i+k+1−d}^d, each of which
+    /// falls.
+    Product,
     /// By intervals: their signs sufficed.
     Intervals,
     /// By integers, since the intervals left a choice.
@@ -61,8 +65,14 @@ impl Monotonicity {
     #[must_use]
     pub fn of(knots: &LocalKnots<BigInt>) -> Self {
         let over_intervals = knots.map(|number: &BigInt| Interval::from(number));
+        let (mut room, k) = (over_intervals.room(), knots.degree());
         let on_span = |span: usize| {
-            let certain = over_intervals.on_span(span).and_then(|quotient| certain_signs(&quotient.slope()));
+            if k > 0 && (span == 0 || span == k) {
+                let sign = if span == 0 { Sign::Positive } else { Sign::Negative };
+                return Some(SpanMonotonicity { span, signs: vec![sign], route: Route::Product });
+            }
+            let quotient = over_intervals.on_span_in(span, &mut room);
+            let certain = quotient.and_then(|quotient| certain_signs(&quotient.slope()));
             match certain {
                 Some(signs) => Some(SpanMonotonicity { span, signs, route: Route::Intervals }),
                 None => {
@@ -73,7 +83,7 @@ impl Monotonicity {
         };
         // A knot of multiplicity k + 1 takes k gaps, at one end or the other.
         let empty = |gaps: &[BigInt]| gaps.iter().all(Zero::is_zero);
-        let (gaps, k) = (knots.gaps(), knots.degree());
+        let gaps = knots.gaps();
         let continuous = !empty(&gaps[..k]) && !empty(&gaps[1..]);
         Self { spans: knots.spans().filter_map(on_span).collect(), continuous }
     }

@@ -3,7 +3,7 @@
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
-use crate::scalar::{Fixed, Polynomial, Ring, ScaleBy, Whole, may_vanish};
+use crate::scalar::{Bilinear, Bivariate, Fixed, Polynomial, Ring, ScaleBy, Whole, Width, may_vanish};
 use crate::spline::{Active, Basis, Factors, FractionFree, KnotVector, Span, triangle};
 
 use super::local_knots::{SpanQuotient, coprime_gaps};
@@ -24,8 +24,8 @@ pub(super) struct FactoredQuotient {
 /// coordinate](super::positive_coordinate) u with integer coefficients ≥ 0: P and Q without a common factor, a number
 /// included.
 ///
-/// By the [recursion without a division](FractionFree), in integers of 128 bits if ∏ (A + B), over all factors A + Bu
-/// of a denominator, has no more than 127, for any of the functions: all coefficients on the way are ≥ 0, and their
+/// By the [recursion without a division](FractionFree), in integers of 64 or of 128 bits, if ∏ (A + B), over all factors A + Bu
+/// of a denominator, fits into them for each of the functions: all coefficients on the way are ≥ 0, and their
 /// sum is the value at u = 1, where no function exceeds 1. Then P is divided by those factors of Q that divide it.
 ///
 /// ```
@@ -53,7 +53,7 @@ pub fn span_quotients(basis: &Basis, span: Span) -> Active<SpanQuotient<BigInt>>
 
 /// [`span_quotients`] for every slope ratio r at once: the coefficients are polynomials in r. Nothing is reduced.
 ///
-/// In integers of 128 bits under the same bound as there, with r = 1.
+/// In integers of fixed width under the same bound as there, with r = 1.
 ///
 /// ```
 /// use knotproof::analysis::symbolic_quotients;
@@ -77,9 +77,12 @@ pub fn symbolic_quotients(
     span: Span,
 ) -> Active<SpanQuotient<Polynomial<BigInt>>> {
     let window = Window::of(knots, degree, span, (1.into(), 1.into()));
-    match window.in_words() {
-        Some(words) => words.symbolic(),
-        None => window.symbolic(),
+    if let Some(words) = window.in_words::<i64>() {
+        words.symbolic()
+    } else if let Some(words) = window.in_words::<i128>() {
+        words.symbolic()
+    } else {
+        window.symbolic()
     }
 }
 
@@ -88,9 +91,12 @@ pub(super) fn factored_quotients(basis: &Basis, span: Span) -> Active<FactoredQu
     let ratio = basis.index().ratio();
     let ratio = (ratio.numer().clone(), ratio.denom().clone());
     let window = Window::of(basis.knots(), basis.degree(), span, ratio);
-    match window.in_words() {
-        Some(words) => words.quotients(),
-        None => window.quotients(),
+    if let Some(words) = window.in_words::<i64>() {
+        words.quotients()
+    } else if let Some(words) = window.in_words::<i128>() {
+        words.quotients()
+    } else {
+        window.quotients()
     }
 }
 
@@ -115,9 +121,9 @@ impl Window<BigInt> {
         Self { gaps, ratio, low, j, k }
     }
 
-    /// The same in 128 bits, if all that is computed from it fits.
-    fn in_words(&self) -> Option<Window<Fixed>> {
-        let word = |number: &BigInt| Fixed::try_from(number).ok();
+    /// The same in a fixed width, if all that is computed from it fits.
+    fn in_words<W: Width>(&self) -> Option<Window<Fixed<W>>> {
+        let word = |number: &BigInt| W::try_from(i128::try_from(number).ok()?).ok().map(Fixed::new);
         let gaps: Option<Vec<_>> = self.gaps.iter().map(word).collect();
         let ratio = (word(&self.ratio.0)?, word(&self.ratio.1)?);
         let window = Window { gaps: gaps?, ratio, low: self.low, j: self.j, k: self.k };
@@ -125,21 +131,21 @@ impl Window<BigInt> {
     }
 }
 
-impl Window<Fixed> {
-    /// Is ∏ (A + B), over the factors A + Bu of any denominator, less than 2^127?
+impl<W: Width> Window<Fixed<W>> {
+    /// Does ∏ (A + B), over the factors A + Bu of any denominator, fit?
     fn fits(&self) -> bool {
-        // So that the factors themselves fit.
-        let (p, q) = (self.ratio.0.value(), self.ratio.1.value());
-        let sum = self.gaps.iter().try_fold(0_i128, |sum, gap| sum.checked_add(gap.value()));
+        // Twice (p + q) times the length of the window is more than a factor, and than all it is computed from.
+        let length = self.gaps.iter().try_fold(W::zero(), |sum, gap| sum.checked_add(&gap.value()));
+        let ratio = self.ratio.0.value().checked_add(&self.ratio.1.value());
         let largest =
-            p.checked_add(q).zip(sum).and_then(|(ratio, sum)| ratio.checked_mul(sum.checked_mul(2)?));
+            length.zip(ratio).and_then(|(length, ratio)| ratio.product(length.checked_add(&length)?));
         if largest.is_none() {
             return false;
         }
         let Some(factors) = self.factors() else { return false };
         self.functions(&factors).all(|i| {
             let mut values = factors.denominator(i).map(|(a, b)| a.plus(b).value());
-            values.try_fold(1_i128, |product, value| product.checked_mul(value)).is_some()
+            values.try_fold(W::one(), |product, value| product.product(value)).is_some()
         })
     }
 }
@@ -155,17 +161,22 @@ impl<R: Whole> Window<R> {
         j.saturating_sub(self.k)..(j + 1).min(self.gaps.len() - self.k)
     }
 
-    /// The quotients with a variable in the place of the ratio.
+    /// The quotients with a variable r in the place of the ratio 1: rises have it as a factor.
     fn symbolic(&self) -> Active<SpanQuotient<Polynomial<BigInt>>> {
-        let gaps: Vec<_> = self.gaps.iter().map(|gap| Polynomial::constant(gap.clone())).collect();
-        let (r, one) = (Polynomial::variable(&self.gaps[0]), gaps[0].one());
-        let place = self.j - self.low;
-        let factors = Factors::in_positive_coordinate(&gaps, place, self.k, (&r, &one));
-        let Some(factors) = factors else { unreachable!("the span is within its window") };
-        let one = Polynomial::constant(one);
-        let numerators = triangle(&FractionFree::new(&factors, &one), factors.span(), self.k, gaps.len());
-        let big = |p: &Polynomial<Polynomial<R>>| p.map(|c| c.map(|c| c.clone().into()));
-        let quotient = |(i, numerator): (usize, &Polynomial<Polynomial<R>>)| {
+        let Some(factors) = self.factors() else { unreachable!("the span is within its window") };
+        let zero = self.gaps[0].zero();
+        let add = |a: &(R, R), b: &(R, R)| (a.0.plus(&b.0), a.1.plus(&b.1));
+        let factors: Factors<Bilinear<R>> = factors.map(
+            |(a, b)| [a, b].map(|c| (zero.clone(), c.clone())),
+            |(a, b)| [a, b].map(|c| (c.clone(), zero.clone())),
+            |[a, b], [c, d]| [add(a, c), add(b, d)],
+        );
+        // The largest denominator has (s + 1)(w + 1) − 1 factors, s + w = k.
+        let one = Bivariate::one(&zero, (self.k / 2 + 1) * (self.k.div_ceil(2) + 1));
+        let weights = FractionFree::new(&factors, &one);
+        let numerators = triangle(&weights, factors.span(), self.k, self.gaps.len());
+        let big = |p: &Bivariate<R>| p.to_polynomial(|c| c.clone().into());
+        let quotient = |(i, numerator): (usize, &Bivariate<R>)| {
             let mut denominator = one.clone();
             denominator.scale_by(factors.denominator(i));
             SpanQuotient { numerator: big(numerator), denominator: big(&denominator) }
@@ -393,9 +404,9 @@ mod tests {
             k: 1,
         };
         let edge = (BigInt::from(1) << 126) - 1;
-        assert!(window(&edge / 2).in_words().is_some());
+        assert!(window(&edge / 2).in_words::<i128>().is_some());
         // Twice the largest factor no longer fits, which is asked for so that sums of two rises and falls do.
-        assert!(window(&edge * 2).in_words().is_none());
+        assert!(window(&edge * 2).in_words::<i128>().is_none());
         // Degree 2, Bernstein: the middle function has the denominator (q + pu)^3.
         let window = |p: i64| Window {
             gaps: [0, 0, 1, 0, 0].map(BigInt::from).to_vec(),
@@ -409,8 +420,8 @@ mod tests {
         let cube = |number: i64| BigInt::from(number).pow(3);
         let bound: BigInt = BigInt::from(1) << 127;
         assert!(cube(largest + 1) < bound && cube(largest + 2) >= bound);
-        let words = window(largest).in_words().expect("it fits");
+        let words = window(largest).in_words::<i128>().expect("it fits");
         assert_eq!(words.quotients(), window(largest).quotients());
-        assert!(window(largest + 1).in_words().is_none());
+        assert!(window(largest + 1).in_words::<i128>().is_none());
     }
 }

@@ -28,6 +28,10 @@ impl Ring for BigInt {
     fn increase(&mut self, rhs: &Self) {
         *self += rhs;
     }
+    fn combine(&mut self, a: &Self, other: &Self, b: &Self) {
+        *self *= a;
+        *self += other * b;
+    }
     fn is_zero(&self) -> bool {
         Zero::is_zero(self)
     }

@@ -1,87 +1,111 @@
-//! Integers of 128 bits, for what is known beforehand to fit.
+//! Integers of 64 or 128 bits, for what is known beforehand to fit.
+
+use std::fmt::Debug;
 
 use num_bigint::BigInt;
+use num_traits::PrimInt;
 
 use super::ring::{Ring, ScaleBy};
 
-/// An integer between −2^127 and 2^127 − 1.
+/// The primitive integers that a [`Fixed`] can have.
+pub trait Width: PrimInt + Debug + Into<i128> + Into<BigInt> + TryFrom<i128> {
+    /// The product, if it fits.
+    fn product(self, rhs: Self) -> Option<Self>;
+}
+
+impl Width for i64 {
+    #[inline]
+    fn product(self, rhs: Self) -> Option<Self> {
+        self.checked_mul(rhs)
+    }
+}
+
+impl Width for i128 {
+    #[inline]
+    fn product(self, rhs: Self) -> Option<Self> {
+        // Two factors of 64 bits, most often, are one machine instruction, and nothing to check.
+        match (i64::try_from(self), i64::try_from(rhs)) {
+            (Ok(a), Ok(b)) => Some(Self::from(a) * Self::from(b)),
+            _ => self.checked_mul(rhs),
+        }
+    }
+}
+
+/// An integer of a fixed width: of 128 bits, or of 64, with its sign.
 ///
-/// A ring only as long as all results are in that range: who computes with these numbers has proved before that they
-/// are. The arithmetic is checked all the same, and stops the program instead of giving a wrong number.
+/// A ring only as long as all results fit: who computes with these numbers has proved before that they do. The
+/// arithmetic is checked all the same, and stops the program instead of giving a wrong number.
 ///
 /// ```
 /// use knotproof::scalar::{Fixed, Ring};
 ///
-/// let [three, four] = [3, 4].map(Fixed::new);
+/// let [three, four] = [3_i64, 4].map(Fixed::new);
 /// assert_eq!(three.times(&four).plus(&three).value(), 15);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Fixed(i128);
+pub struct Fixed<W = i128>(W);
 
-impl Fixed {
-    /// The largest one: 2^127 − 1.
-    pub const MAX: u128 = i128::MAX as u128;
-
+impl<W: Width> Fixed<W> {
     /// From a primitive integer.
     #[must_use]
     #[inline]
-    pub fn new(value: i128) -> Self {
+    pub fn new(value: W) -> Self {
         Self(value)
     }
 
     /// As a primitive integer.
     #[must_use]
     #[inline]
-    pub fn value(self) -> i128 {
+    pub fn value(self) -> W {
         self.0
     }
-}
 
-impl TryFrom<&BigInt> for Fixed {
-    type Error = num_bigint::TryFromBigIntError<()>;
-
-    fn try_from(value: &BigInt) -> Result<Self, Self::Error> {
-        i128::try_from(value).map(Self)
+    /// A value that is there, or the end.
+    #[inline]
+    fn known(value: Option<W>) -> Self {
+        match value {
+            Some(value) => Self(value),
+            None => too_long(),
+        }
     }
 }
 
-impl From<Fixed> for BigInt {
-    fn from(value: Fixed) -> Self {
+impl<W: Width> From<Fixed<W>> for BigInt {
+    fn from(value: Fixed<W>) -> Self {
         value.0.into()
     }
 }
 
-impl Ring for Fixed {
+impl<W: Width> Ring for Fixed<W> {
     fn zero(&self) -> Self {
-        Self(0)
+        Self(W::zero())
     }
     fn one(&self) -> Self {
-        Self(1)
+        Self(W::one())
     }
     #[inline]
     fn plus(&self, rhs: &Self) -> Self {
-        Self(self.0 + rhs.0)
+        Self::known(self.0.checked_add(&rhs.0))
     }
+    #[inline]
     fn minus(&self, rhs: &Self) -> Self {
-        Self(self.0 - rhs.0)
+        Self::known(self.0.checked_sub(&rhs.0))
     }
     #[inline]
     fn times(&self, rhs: &Self) -> Self {
-        // Two factors of 64 bits, most often, are one machine instruction, and nothing to check.
-        match (i64::try_from(self.0), i64::try_from(rhs.0)) {
-            (Ok(a), Ok(b)) => Self(i128::from(a) * i128::from(b)),
-            _ => Self(self.0 * rhs.0),
-        }
+        Self::known(self.0.product(rhs.0))
     }
     fn negate(&self) -> Self {
-        Self(-self.0)
+        Self::known(W::zero().checked_sub(&self.0))
     }
+    #[inline]
     fn is_zero(&self) -> bool {
-        self.0 == 0
+        self.0 == W::zero()
     }
 }
 
 impl ScaleBy<u64> for Fixed {
+    #[inline]
     fn scale_by<'a>(&mut self, factors: impl Iterator<Item = &'a u64>) {
         let product = |magnitude: u128, factor: &u64| match magnitude.checked_mul(u128::from(*factor)) {
             Some(product) => product,
@@ -97,5 +121,5 @@ impl ScaleBy<u64> for Fixed {
 
 #[cold]
 fn too_long() -> ! {
-    unreachable!("a product of more than 127 bits, where it was proved to have no more")
+    unreachable!("a number that does not fit, where it was proved to do so")
 }

@@ -79,7 +79,8 @@ impl<S: Ring> ScaleBy<(S, S)> for Jet<S> {
         let c = &mut self.coefficients;
         for (constant, slope) in factors {
             for d in (1..c.len()).rev() {
-                c[d] = c[d].times(constant).plus(&c[d - 1].times(slope));
+                let (lower, upper) = c.split_at_mut(d);
+                upper[0].combine(constant, &lower[d - 1], slope);
             }
             c[0] = c[0].times(constant);
         }

@@ -15,6 +15,7 @@
 pub mod axioms;
 mod big_integer;
 mod big_rational;
+mod bivariate;
 mod decimal;
 mod factors;
 mod fixed;
@@ -37,8 +38,9 @@ mod ring;
 mod whole;
 mod words;
 
+pub(crate) use bivariate::{Bilinear, Bivariate};
 pub use decimal::decimal;
-pub use fixed::Fixed;
+pub use fixed::{Fixed, Width};
 pub use float::{exact_value, ulp};
 pub(crate) use fraction::over_one_denominator;
 pub(crate) use gcd::{gcd, lcm};

@@ -212,7 +212,8 @@ impl<S: Ring> ScaleBy<(S, S)> for Polynomial<S> {
                 c.push(c[degree].times(slope));
             }
             for i in (1..=degree).rev() {
-                c[i] = c[i].times(constant).plus(&c[i - 1].times(slope));
+                let (lower, upper) = c.split_at_mut(i);
+                upper[0].combine(constant, &lower[i - 1], slope);
             }
             c[0] = c[0].times(constant);
         }

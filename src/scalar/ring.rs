@@ -44,6 +44,11 @@ pub trait Ring: Clone + PartialEq + Debug {
         *self = self.plus(rhs);
     }
 
+    /// self ← self·a + other·b; to be overridden as [`increase`](Self::increase).
+    fn combine(&mut self, a: &Self, other: &Self, b: &Self) {
+        *self = self.times(a).plus(&other.times(b));
+    }
+
     /// Is this the 0 of its ring?
     fn is_zero(&self) -> bool {
         *self == self.zero()

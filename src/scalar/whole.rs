@@ -4,7 +4,7 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed};
 
-use super::fixed::Fixed;
+use super::fixed::{Fixed, Width};
 use super::gcd::gcd;
 use super::modular::residue;
 use super::ring::Ring;
@@ -41,26 +41,37 @@ impl Whole for BigInt {
     }
 }
 
-impl Whole for Fixed {
+impl<W: Width> Whole for Fixed<W> {
     fn divided(&self, divisor: &Self) -> Self {
-        match (i64::try_from(self.value()), i64::try_from(divisor.value())) {
-            (Ok(a), Ok(b)) => Self::new((a / b).into()),
-            _ => Self::new(self.value() / divisor.value()),
+        let (dividend, divisor): (i128, i128) = (self.value().into(), divisor.value().into());
+        let quotient = match (i64::try_from(dividend), i64::try_from(divisor)) {
+            (Ok(a), Ok(b)) if b != -1 => i128::from(a / b),
+            _ => dividend / divisor,
+        };
+        match W::try_from(quotient) {
+            Ok(quotient) => Self::new(quotient),
+            Err(_) => unreachable!("a quotient is no larger than the dividend"),
         }
     }
     fn common_divisor(&self, rhs: &Self) -> Self {
-        match (i64::try_from(self.value()), i64::try_from(rhs.value())) {
-            (Ok(a), Ok(b)) => Self::new(a.gcd(&b).into()),
-            _ => Self::new(self.value().gcd(&rhs.value())),
+        let (a, b): (i128, i128) = (self.value().into(), rhs.value().into());
+        let common = match (i64::try_from(a), i64::try_from(b)) {
+            (Ok(a), Ok(b)) => i128::from(a.gcd(&b)),
+            _ => a.gcd(&b),
+        };
+        match W::try_from(common) {
+            Ok(common) => Self::new(common),
+            Err(_) => unreachable!("a divisor is no larger than the number"),
         }
     }
     fn residue(&self) -> u64 {
-        match u64::try_from(self.value()) {
+        let value: i128 = self.value().into();
+        match u64::try_from(value) {
             Ok(small) if small >> 61 == 0 => small,
-            _ => residue(&self.value().into()),
+            _ => residue(&(*self).into()),
         }
     }
     fn is_unit(&self) -> bool {
-        self.value() == 1
+        self.value() == W::one()
     }
 }

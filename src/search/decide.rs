@@ -39,7 +39,7 @@ pub enum Means {
 #[must_use]
 pub fn local_maxima(candidate: &Candidate) -> Count {
     let function = Monotonicity::of(&candidate.local_knots());
-    let by_intervals = function.spans().iter().all(|span| span.route == Route::Intervals);
+    let by_intervals = function.spans().iter().all(|span| span.route != Route::Integers);
     let by = if by_intervals { Means::Intervals } else { Means::Exact };
     match function.local_maxima() {
         Some(maxima) => Count { maxima, by },

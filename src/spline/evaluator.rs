@@ -101,7 +101,7 @@ impl Evaluator {
             scale,
             knots,
             ratio,
-            short: Room::new(degree, Fixed::new(1)),
+            short: Room::new(degree, Fixed::new(1_i128)),
             long: Room::new(degree, Natural::from(1)),
             big: Room::new(degree, BigInt::from(1)),
             reducer: Reducer::default(),
@@ -165,7 +165,11 @@ impl Evaluator {
         let span = span(m, side, |i| (&self.knots[i] * xi).cmp(&dx))?;
         self.big_factors(span, x);
         let (p, q) = &self.ratio;
-        let factors = self.big.factors.map(|rise| (rise.clone(), p.clone()), |fall| (fall.clone(), -q));
+        let factors = self.big.factors.map(
+            |rise| (rise.clone(), p.clone()),
+            |fall| (fall.clone(), -q),
+            |a, b| (&a.0 + &b.0, &a.1 + &b.1),
+        );
         let one = Jet::constant(BigInt::from(1), order);
         let numerators = triangle(&FractionFree::new(&factors, &one), span, self.degree, m);
         let unit = &self.scale * xi;

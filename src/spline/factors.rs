@@ -40,7 +40,7 @@ impl<F: Clone> Factors<F> {
     }
 
     /// Room for the factors up to degree k.
-    pub(super) fn empty(degree: usize) -> Self {
+    pub(crate) fn empty(degree: usize) -> Self {
         let (rises, falls, sums) = (Vec::new(), Vec::new(), Vec::new());
         Self { span: Span::assumed(0), degree, rises, falls, sums }
     }
@@ -74,14 +74,14 @@ impl<F: Clone> Factors<F> {
         Some(())
     }
 
-    /// The same in another ring, where rises and falls have images that add up; those of L are the sums.
-    pub(super) fn map<T: Ring>(
+    /// The same in another form, of which `sum` adds two.
+    pub(crate) fn map<T: Clone>(
         &self,
-        rise: impl Fn(&F) -> (T, T),
-        fall: impl Fn(&F) -> (T, T),
-    ) -> Factors<(T, T)> {
+        rise: impl Fn(&F) -> T,
+        fall: impl Fn(&F) -> T,
+        sum: impl Fn(&T, &T) -> T,
+    ) -> Factors<T> {
         let (rises, falls) = (self.rises.iter().map(rise).collect(), self.falls.iter().map(fall).collect());
-        let sum = |a: &(T, T), b: &(T, T)| (a.0.plus(&b.0), a.1.plus(&b.1));
         Factors::new(self.span, self.degree, rises, falls, sum)
     }
 
@@ -159,22 +159,36 @@ impl<R: Ring> Factors<(R, R)> {
     /// rise_a = p((t_j − t_a) + (t_{j+1} − t_a)u),  fall_b = q((t_b − t_j) + (t_b − t_{j+1})u).
     ///
     /// `None` if there is no such gap.
-    pub fn in_positive_coordinate(gaps: &[R], j: usize, degree: usize, (p, q): (&R, &R)) -> Option<Self> {
+    pub fn in_positive_coordinate(gaps: &[R], j: usize, degree: usize, ratio: (&R, &R)) -> Option<Self> {
+        let mut factors = Self::empty(degree);
+        factors.fill_in_positive_coordinate(gaps, j, ratio)?;
+        Some(factors)
+    }
+
+    /// The same in the room that is there.
+    pub(crate) fn fill_in_positive_coordinate(
+        &mut self,
+        gaps: &[R],
+        j: usize,
+        (p, q): (&R, &R),
+    ) -> Option<()> {
         let gap = gaps.get(j)?;
-        let distances = |gaps: &mut dyn Iterator<Item = &R>| {
-            let mut list = vec![gap.zero()];
-            for gap in gaps {
-                list.push(list[list.len() - 1].plus(gap));
+        let steps = self.degree.max(1);
+        let mut before = gap.zero();
+        let rises = (0..steps.min(j + 1)).map(|s| {
+            if s > 0 {
+                before.increase(&gaps[j - s]);
             }
-            list
-        };
-        let before = distances(&mut gaps[..j].iter().rev().take(degree.saturating_sub(1)));
-        let after = distances(&mut gaps[j + 1..].iter().take(degree.saturating_sub(1)));
-        let rise = |distance: &R| (p.times(distance), p.times(&distance.plus(gap)));
-        let fall = |distance: &R| (q.times(&distance.plus(gap)), q.times(distance));
-        let (rises, falls) = (before.iter().map(rise).collect(), after.iter().map(fall).collect());
-        let sum = |a: &(R, R), b: &(R, R)| (a.0.plus(&b.0), a.1.plus(&b.1));
-        Some(Self::new(Span::assumed(j), degree, rises, falls, sum))
+            Some((p.times(&before), p.times(&before.plus(gap))))
+        });
+        let mut after = gap.zero();
+        let falls = (0..steps.min(gaps.len() - j)).map(|w| {
+            if w > 0 {
+                after.increase(&gaps[j + w]);
+            }
+            Some((q.times(&after.plus(gap)), q.times(&after)))
+        });
+        self.fill(Span::assumed(j), rises, falls, |a, b| Some((a.0.plus(&b.0), a.1.plus(&b.1))))
     }
 }
 
