@@ -23,7 +23,7 @@ pub struct Factors<F> {
     rises: Vec<F>,
     /// Place w is that of the knot t_{j+1+w}.
     falls: Vec<F>,
-    /// L of the knots at the places s and w is at s·k + w, for s + w < k: that is all up to degree k.
+    /// L of the knots at the places s and w, s + w < k, row after row of rising w: that is all up to degree k.
     sums: Vec<F>,
 }
 
@@ -65,9 +65,9 @@ impl<F: Clone> Factors<F> {
             self.falls.push(fall?);
         }
         for (s, rise) in self.rises.iter().enumerate().take(self.degree) {
-            for w in 0..self.degree {
-                // Beyond the last knot, and beyond the degree, nothing is ever asked for.
-                let fall = self.falls.get(w).filter(|_| s + w < self.degree);
+            for w in 0..self.degree - s {
+                // Beyond the last knot nothing is ever asked for.
+                let fall = self.falls.get(w);
                 self.sums.push(fall.map_or_else(|| Some(rise.clone()), |fall| sum(rise, fall))?);
             }
         }
@@ -107,7 +107,7 @@ impl<F: Clone> Factors<F> {
         let (j, degree) = (self.span.index(), self.degree);
         let (last_row, last_column) = (j - i, i + degree - j);
         (0..=last_row).filter(move |s| *s < degree).map(move |s| {
-            let start = s * degree;
+            let start = row_start(degree, s);
             start..start + last_column + usize::from(s < last_row)
         })
     }
@@ -136,7 +136,8 @@ impl<F: Clone> Factors<F> {
     /// rise_a and what else G_i^{d−1} is multiplied by on its way to G_i^d, a = i at place s, t_{i+d} at place w:
     /// L of the next knot and all from t_{i+1} to t_j.
     pub(super) fn for_own(&self, s: usize, w: usize) -> impl Iterator<Item = &F> {
-        std::iter::once(&self.rises[s]).chain((0..s).map(move |s| &self.sums[s * self.degree + w + 1]))
+        std::iter::once(&self.rises[s])
+            .chain((0..s).map(move |s| &self.sums[row_start(self.degree, s) + w + 1]))
     }
 
     /// fall_b and what else G_i^{d−1} is multiplied by on its way to G_{i−1}^d, b = i + d at place w, t_i at place s:
@@ -147,9 +148,14 @@ impl<F: Clone> Factors<F> {
 
     /// The first `count` of L of the knot at place s.
     fn row(&self, s: usize, count: usize) -> &[F] {
-        let start = s * self.degree;
+        let start = row_start(self.degree, s);
         self.sums.get(start..start + count.min(self.falls.len())).unwrap_or(&[])
     }
+}
+
+/// Where the row of place s begins, after those of k, k − 1, … entries.
+fn row_start(degree: usize, s: usize) -> usize {
+    s * (2 * degree + 1 - s) / 2
 }
 
 impl<R: Ring> Factors<(R, R)> {
