@@ -73,11 +73,26 @@ fn edges() -> Vec<FloatBasis<f64>> {
         &[1e300, 2e300, 3e300, 4e300, 5e300, 6e300, 7e300],
     ];
     let alphas = [
-        -1.0, 2.0, 5.0, f64::INFINITY, f64::NEG_INFINITY, -1e-300, 1.0 + f64::EPSILON, 1e300, -1e300, -5e-324,
-        f64::MAX, f64::MIN, -1.0 / 3.0, -1e16, 1e16, -1e-16,
+        -1.0,
+        2.0,
+        5.0,
+        f64::INFINITY,
+        f64::NEG_INFINITY,
+        -1e-300,
+        1.0 + f64::EPSILON,
+        1e300,
+        -1e300,
+        -5e-324,
+        f64::MAX,
+        f64::MIN,
+        -1.0 / 3.0,
+        -1e16,
+        1e16,
+        -1e-16,
     ];
     let bases = knots.iter().flat_map(|knots| alphas.map(|alpha| (knots.to_vec(), alpha)));
-    let degrees = bases.flat_map(|(knots, alpha)| (0..=3).map(move |k| FloatBasis::new(knots.clone(), k, alpha)));
+    let degrees =
+        bases.flat_map(|(knots, alpha)| (0..=3).map(move |k| FloatBasis::new(knots.clone(), k, alpha)));
     degrees.map(Result::unwrap).collect()
 }
 
@@ -114,7 +129,10 @@ fn what_is_no_input_is_an_error() {
     for x in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         assert!(matches!(basis.values(x, Side::Right, &mut [0.0; 2]), Err(FloatError::Point(_))));
     }
-    assert!(matches!(basis.values(0.5, Side::Right, &mut [0.0; 3]), Err(FloatError::Length { needed: 2, .. })));
+    assert!(matches!(
+        basis.values(0.5, Side::Right, &mut [0.0; 3]),
+        Err(FloatError::Length { needed: 2, .. })
+    ));
 }
 
 fn alpha() -> impl Strategy<Value = f64> {
@@ -132,16 +150,18 @@ fn alpha() -> impl Strategy<Value = f64> {
 /// A few gaps, some of them 0, over a range of scales, and an x among them.
 fn case(spread: i32) -> impl Strategy<Value = (Vec<f64>, f64)> {
     let gap = prop_oneof![1 => Just(0.0), 4 => (1.0..2.0, -spread..=spread).prop_map(|(m, e): (f64, i32)| m * 2.0_f64.powi(e))];
-    (proptest::collection::vec(gap, 9..14), -1e3..1e3, 0.0..1.0, 0_usize..8).prop_map(|(gaps, start, part, at)| {
-        let knots: Vec<f64> = std::iter::once(start)
-            .chain(gaps.iter().scan(start, |t, gap| {
-                *t += gap;
-                Some(*t)
-            }))
-            .collect();
-        let x = knots[at] + (knots[at + 1] - knots[at]) * part;
-        (knots, x)
-    })
+    (proptest::collection::vec(gap, 9..14), -1e3..1e3, 0.0..1.0, 0_usize..8).prop_map(
+        |(gaps, start, part, at)| {
+            let knots: Vec<f64> = std::iter::once(start)
+                .chain(gaps.iter().scan(start, |t, gap| {
+                    *t += gap;
+                    Some(*t)
+                }))
+                .collect();
+            let x = knots[at] + (knots[at + 1] - knots[at]) * part;
+            (knots, x)
+        },
+    )
 }
 
 proptest! {

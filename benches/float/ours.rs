@@ -53,7 +53,12 @@ fn main() {
     });
     rate("plain triangle with divisions, one span", 1024 * 100, || {
         for _ in 0..100 {
-            plain_triangle(1.0 / 3.0, &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0], black_box(&one[..1024]), &mut values[..4096]);
+            plain_triangle(
+                1.0 / 3.0,
+                &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0],
+                black_box(&one[..1024]),
+                &mut values[..4096],
+            );
         }
     });
 }
@@ -65,20 +70,16 @@ fn plain_triangle(r: f64, knots: &[f64; 6], points: &[f64], values: &mut [f64]) 
     let (a, rest) = values.split_at_mut(n);
     let (b, rest) = rest.split_at_mut(n);
     let (c, d) = rest.split_at_mut(n);
-    for i in 0..n {
-        let x = points[i];
+    let points = points.iter().zip(a).zip(b).zip(c).zip(d);
+    for ((((x, a), b), c), d) in points {
         let left = [r * (x - knots[2]), r * (x - knots[1]), r * (x - knots[0])];
         let right = [knots[3] - x, knots[4] - x, knots[5] - x];
-        let mut v = [1.0, 0.0, 0.0, 0.0];
-        for d in 1..=3 {
-            let mut saved = 0.0;
-            for q in 0..d {
-                let t = v[q] / (left[d - 1 - q] + right[q]);
-                v[q] = saved + right[q] * t;
-                saved = left[d - 1 - q] * t;
-            }
-            v[d] = saved;
-        }
-        (a[i], b[i], c[i], d[i]) = (v[0], v[1], v[2], v[3]);
+        let t = 1.0 / (left[0] + right[0]);
+        let (v0, v1) = (right[0] * t, left[0] * t);
+        let (s, t) = (v0 / (left[1] + right[0]), v1 / (left[0] + right[1]));
+        let (v0, v1, v2) = (right[0] * s, left[1] * s + right[1] * t, left[0] * t);
+        let (s, t, u) = (v0 / (left[2] + right[0]), v1 / (left[1] + right[1]), v2 / (left[0] + right[2]));
+        (*a, *b) = (right[0] * s, left[2] * s + right[1] * t);
+        (*c, *d) = (left[1] * t + right[2] * u, left[0] * u);
     }
 }

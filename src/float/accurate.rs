@@ -1,6 +1,6 @@
 //! The triangle in pairs of floats: about 106 bits on the way, so that the one rounding at the end is all there is.
 
-use super::basis::{FloatBasis, Frame, HIGHEST_DEGREE, Ratio};
+use super::basis::{FloatBasis, HIGHEST_DEGREE, Ratio};
 use super::machine::Kernel;
 use super::pair::{Pair, Products};
 use super::power::{exponent, power, shifted};
@@ -53,25 +53,28 @@ impl<const N: usize> Workspace<N> {
         let degree = knots.len() / 2;
         for s in 1..=degree {
             let (start, end) = (&knots[degree - s], &knots[degree + s - 1]);
+            let (mut rises, mut falls) = (Lanes::ZERO, Lanes::ZERO);
             for l in 0..N {
                 let rise = Pair::difference(x[l].widen(), start[l].widen());
-                self.rises[s - 1].set(l, rise.times::<M>(Pair::of(ratio.p)));
+                rises.set(l, rise.times::<M>(Pair::of(ratio.p)));
                 let fall = Pair::difference(end[l].widen(), x[l].widen());
-                self.falls[s - 1].set(l, fall.times::<M>(ratio.q));
+                falls.set(l, fall.times::<M>(ratio.q));
             }
+            (self.rises[s - 1], self.falls[s - 1]) = (rises, falls);
         }
         self.values[0] = Lanes { hi: [1.0; N], lo: [0.0; N] };
         for d in 1..=degree {
             // Each G_i^{d−1} is split in two: the part w goes to G_i^d, the part 1 − w to G_{i−1}^d.
             let mut own = Lanes::ZERO;
             for c in 0..d {
-                let (rises, falls, lower) = (self.rises[d - 1 - c], self.falls[c], self.values[c]);
+                let (rises, falls, mut values) = (self.rises[d - 1 - c], self.falls[c], self.values[c]);
                 for l in 0..N {
                     let (w, complement) = Pair::shares::<M>(rises.get(l), falls.get(l));
-                    let value = lower.get(l);
-                    self.values[c].set(l, own.get(l).plus_like(complement.times::<M>(value)));
+                    let value = values.get(l);
+                    values.set(l, own.get(l).plus_like(complement.times::<M>(value)));
                     own.set(l, w.times::<M>(value));
                 }
+                self.values[c] = values;
             }
             self.values[d] = own;
         }
@@ -93,46 +96,47 @@ pub(super) fn lifted<F: Real>(value: F, above_start: bool, below_end: bool) -> F
     if above_start && below_end && value < F::LEAST { F::LEAST } else { value }
 }
 
-/// The functions on the span at x, a point of the closed span.
-pub(super) fn at_point<F: Real>(basis: &FloatBasis<F>, span: Span, x: F, values: &mut [F]) {
+/// The functions on the span at x, a point of the closed span, before they are rounded.
+pub(super) fn unrounded<F: Real>(basis: &FloatBasis<F>, span: Span, x: F) -> [Pair; HIGHEST_DEGREE + 1] {
     let local = basis.local(span);
     match &basis.frame {
         Some(frame) => {
             let knots = &frame.knots[span.index() + 1..=span.index() + local.len()];
-            basis.machine.run(InFrame { frame, ratio: basis.ratio, knots, x, values });
+            basis.machine.run(InFrame { ratio: basis.ratio, knots, x: x * frame.unit })
         }
-        None => basis.machine.run(FarApart { ratio: basis.ratio, knots: local, x, values }),
+        None => basis.machine.run(FarApart { ratio: basis.ratio, knots: local, x }),
     }
-    let degree = basis.degree();
-    for (c, value) in values.iter_mut().enumerate() {
-        *value = lifted(*value, c == 0 || local[c - 1] < x, c == degree || x < local[degree + c]);
+}
+
+/// The functions on the span at x, a point of the closed span.
+pub(super) fn at_point<F: Real>(basis: &FloatBasis<F>, span: Span, x: F, values: &mut [F]) {
+    let (degree, local) = (basis.degree(), basis.local(span));
+    for (c, (value, pair)) in values.iter_mut().zip(unrounded(basis, span, x)).enumerate() {
+        let (above, below) = (c == 0 || local[c - 1] < x, c == degree || x < local[degree + c]);
+        *value = lifted(F::nearest(pair.hi), above, below);
     }
     basis.blank(Some(span), values);
 }
 
 /// One point, all differences in one unit.
 struct InFrame<'a, F> {
-    frame: &'a Frame<F>,
     ratio: Ratio,
     knots: &'a [F],
     x: F,
-    values: &'a mut [F],
 }
 
 impl<F: Real> Kernel for InFrame<'_, F> {
-    type Output = ();
+    type Output = [Pair; HIGHEST_DEGREE + 1];
 
     #[inline(always)]
-    fn run<M: Products>(self) {
+    fn run<M: Products>(self) -> Self::Output {
         let mut knots = [[F::zero()]; 2 * HIGHEST_DEGREE];
         for (place, t) in knots.iter_mut().zip(self.knots) {
             *place = [*t];
         }
         let mut workspace = Workspace::<1>::new();
-        workspace.run::<M, F>(self.ratio, &[self.x * self.frame.unit], &knots[..self.knots.len()]);
-        for (c, value) in self.values.iter_mut().enumerate() {
-            *value = workspace.rounded(c, 0);
-        }
+        workspace.run::<M, F>(self.ratio, &[self.x], &knots[..self.knots.len()]);
+        workspace.values.map(|lanes| lanes.get(0))
     }
 }
 
@@ -142,7 +146,6 @@ struct FarApart<'a, F> {
     ratio: Ratio,
     knots: &'a [F],
     x: F,
-    values: &'a mut [F],
 }
 
 /// pair·2^exponent, with the high part in [1, 4), or 0.
@@ -192,10 +195,10 @@ impl Scaled {
 }
 
 impl<F: Real> Kernel for FarApart<'_, F> {
-    type Output = ();
+    type Output = [Pair; HIGHEST_DEGREE + 1];
 
     #[inline(always)]
-    fn run<M: Products>(self) {
+    fn run<M: Products>(self) -> Self::Output {
         let degree = self.knots.len() / 2;
         let (x, knots) = (self.x.widen(), |i: usize| self.knots[i].widen());
         let rise = |s: usize| Scaled::difference(x, knots(degree - s)).times::<M>(Pair::of(self.ratio.p));
@@ -212,8 +215,6 @@ impl<F: Real> Kernel for FarApart<'_, F> {
             }
             values[d] = own;
         }
-        for (place, value) in self.values.iter_mut().zip(values) {
-            *place = F::nearest(value.hi);
-        }
+        values
     }
 }

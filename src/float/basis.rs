@@ -276,7 +276,7 @@ impl<F: Real> Frame<F> {
         // No sum rise + fall of the fast path is larger, and it takes a product of so many of them.
         let sum = exponent(width.widen()) + 2 + unit + exponent(exact.hi).max(0) + 1;
         let factors = i32::try_from(degree * (degree + 1) / 2).unwrap_or(i32::MAX);
-        let fast = factors.saturating_mul(sum) <= F::HIGHEST_EXPONENT;
+        let fast = factors.saturating_mul(sum) <= F::FAST_EXPONENT;
         let unit = F::nearest(power(unit));
         Some(Self { unit, knots: padded.iter().map(|t| *t * unit).collect(), ratio: r, fast })
     }

@@ -1,9 +1,9 @@
 //! Values at many points: several at once, as wide as the machine is.
 
-use super::accurate::{Workspace, lifted};
-use super::basis::{FloatBasis, HIGHEST_DEGREE, Ratio, length};
+use super::accurate::{self, Workspace, lifted};
+use super::basis::{FloatBasis, Frame, HIGHEST_DEGREE, Ratio, length};
 use super::error::FloatError;
-use super::fast;
+use super::fast::{self, FAST_DEGREE};
 use super::machine::Kernel;
 use super::pair::Products;
 use super::real::Real;
@@ -15,11 +15,11 @@ pub enum Precision {
     /// As everywhere: the exact value, rounded once and a little more.
     #[default]
     Accurate,
-    /// In plain floats with one division a point: |v̂ − v| ≤ (k² + 9k)·u·v barring underflow, several times as fast.
+    /// In plain floats with one division a point: |v̂ − v| ≤ (k² + 7k)·u·v barring underflow, several times as fast.
     ///
     /// For degrees 1 to [`FAST_DEGREE`](fast::FAST_DEGREE), and knots whose gaps, with r, are not so far apart that the
-    /// products of k(k + 1)/2 sums could leave the range (for `f64` and degree 3: gaps and r within 2^160 of each
-    /// other). Anywhere else it is the same as [`Precision::Accurate`].
+    /// products of k(k + 1)/2 sums could leave the range (for `f64` and degree 3: the width of the knots, their least gap
+    /// and r within 2^60 of each other). Anywhere else it is the same as [`Precision::Accurate`].
     Fast,
 }
 
@@ -29,8 +29,6 @@ const LANES: usize = 16;
 impl<F: Real> FloatBasis<F> {
     /// The values at points in any order: for each point the span, or `None` outside of [t_0, t_m], and k + 1 values as
     /// in [`Self::values`], one point after the other; limits are taken from the right.
-    ///
-    /// Points that follow each other in one span are found faster.
     ///
     /// ```
     /// use knotproof::float::{FloatBasis, Precision};
@@ -58,7 +56,27 @@ impl<F: Real> FloatBasis<F> {
         if let Some(x) = points.iter().find(|x| !x.is_finite()) {
             return Err(FloatError::Point(x.widen()));
         }
-        self.machine.run(Scattered { basis: self, fast: self.is_fast(precision), points, spans, values });
+        let Some(frame) = &self.frame else {
+            for ((x, span), values) in
+                points.iter().zip(spans).zip(values.chunks_exact_mut(self.degree() + 1))
+            {
+                *span = self.values(*x, Side::Right, values)?;
+            }
+            return Ok(());
+        };
+        macro_rules! run {
+            ($method:expr) => {
+                self.machine.run(Scattered { basis: self, frame, method: $method, points, spans, values })
+            };
+        }
+        match self.fast_degree(precision) {
+            Some(1) => run!(Fast::<F, 1>(frame.ratio)),
+            Some(2) => run!(Fast::<F, 2>(frame.ratio)),
+            Some(3) => run!(Fast::<F, 3>(frame.ratio)),
+            Some(4) => run!(Fast::<F, 4>(frame.ratio)),
+            Some(_) => run!(Fast::<F, FAST_DEGREE>(frame.ratio)),
+            None => run!(Accurate::new(self)),
+        }
         Ok(())
     }
 
@@ -84,13 +102,38 @@ impl<F: Real> FloatBasis<F> {
             let (x, start, end) = (points[position].widen(), start.widen(), end.widen());
             return Err(FloatError::Outside { position, x, start, end });
         }
-        self.machine.run(OneSpan { basis: self, fast: self.is_fast(precision), span, points, values });
+        let count = points.len();
+        let Some(frame) = &self.frame else {
+            let mut column = [F::zero(); HIGHEST_DEGREE + 1];
+            for (p, x) in points.iter().enumerate() {
+                accurate::at_point(self, span, *x, &mut column[..=self.degree()]);
+                for (c, value) in column[..=self.degree()].iter().enumerate() {
+                    values[c * count + p] = *value;
+                }
+            }
+            return Ok(());
+        };
+        macro_rules! run {
+            ($method:expr) => {
+                self.machine.run(OneSpan { basis: self, frame, method: $method, span, points, values })
+            };
+        }
+        match self.fast_degree(precision) {
+            Some(1) => run!(Fast::<F, 1>(frame.ratio)),
+            Some(2) => run!(Fast::<F, 2>(frame.ratio)),
+            Some(3) => run!(Fast::<F, 3>(frame.ratio)),
+            Some(4) => run!(Fast::<F, 4>(frame.ratio)),
+            Some(_) => run!(Fast::<F, FAST_DEGREE>(frame.ratio)),
+            None => run!(Accurate::new(self)),
+        }
         Ok(())
     }
 
-    fn is_fast(&self, precision: Precision) -> bool {
-        let degree = (1..=fast::FAST_DEGREE).contains(&self.degree());
-        precision == Precision::Fast && degree && self.frame.as_ref().is_some_and(|frame| frame.fast)
+    /// k, if there is a fast path for it and it is asked for.
+    fn fast_degree(&self, precision: Precision) -> Option<usize> {
+        let within_range = self.frame.as_ref().is_some_and(|frame| frame.fast);
+        let degree = Some(self.degree()).filter(|k| (1..=FAST_DEGREE).contains(k));
+        degree.filter(|_| precision == Precision::Fast && within_range)
     }
 }
 
@@ -111,180 +154,164 @@ impl<F: Real> Chunk<F> {
             values: [[F::zero(); LANES]; HIGHEST_DEGREE + 1],
         }
     }
+}
 
-    /// Computes the values; x and knots are in the unit of a frame.
+/// How the values of a chunk are computed, its points and knots being in the unit of a frame.
+trait Method<F> {
+    /// k: a constant where it is one.
+    fn degree(&self) -> usize;
+    fn run<M: Products>(&mut self, chunk: &mut Chunk<F>);
+}
+
+struct Accurate {
+    degree: usize,
+    ratio: Ratio,
+    workspace: Box<Workspace<LANES>>,
+}
+
+impl Accurate {
+    fn new<F: Real>(basis: &FloatBasis<F>) -> Self {
+        Self { degree: basis.degree(), ratio: basis.ratio, workspace: Box::new(Workspace::new()) }
+    }
+}
+
+impl<F: Real> Method<F> for Accurate {
     #[inline(always)]
-    fn run<M: Products>(&mut self, how: &mut How<F>, degree: usize) {
-        let Self { x, knots, values } = self;
-        let knots = &knots[..2 * degree];
-        match how {
-            How::Accurate(ratio, workspace) => {
-                workspace.run::<M, F>(*ratio, x, knots);
-                for (c, values) in values.iter_mut().enumerate().take(degree + 1) {
-                    for (l, value) in values.iter_mut().enumerate() {
-                        *value = workspace.rounded(c, l);
-                    }
-                }
-            }
-            How::Fast(ratio) => match degree {
-                1 => fast::values::<F, 1, LANES>(*ratio, x, knots, values),
-                2 => fast::values::<F, 2, LANES>(*ratio, x, knots, values),
-                3 => fast::values::<F, 3, LANES>(*ratio, x, knots, values),
-                4 => fast::values::<F, 4, LANES>(*ratio, x, knots, values),
-                _ => fast::values::<F, 5, LANES>(*ratio, x, knots, values),
-            },
-        }
-        for c in 0..=degree {
-            for l in 0..LANES {
+    fn degree(&self) -> usize {
+        self.degree
+    }
+
+    #[inline(always)]
+    fn run<M: Products>(&mut self, chunk: &mut Chunk<F>) {
+        let Chunk { x, knots, values } = chunk;
+        self.workspace.run::<M, F>(self.ratio, x, &knots[..2 * self.degree]);
+        for (c, values) in values.iter_mut().enumerate().take(self.degree + 1) {
+            for (l, value) in values.iter_mut().enumerate() {
                 let above = c == 0 || knots[c - 1][l] < x[l];
-                let below = c == degree || x[l] < knots[degree + c][l];
-                values[c][l] = lifted(values[c][l], above, below);
+                let below = c == self.degree || x[l] < knots[self.degree + c][l];
+                *value = lifted(self.workspace.rounded(c, l), above, below);
             }
         }
     }
 }
 
-/// One of the two ways, with what it needs.
-enum How<F> {
-    Accurate(Ratio, Box<Workspace<LANES>>),
-    Fast(F),
-}
+/// In degree K, with r.
+struct Fast<F, const K: usize>(F);
 
-impl<F: Real> How<F> {
-    fn of(basis: &FloatBasis<F>, fast: bool) -> Option<Self> {
-        let frame = basis.frame.as_ref()?;
-        Some(if fast { Self::Fast(frame.ratio) } else { Self::Accurate(basis.ratio, Box::new(Workspace::new())) })
+impl<F: Real, const K: usize> Method<F> for Fast<F, K> {
+    #[inline(always)]
+    fn degree(&self) -> usize {
+        K
+    }
+
+    #[inline(always)]
+    fn run<M: Products>(&mut self, chunk: &mut Chunk<F>) {
+        fast::values::<F, K, LANES>(self.0, &chunk.x, &chunk.knots, &mut chunk.values);
     }
 }
 
 /// Points in any order.
-struct Scattered<'a, F> {
+struct Scattered<'a, F, H> {
     basis: &'a FloatBasis<F>,
-    fast: bool,
+    frame: &'a Frame<F>,
+    method: H,
     points: &'a [F],
     spans: &'a mut [Option<Span>],
     values: &'a mut [F],
 }
 
-impl<F: Real> Kernel for Scattered<'_, F> {
+impl<F: Real, H: Method<F>> Kernel for Scattered<'_, F, H> {
     type Output = ();
 
     #[inline(always)]
     fn run<M: Products>(self) {
-        let Self { basis, fast, points, spans, values } = self;
-        let (degree, stride) = (basis.degree(), basis.degree() + 1);
-        let mut last = None;
-        for (x, span) in points.iter().zip(spans.iter_mut()) {
-            *span = basis.search_from(*x, last);
-            last = span.or(last);
-        }
-        let (Some(mut how), Some(frame)) = (How::of(basis, fast), basis.frame.as_ref()) else {
-            for ((x, span), values) in points.iter().zip(spans.iter()).zip(values.chunks_exact_mut(stride)) {
-                basis.values_in(*span, *x, values);
-            }
-            return;
-        };
-        // What lanes without a point compute with: any span will do, and nobody looks at the result.
-        let Some(idle) = last else {
-            values.fill(F::zero());
-            return;
-        };
+        let Self { basis, frame, mut method, points, spans, values } = self;
+        let (degree, stride) = (method.degree(), method.degree() + 1);
+        let knots = basis.knots();
+        let last_span = knots.partition_point(|t| *t < knots[knots.len() - 1]) - 1;
         let mut chunk = Chunk::new();
-        let parts = points.chunks(LANES).zip(spans.chunks(LANES));
+        let parts = points.chunks(LANES).zip(spans.chunks_mut(LANES));
         for ((points, spans), values) in parts.zip(values.chunks_mut(LANES * stride)) {
-            for l in 0..LANES {
-                let span = spans.get(l).copied().flatten();
-                let first = span.unwrap_or(idle).index() + 1;
-                let local = &frame.knots[first..first + 2 * degree];
-                for (place, t) in chunk.knots.iter_mut().zip(local) {
-                    place[l] = *t;
-                }
-                chunk.x[l] = match (span, points.get(l)) {
-                    (Some(_), Some(x)) => *x * frame.unit,
-                    _ => frame.knots[idle.index() + degree],
-                };
+            // Lanes without a point take a knot, and nobody looks at the result.
+            let mut x = [knots[last_span]; LANES];
+            for (place, point) in x.iter_mut().zip(points) {
+                *place = *point;
             }
-            chunk.run::<M>(&mut how, degree);
-            for (l, (values, span)) in values.chunks_exact_mut(stride).zip(spans).enumerate() {
-                for (c, value) in values.iter_mut().enumerate() {
-                    *value = chunk.values[c][l];
+            // The last knot that is not above x, by binary search in all lanes at once: so none waits for another.
+            let mut below = [0; LANES];
+            let mut left = knots.len();
+            while left > 1 {
+                let half = left / 2;
+                for l in 0..LANES {
+                    below[l] += if knots[below[l] + half] <= x[l] { half } else { 0 };
                 }
-                basis.blank(*span, values);
+                left -= half;
+            }
+            for l in 0..LANES {
+                let span = below[l].min(last_span);
+                let local = &frame.knots[span + 1..=span + 2 * degree];
+                for i in 0..2 * degree {
+                    chunk.knots[i][l] = local[i];
+                }
+                chunk.x[l] = x[l] * frame.unit;
+                below[l] = span;
+            }
+            method.run::<M>(&mut chunk);
+            for (l, (values, span)) in values.chunks_exact_mut(stride).zip(spans).enumerate() {
+                for c in 0..stride {
+                    values[c] = chunk.values[c][l];
+                }
+                let inside = knots[0] <= x[l] && x[l] <= knots[knots.len() - 1];
+                *span = inside.then(|| Span::assumed(below[l]));
+                if !inside || below[l] < degree || below[l] > basis.n() {
+                    basis.blank(*span, values);
+                }
             }
         }
     }
 }
 
 /// Points of one span.
-struct OneSpan<'a, F> {
+struct OneSpan<'a, F, H> {
     basis: &'a FloatBasis<F>,
-    fast: bool,
+    frame: &'a Frame<F>,
+    method: H,
     span: Span,
     points: &'a [F],
     values: &'a mut [F],
 }
 
-impl<F: Real> Kernel for OneSpan<'_, F> {
+impl<F: Real, H: Method<F>> Kernel for OneSpan<'_, F, H> {
     type Output = ();
 
     #[inline(always)]
     fn run<M: Products>(self) {
-        let Self { basis, fast, span, points, values } = self;
-        let (degree, count) = (basis.degree(), points.len());
-        if count == 0 {
-            return;
-        }
-        let (Some(mut how), Some(frame)) = (How::of(basis, fast), basis.frame.as_ref()) else {
-            let mut column = [F::zero(); HIGHEST_DEGREE + 1];
-            for (p, x) in points.iter().enumerate() {
-                basis.values_in(Some(span), *x, &mut column[..=degree]);
-                for (c, value) in column[..=degree].iter().enumerate() {
-                    values[c * count + p] = *value;
-                }
-            }
-            return;
-        };
+        let Self { basis, frame, mut method, span, points, values } = self;
+        let (degree, count) = (method.degree(), points.len());
         let mut chunk = Chunk::new();
         for (place, t) in chunk.knots.iter_mut().zip(&frame.knots[span.index() + 1..]).take(2 * degree) {
             *place = [*t; LANES];
         }
         for (at, part) in points.chunks(LANES).enumerate() {
             // Lanes without a point keep the one before, or a knot.
-            chunk.x[part.len()..].fill(frame.knots[span.index() + degree]);
+            if part.len() < LANES {
+                chunk.x = [frame.knots[span.index() + degree]; LANES];
+            }
             for (place, x) in chunk.x.iter_mut().zip(part) {
                 *place = *x * frame.unit;
             }
-            chunk.run::<M>(&mut how, degree);
-            for (row, lanes) in values.chunks_exact_mut(count).zip(&chunk.values) {
-                row[at * LANES..][..part.len()].copy_from_slice(&lanes[..part.len()]);
+            method.run::<M>(&mut chunk);
+            for c in 0..=degree {
+                let row = &mut values[c * count + at * LANES..][..part.len()];
+                // Whole chunks are of a length that the compiler knows.
+                match row.first_chunk_mut() {
+                    Some(row) => *row = chunk.values[c],
+                    None => row.copy_from_slice(&chunk.values[c][..part.len()]),
+                }
             }
         }
         let existing = basis.existing(span);
         values[..existing.start * count].fill(F::zero());
         values[existing.end * count..].fill(F::zero());
-    }
-}
-
-impl<F: Real> FloatBasis<F> {
-    /// [`Self::search`] from the right, with a guess.
-    #[inline(always)]
-    fn search_from(&self, x: F, guess: Option<Span>) -> Option<Span> {
-        if let Some(span) = guess {
-            let at = span.index();
-            if let Some(&[start, end]) = self.knots().get(at..at + 2) {
-                if start <= x && x < end {
-                    return Some(span);
-                }
-            }
-        }
-        self.search(x, Side::Right)
-    }
-
-    /// The values in a span, or zeros.
-    fn values_in(&self, span: Option<Span>, x: F, values: &mut [F]) {
-        match span {
-            Some(span) => super::accurate::at_point(self, span, x, values),
-            None => values.fill(F::zero()),
-        }
     }
 }

@@ -48,7 +48,9 @@ pub enum FloatError {
     #[error("x is {0}: give a finite one")]
     Point(f64),
     /// An x outside the span that all points should lie in.
-    #[error("point {position}, x = {x:e}, is not in the span [{start:e}, {end:e}]: leave it out, or use `values_at`")]
+    #[error(
+        "point {position}, x = {x:e}, is not in the span [{start:e}, {end:e}]: leave it out, or use `values_at`"
+    )]
     Outside {
         /// Its place among the points, from 0.
         position: usize,

@@ -1,6 +1,8 @@
 //! The triangle with one division a point: the denominators are put off to the end. In plain floats, for degrees 1
 //! to [`FAST_DEGREE`] and vectors of points.
 
+use super::accurate::lifted;
+use super::basis::HIGHEST_DEGREE;
 use super::real::Real;
 
 /// The highest degree with a fast path of its own. Above it, the products that replace divisions cost more than they
@@ -17,9 +19,10 @@ pub const FAST_DEGREE: usize = 5;
 pub(super) fn values<F: Real, const K: usize, const N: usize>(
     ratio: F,
     x: &[F; N],
-    knots: &[[F; N]],
-    values: &mut [[F; N]],
+    knots: &[[F; N]; 2 * HIGHEST_DEGREE],
+    values: &mut [[F; N]; HIGHEST_DEGREE + 1],
 ) {
+    // All loops but the outer one have constant bounds, so that they are unrolled and the outer one becomes vectors.
     for l in 0..N {
         let mut rises = [F::one(); K];
         let mut falls = [F::one(); K];
@@ -29,37 +32,49 @@ pub(super) fn values<F: Real, const K: usize, const N: usize>(
         }
         let mut numerators = [F::one(); FAST_DEGREE + 1];
         let mut denominator = F::one();
-        for d in 1..=K {
+        // From degree d to degree d + 1.
+        for d in 0..K {
+            // before[c] = e_0 ⋯ e_{c−1} and after[c] = e_{c+1} ⋯ e_d, with the sums e_c of this degree.
             let mut sums = [F::one(); K];
-            for c in 0..d {
-                sums[c] = rises[d - 1 - c] + falls[c];
+            let (mut before, mut after) = ([F::one(); FAST_DEGREE + 1], [F::one(); FAST_DEGREE + 1]);
+            for c in 0..K {
+                if c <= d {
+                    sums[c] = rises[d - c] + falls[c];
+                    before[c + 1] = before[c] * sums[c];
+                }
             }
-            // after[c] = e_{c+1} ⋯ e_{d−1}; the product of those before c is built up on the way.
-            let mut after = [F::one(); K];
-            for c in (0..d - 1).rev() {
-                after[c] = if c + 2 == d { sums[c + 1] } else { after[c + 1] * sums[c + 1] };
+            for back in 0..K {
+                if back < d {
+                    after[d - back - 1] = after[d - back] * sums[d - back];
+                }
             }
-            let mut before = F::one();
             let mut own = F::zero();
-            for c in 0..d {
-                let others = match (c == 0, c + 1 == d) {
-                    (true, true) => F::one(),
-                    (true, false) => after[c],
-                    (false, true) => before,
-                    (false, false) => before * after[c],
-                };
-                before = if c == 0 { sums[0] } else { before * sums[c] };
-                let value = if d == 1 { F::one() } else { numerators[c] * others };
-                let part = value * falls[c];
-                numerators[c] = if c == 0 { part } else { own + part };
-                own = value * rises[d - 1 - c];
+            for c in 0..K {
+                if c <= d {
+                    let value = numerators[c] * (before[c] * after[c]);
+                    numerators[c] = own + value * falls[c];
+                    own = value * rises[d - c];
+                }
             }
-            numerators[d] = own;
-            denominator = if d == 1 { before } else { denominator * before };
+            numerators[d + 1] = own;
+            denominator = denominator * before[d + 1];
         }
         let inverse = denominator.recip();
-        for c in 0..=K {
-            values[c][l] = (numerators[c] * inverse).min(F::one());
+        for c in 0..K + 1 {
+            let value = numerators[c] * inverse;
+            values[c][l] = if value > F::one() { F::one() } else { value };
+        }
+    }
+    // Only next to a knot can a value come out as 0.
+    let apart = |x: &F, t: &F| (*x - *t).abs() > F::min_positive_value().sqrt().sqrt().sqrt();
+    let next_to_a_knot = |t: &[F; N]| x.iter().zip(t).fold(false, |any, (x, t)| any | !apart(x, t));
+    if next_to_a_knot(&knots[K - 1]) | next_to_a_knot(&knots[K]) {
+        for c in 0..K + 1 {
+            for l in 0..N {
+                let above = c == 0 || knots[c.max(1) - 1][l] < x[l];
+                let below = c == K || x[l] < knots[K + c][l];
+                values[c][l] = lifted(values[c][l], above, below);
+            }
         }
     }
 }

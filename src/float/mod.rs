@@ -13,6 +13,7 @@ mod machine;
 mod pair;
 mod power;
 mod real;
+mod study;
 
 pub use basis::{FloatBasis, HIGHEST_DEGREE};
 pub use batch::Precision;
@@ -20,3 +21,4 @@ pub use discrepancy::{Discrepancy, INTERIOR_POINTS, Worst, discrepancy};
 pub use error::FloatError;
 pub use fast::FAST_DEGREE;
 pub use real::Real;
+pub use study::{Case, Effort, Errors, Extreme, Field, Figures, Formula, hexadecimal, study};

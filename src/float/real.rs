@@ -3,11 +3,16 @@
 use num_traits::Float;
 
 /// `f32` or `f64`. Sealed: what is proved of the results is proved for these two.
-pub trait Real: Float + std::fmt::Debug + std::fmt::LowerExp + Send + Sync + sealed::Sealed + 'static {
+pub trait Real:
+    Float + std::fmt::Debug + std::fmt::LowerExp + Send + Sync + sealed::Sealed + 'static
+{
     /// The least positive number.
     const LEAST: Self;
-    /// The exponent beyond which products of the fast path could leave the range.
+    /// Numbers up to 2 to this power are safe from overflow, with a product or two to come.
     const HIGHEST_EXPONENT: i32;
+    /// The product of all denominators of the fast path stays below 2 to this power: then its quotients are positive
+    /// where no point is next to a knot.
+    const FAST_EXPONENT: i32;
 
     /// The same number in `f64`: exact.
     fn widen(self) -> f64;
@@ -18,6 +23,7 @@ pub trait Real: Float + std::fmt::Debug + std::fmt::LowerExp + Send + Sync + sea
 impl Real for f64 {
     const LEAST: Self = 5e-324;
     const HIGHEST_EXPONENT: i32 = 1000;
+    const FAST_EXPONENT: i32 = 400;
 
     #[inline(always)]
     fn widen(self) -> f64 {
@@ -32,6 +38,7 @@ impl Real for f64 {
 impl Real for f32 {
     const LEAST: Self = 1e-45;
     const HIGHEST_EXPONENT: i32 = 120;
+    const FAST_EXPONENT: i32 = 40;
 
     #[inline(always)]
     fn widen(self) -> f64 {
