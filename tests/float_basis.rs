@@ -1,6 +1,6 @@
 //! Values in floats against the exact values of the same floats: the proved bound, the signs, the edges.
 
-use knotproof::float::{FloatBasis, FloatError, Real};
+use knotproof::float::{FAST_DEGREE, FloatBasis, FloatError, Precision, Real};
 use knotproof::scalar::{BigRational, exact_value, integer, rational};
 use knotproof::spline::{Side, Span};
 use num_traits::{Float, Pow, Signed, Zero};
@@ -180,6 +180,99 @@ proptest! {
         prop_assume!(knots[0] < knots[knots.len() - 1]);
         let basis = FloatBasis::new(knots, degree, alpha).unwrap();
         check(&basis, x as f32, Side::Right);
+    }
+}
+
+/// Many points at once give what single points give, in any order, past the ends and with functions that are missing.
+#[test]
+fn many_points_are_single_points() {
+    for basis in edges() {
+        let (first, last) = (basis.knots()[0], basis.knots()[basis.knots().len() - 1]);
+        let mut points: Vec<f64> = basis.knots().to_vec();
+        let parts = |i: u32| first * (1.0 - f64::from(i) / 37.0) + last * (f64::from(i) / 37.0);
+        points.extend((0..37).rev().map(parts).filter(|x| x.is_finite()));
+        points
+            .extend([first.next_down(), last.next_up(), f64::MIN, f64::MAX].iter().filter(|x| x.is_finite()));
+        let stride = basis.degree() + 1;
+        for precision in [Precision::Accurate, Precision::Fast] {
+            let (mut spans, mut values) = (vec![None; points.len()], vec![f64::NAN; points.len() * stride]);
+            basis.values_at(&points, precision, &mut spans, &mut values).unwrap();
+            for ((x, span), values) in points.iter().zip(&spans).zip(values.chunks(stride)) {
+                let mut single = vec![0.0; stride];
+                assert_eq!(basis.values(*x, Side::Right, &mut single).unwrap(), *span);
+                let place =
+                    format!("{:?} α = {:e} k = {} x = {x:e}", basis.knots(), basis.alpha(), basis.degree());
+                assert_same(&single, values, precision, basis.degree(), &place);
+            }
+            let inside = basis.exact().knots().spans().collect::<Vec<_>>();
+            for span in inside {
+                let (start, end) = basis.ends(span).unwrap();
+                let points: Vec<f64> =
+                    (0..19).map(|i| start + (end / 18.0 - start / 18.0) * f64::from(i)).collect();
+                let points: Vec<f64> = points.into_iter().map(|x| x.clamp(start, end)).collect();
+                let mut rows = vec![f64::NAN; points.len() * stride];
+                basis.values_on(span, &points, precision, &mut rows).unwrap();
+                for (p, x) in points.iter().enumerate() {
+                    let values: Vec<f64> = (0..stride).map(|c| rows[c * points.len() + p]).collect();
+                    let side = if *x < end { Side::Right } else { Side::Left };
+                    let mut single = vec![0.0; stride];
+                    assert_eq!(basis.values(*x, side, &mut single).unwrap(), Some(span));
+                    let place = format!(
+                        "{:?} α = {:e} k = {} x = {x:e}",
+                        basis.knots(),
+                        basis.alpha(),
+                        basis.degree()
+                    );
+                    assert_same(&single, &values, precision, basis.degree(), &place);
+                }
+            }
+        }
+    }
+}
+
+fn assert_same(single: &[f64], values: &[f64], precision: Precision, degree: usize, place: &str) {
+    let k = degree as f64;
+    for (one, many) in single.iter().zip(values) {
+        match precision {
+            Precision::Accurate => assert_eq!(one, many, "{place}"),
+            // Nothing is said of the relative error next to underflow.
+            Precision::Fast => {
+                let bound = (k * k + 7.0 * k + 1.0) * f64::EPSILON / 2.0 * one + 1e-270;
+                assert!(
+                    (one - many).abs() <= bound && (*one > 0.0) == (*many > 0.0),
+                    "{place}: {one:e} {many:e}"
+                );
+            }
+        }
+    }
+}
+
+/// The fast path in both types keeps its bound against exact values.
+#[test]
+fn the_fast_path_keeps_its_bound() {
+    let knots: Vec<f32> = [0.0, 0.1, 0.7, 0.7, 1.3, 2.0, 4.5, 5.0, 5.0, 9.0, 9.5, 20.0].to_vec();
+    let wide: Vec<f64> = knots.iter().map(|t| f64::from(*t)).collect();
+    for degree in 1..=FAST_DEGREE {
+        fast(&FloatBasis::new(knots.clone(), degree, -0.3).unwrap(), |i| 0.33_f32 * i as f32);
+        fast(&FloatBasis::new(wide.clone(), degree, 1.1).unwrap(), |i| 0.33 * f64::from(i));
+    }
+}
+
+fn fast<F: Real>(basis: &FloatBasis<F>, point: impl Fn(u16) -> F) {
+    let points: Vec<F> = (0..60).map(point).collect();
+    let stride = basis.degree() + 1;
+    let (mut spans, mut values) = (vec![None; points.len()], vec![F::zero(); points.len() * stride]);
+    basis.values_at(&points, Precision::Fast, &mut spans, &mut values).unwrap();
+    let k = basis.degree();
+    for ((x, span), values) in points.iter().zip(spans).zip(values.chunks(stride)) {
+        let exact = basis.exact().values(&exact_value(x.widen()).unwrap(), Side::Right);
+        let Some(span) = span else { continue };
+        for (c, value) in values.iter().enumerate() {
+            let Some(exact) = (span.index() + c).checked_sub(k).and_then(|i| exact.get(i)) else { continue };
+            let error = (exact_value(value.widen()).unwrap() - exact).abs();
+            let digits = if std::mem::size_of::<F>() == 8 { -53 } else { -24 };
+            assert!(error <= integer(k * k + 7 * k) * power(digits) * exact, "k = {k} x = {x:e}");
+        }
     }
 }
 

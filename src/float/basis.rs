@@ -1,9 +1,9 @@
 //! The basis in floats: what is prepared once, and values at one point.
 
-use super::accurate;
 use super::error::FloatError;
 use super::machine::Machine;
-use super::pair::Pair;
+use super::pair::{Pair, Split};
+use super::point;
 use super::power::{exponent, power, shifted};
 use super::real::Real;
 use crate::scalar::{BigRational, exact_value};
@@ -64,6 +64,8 @@ pub struct FloatBasis<F> {
 pub(super) struct Ratio {
     pub(super) p: f64,
     pub(super) q: Pair,
+    /// p − q, exactly: a power of two with a sign, or 0 for α = ∞.
+    pub(super) difference: f64,
 }
 
 /// A unit of length in which no difference of knots is small and none is large.
@@ -83,12 +85,13 @@ impl Ratio {
     /// |α| and |α − 1|, scaled alike. α is in (−∞, 0) ∪ (1, ∞], or −∞.
     fn of(alpha: f64) -> Self {
         if alpha.is_infinite() {
-            return Self { p: 1.0, q: Pair::ONE };
+            return Self { p: 1.0, q: Pair::ONE, difference: 0.0 };
         }
         let q = Pair::difference(alpha, 1.0);
-        let (p, q) = if alpha < 0.0 { (-alpha, q.negate()) } else { (alpha, q) };
+        let (p, q, difference) = if alpha < 0.0 { (-alpha, q.negate(), -1.0) } else { (alpha, q, 1.0) };
         let e = -exponent(p.max(q.hi));
-        Self { p: shifted(p, e), q: Pair { hi: shifted(q.hi, e), lo: shifted(q.lo, e) } }
+        let q = Pair { hi: shifted(q.hi, e), lo: shifted(q.lo, e) };
+        Self { p: shifted(p, e), q, difference: shifted(difference, e) }
     }
 }
 
@@ -223,7 +226,7 @@ impl<F: Real> FloatBasis<F> {
         length("values", self.degree + 1, values.len())?;
         let span = self.span_at(x, side)?;
         match span {
-            Some(span) => accurate::at_point(self, span, x, values),
+            Some(span) => point::values(self, span, x, values),
             None => values.fill(F::zero()),
         }
         Ok(span)
@@ -255,6 +258,12 @@ pub(super) fn length(what: &'static str, needed: usize, given: usize) -> Result<
 const LARGEST: i32 = 400;
 
 impl<F: Real> Frame<F> {
+    /// t_{j−k+1}, …, t_{j+k} in the unit.
+    #[inline(always)]
+    pub(super) fn local(&self, span: Span, degree: usize) -> &[F] {
+        &self.knots[span.index() + 1..=span.index() + 2 * degree]
+    }
+
     /// The unit in which min(p, q)·(t_{j+1} − t_j) ≥ 1 for every span, if all knots are below 2^LARGEST in it.
     fn of(padded: &[F], degree: usize, ratio: Ratio) -> Option<Self> {
         let gaps = padded.windows(2).map(|pair| pair[1] - pair[0]).filter(|gap| *gap > F::zero());
@@ -271,7 +280,7 @@ impl<F: Real> Frame<F> {
             return None;
         }
         // p/q, to the last bit or so: q.lo is far below that.
-        let exact = Pair::of(ratio.p).over::<super::pair::Split>(ratio.q, 1.0 / ratio.q.hi);
+        let exact = Pair::of(ratio.p).over::<Split>(ratio.q, 1.0 / ratio.q.hi);
         let r = F::nearest(exact.hi);
         // No sum rise + fall of the fast path is larger, and it takes a product of so many of them.
         let sum = exponent(width.widen()) + 2 + unit + exponent(exact.hi).max(0) + 1;

@@ -1,11 +1,12 @@
 //! Values at many points: several at once, as wide as the machine is.
 
-use super::accurate::{self, Workspace, lifted};
+use super::accurate::Workspace;
 use super::basis::{FloatBasis, Frame, HIGHEST_DEGREE, Ratio, length};
 use super::error::FloatError;
 use super::fast::{self, FAST_DEGREE};
 use super::machine::Kernel;
 use super::pair::Products;
+use super::point::{self, lifted};
 use super::real::Real;
 use crate::spline::{Side, Span};
 
@@ -106,7 +107,7 @@ impl<F: Real> FloatBasis<F> {
         let Some(frame) = &self.frame else {
             let mut column = [F::zero(); HIGHEST_DEGREE + 1];
             for (p, x) in points.iter().enumerate() {
-                accurate::at_point(self, span, *x, &mut column[..=self.degree()]);
+                point::values(self, span, *x, &mut column[..=self.degree()]);
                 for (c, value) in column[..=self.degree()].iter().enumerate() {
                     values[c * count + p] = *value;
                 }

@@ -84,6 +84,9 @@ pub enum FloatError {
         /// Its value.
         value: f64,
     },
+    /// An order that is too high.
+    #[error("derivatives of order {0} are too many: at most {HIGHEST_DEGREE}")]
+    Order(usize),
     /// A derivative beyond the range.
     #[error("a derivative of order {0} at this x is beyond the range of the floats: ask for a lower order")]
     Derivative(usize),

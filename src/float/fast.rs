@@ -1,8 +1,8 @@
 //! The triangle with one division a point: the denominators are put off to the end. In plain floats, for degrees 1
 //! to [`FAST_DEGREE`] and vectors of points.
 
-use super::accurate::lifted;
 use super::basis::HIGHEST_DEGREE;
+use super::point::lifted;
 use super::real::Real;
 
 /// The highest degree with a fast path of its own. Above it, the products that replace divisions cost more than they

@@ -6,17 +6,22 @@
 mod accurate;
 mod basis;
 mod batch;
+mod curve;
+mod derivatives;
 mod discrepancy;
 mod error;
 mod fast;
 mod machine;
 mod pair;
+mod point;
 mod power;
 mod real;
+mod scaled;
 mod study;
 
 pub use basis::{FloatBasis, HIGHEST_DEGREE};
 pub use batch::Precision;
+pub use curve::FloatCurve;
 pub use discrepancy::{Discrepancy, INTERIOR_POINTS, Worst, discrepancy};
 pub use error::FloatError;
 pub use fast::FAST_DEGREE;

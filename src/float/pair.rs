@@ -104,12 +104,6 @@ impl Pair {
         Self::ordered_sum(p, e + (self.hi * rhs.lo + self.lo * rhs.hi))
     }
 
-    /// The product with a power of two that leaves the range of neither part.
-    #[inline(always)]
-    pub(super) fn scaled(self, power_of_two: f64) -> Self {
-        Self { hi: self.hi * power_of_two, lo: self.lo * power_of_two }
-    }
-
     /// rise/(rise + fall) and fall/(rise + fall), for two numbers ≥ 0 that are not both 0: at most 40u² off. The share
     /// of 0 is 0.
     #[inline(always)]

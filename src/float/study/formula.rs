@@ -1,8 +1,8 @@
 //! The ways to compute the basis in `f64` that are compared.
 
-use super::super::accurate;
 use super::super::basis::HIGHEST_DEGREE;
 use super::super::batch::Precision;
+use super::super::point;
 use super::case::Case;
 
 /// One way to compute.
@@ -56,7 +56,7 @@ impl Formula {
             }
             Self::Accurate => {
                 let mut values = vec![0.0; case.basis.degree() + 1];
-                accurate::at_point(&case.basis, case.span, x, &mut values);
+                point::values(&case.basis, case.span, x, &mut values);
                 values
             }
         };
@@ -64,7 +64,8 @@ impl Formula {
         values
     }
 
-    /// c of the proved bound c·2⁻⁵³ on its relative error, where one is proved.
+    /// The proved bound on its error in units in the last place, where there is one. But for the half unit of the last
+    /// rounding, a relative error of c·2⁻⁵³ is at most c units.
     #[must_use]
     pub fn bound(self, degree: usize) -> Option<f64> {
         let k = u32::try_from(degree).map_or(f64::INFINITY, f64::from);
@@ -72,7 +73,7 @@ impl Formula {
             Self::Paper | Self::Ratio => None,
             Self::Triangle => Some(9.0 * k),
             Self::Fast if degree <= super::super::fast::FAST_DEGREE => Some(k * k + 7.0 * k),
-            Self::Fast | Self::Accurate => Some(1.0 + k / f64::from(1 << 22) / f64::from(1 << 22)),
+            Self::Fast | Self::Accurate => Some(0.5 + k / f64::from(1 << 22) / f64::from(1 << 22)),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use num_traits::{Signed, Zero};
 
-use super::super::accurate;
+use super::super::point;
 use super::super::power::{exponent, power};
 use super::case::Case;
 use super::formula::Formula;
@@ -94,7 +94,7 @@ impl Exact {
 /// The largest error of a formula at a case in units in the last place, nearly: against values of about 100 bits. What
 /// the search for bad cases climbs by; nothing that is reported.
 pub(super) fn estimate(formula: Formula, case: &Case) -> f64 {
-    let exact = accurate::unrounded(&case.basis, case.span, case.x);
+    let exact = point::unrounded(&case.basis, case.span, case.x);
     let existing = case.basis.existing(case.span);
     let floats = formula.values(case);
     let error = |c: usize| {

@@ -77,7 +77,7 @@ pub struct Figures {
     pub signs: usize,
     /// The number of values that are infinite or NaN.
     pub not_finite: usize,
-    /// c of the proved relative bound c·2⁻⁵³, where there is one: also a bound of `worst`.
+    /// The proved bound of `worst`, where there is one ([`Formula::bound`]).
     pub bound: Option<f64>,
 }
 
