@@ -5,8 +5,8 @@ use std::fmt;
 use num_rational::BigRational;
 use serde::Serialize;
 
-use crate::float::{Case, Effort, Extreme, Field, Figures, FloatBasis, hexadecimal, study};
-use crate::scalar::{RationalAlgebra, decimal, exact_value, parse_rational};
+use crate::float::{Case, Effort, Field, Figures, FloatBasis, FloatError, FormulaRecord, study};
+use crate::scalar::{RationalAlgebra, parse_rational};
 use crate::spline::{Basis, Side};
 
 use super::error::CliError;
@@ -51,8 +51,6 @@ Exit code 1: an error is larger than its proved bound."#;
 /// The most random cases, and steps of the search.
 const COUNT_LIMIT: usize = 1_000_000;
 const STEPS_LIMIT: usize = 10_000_000;
-/// The digits of an error as text: exactly, it is a fraction of hundreds of digits.
-const DIGITS: usize = 6;
 
 /// The result: its fields are the JSON.
 #[derive(Debug, Serialize)]
@@ -63,40 +61,6 @@ struct Comparison {
     count: usize,
     steps: usize,
     formulas: Vec<FormulaRecord>,
-}
-
-/// What one formula does wrong. Errors are decimals of six digits.
-#[derive(Debug, Serialize)]
-struct FormulaRecord {
-    name: &'static str,
-    max_ulp: Option<String>,
-    p99_ulp: String,
-    median_ulp: String,
-    max_absolute: String,
-    max_sum: String,
-    sign_errors: usize,
-    not_finite: usize,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    bound_ulp: Option<f64>,
-    worst: Option<WorstRecord>,
-}
-
-/// The worst case: exactly, as hexadecimal floats, and as a command.
-#[derive(Debug, Serialize)]
-struct WorstRecord {
-    #[serde(flatten)]
-    exact: CaseRecord,
-    index: usize,
-    float: CaseRecord,
-    reproduce: String,
-    eval: String,
-}
-
-#[derive(Debug, Serialize)]
-struct CaseRecord {
-    x: String,
-    alpha: String,
-    knots: Vec<String>,
 }
 
 /// Measures, searches and prints.
@@ -112,7 +76,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         [args.seed, args.count, args.steps].map(|n| u64::try_from(n).unwrap_or(u64::MAX));
     let figures = study(&field, Effort { seed, count, steps });
     let kept = figures.iter().all(Figures::keeps_bound);
-    let formulas = figures.iter().map(FormulaRecord::of).collect();
+    let formulas = figures.iter().map(FormulaRecord::from).collect();
     let Args { seed, count, steps, .. } = *args;
     output.result(&Comparison { schema: "knotproof.float/1", degree, seed, count, steps, formulas })?;
     Ok(if kept { Exit::Holds } else { Exit::Refuted })
@@ -151,59 +115,12 @@ impl Args {
     }
 }
 
-/// The basis with its knots and its index rounded to the nearest floats.
+/// The basis in floats.
 fn float(basis: &Basis) -> Result<FloatBasis<f64>, CliError> {
-    let knots = basis.knots().knots().iter().map(|t| 0.0_f64.embed(t)).collect();
-    let alpha = basis.index().alpha().map_or(f64::INFINITY, |alpha| 0.0_f64.embed(&alpha));
-    FloatBasis::new(knots, basis.degree(), alpha)
-        .map_err(|error| CliError::Float { place: Place::option("--alpha"), error })
-}
-
-impl FormulaRecord {
-    fn of(figures: &Figures) -> Self {
-        let text = |error: &BigRational| decimal(error, DIGITS);
-        Self {
-            name: figures.formula.name(),
-            max_ulp: figures.worst.as_ref().map(|worst| text(&worst.error)),
-            p99_ulp: text(&figures.percentile_99),
-            median_ulp: text(&figures.median),
-            max_absolute: text(&figures.absolute),
-            max_sum: text(&figures.sum),
-            sign_errors: figures.signs,
-            not_finite: figures.not_finite,
-            bound_ulp: figures.bound,
-            worst: figures.worst.as_ref().map(WorstRecord::of),
-        }
-    }
-}
-
-impl WorstRecord {
-    fn of(worst: &Extreme) -> Self {
-        let exact =
-            |value: f64| exact_value(value).map_or_else(|| "inf".to_owned(), |value| value.to_string());
-        let float = CaseRecord::of(&worst.case, hexadecimal);
-        let arguments = format!(
-            "--degree {} --knots \"{}\" --alpha {} --x {}",
-            worst.case.basis.degree(),
-            float.knots.join(" "),
-            float.alpha,
-            float.x
-        );
-        Self {
-            exact: CaseRecord::of(&worst.case, exact),
-            index: worst.index,
-            reproduce: format!("knotproof float {arguments}"),
-            eval: format!("knotproof eval {arguments}"),
-            float,
-        }
-    }
-}
-
-impl CaseRecord {
-    fn of(case: &Case, text: impl Fn(f64) -> String) -> Self {
-        let knots = case.basis.knots().iter().map(|t| text(*t)).collect();
-        Self { x: text(case.x), alpha: text(case.basis.alpha()), knots }
-    }
+    FloatBasis::nearest(basis).map_err(|error| {
+        let option = if matches!(error, FloatError::Index(_)) { "--alpha" } else { "--knots" };
+        CliError::Float { place: Place::option(option), error }
+    })
 }
 
 /// A table of the figures, and the worst cases.

@@ -6,7 +6,7 @@ use super::pair::{Pair, Split};
 use super::point;
 use super::power::{exponent, power, shifted};
 use super::real::Real;
-use crate::scalar::{BigRational, exact_value};
+use crate::scalar::{BigRational, RationalAlgebra, exact_value};
 use crate::spline::{Basis, Index, KnotVector, Side, Span};
 
 /// The highest degree of a [`FloatBasis`]: what it computes with has a fixed place, so that nothing is allocated.
@@ -132,6 +132,13 @@ impl<F: Real> FloatBasis<F> {
         Ok(Self { degree, alpha, padded, ratio, frame, machine: Machine::best() })
     }
 
+    /// The same basis, computed without the wide instructions that this machine may have: slower, and the same values.
+    /// For comparisons.
+    #[must_use]
+    pub fn portable(self) -> Self {
+        Self { machine: Machine::portable(), ..self }
+    }
+
     /// k.
     #[must_use]
     pub fn degree(&self) -> usize {
@@ -154,6 +161,16 @@ impl<F: Real> FloatBasis<F> {
     #[must_use]
     pub fn n(&self) -> usize {
         self.knots().len() - 2 - self.degree
+    }
+
+    /// The floats nearest to an exact basis: what a program is handed that reads the instance.
+    ///
+    /// # Errors
+    /// [`FloatError`], if they are no basis any more: α rounds to 0 or 1, or a knot to infinity, or all knots to one.
+    pub fn nearest(basis: &Basis) -> Result<Self, FloatError> {
+        let round = |value: &BigRational| F::nearest(0.0_f64.embed(value));
+        let knots = basis.knots().knots().iter().map(round).collect();
+        Self::new(knots, basis.degree(), basis.index().alpha().as_ref().map_or(F::infinity(), round))
     }
 
     /// The same basis in exact numbers.

@@ -1,6 +1,7 @@
 //! Curves in floats.
 
 use super::basis::{FloatBasis, HIGHEST_DEGREE, length};
+use super::batch::Precision;
 use super::error::FloatError;
 use super::pair::Pair;
 use super::point::de_boor;
@@ -85,5 +86,49 @@ impl<F: Real> FloatCurve<F> {
             }
         }
         Ok(Some(span))
+    }
+
+    /// The points of the curve at many x in any order, limits from the right, one after the other; zeros outside of
+    /// [t_0, t_m].
+    ///
+    /// With [`Precision::Accurate`] they are those of [`Self::point`]. With [`Precision::Fast`] the functions are
+    /// computed as in [`FloatBasis::values_at`] and added up: then a coordinate has an error of at most
+    /// (k² + 9k + 2)u·Σ|d_i|G_i.
+    ///
+    /// # Errors
+    /// [`FloatError::Point`] if an x is not finite, [`FloatError::Length`] unless there is a place for each coordinate of
+    /// each point.
+    pub fn points_at(&self, xs: &[F], precision: Precision, points: &mut [F]) -> Result<(), FloatError> {
+        length("points", xs.len() * self.dimension, points.len())?;
+        if self.dimension == 0 {
+            return Ok(());
+        }
+        if precision == Precision::Accurate {
+            for (x, point) in xs.iter().zip(points.chunks_exact_mut(self.dimension)) {
+                self.point(*x, Side::Right, point)?;
+            }
+            return Ok(());
+        }
+        const BLOCK: usize = 128;
+        let (degree, stride) = (self.basis.degree(), self.basis.degree() + 1);
+        let (mut spans, mut values) = ([None; BLOCK], [F::zero(); BLOCK * (HIGHEST_DEGREE + 1)]);
+        for (xs, points) in xs.chunks(BLOCK).zip(points.chunks_mut(BLOCK * self.dimension)) {
+            let (spans, values) = (&mut spans[..xs.len()], &mut values[..xs.len() * stride]);
+            self.basis.values_at(xs, precision, spans, values)?;
+            let columns = spans.iter().zip(values.chunks_exact(stride));
+            for ((span, values), point) in columns.zip(points.chunks_exact_mut(self.dimension)) {
+                point.fill(F::zero());
+                let Some(span) = span else { continue };
+                let existing = self.basis.existing(*span);
+                let first = span.index() + existing.start - degree;
+                let controls = self.points[first * self.dimension..].chunks_exact(self.dimension);
+                for (value, control) in values[existing].iter().zip(controls) {
+                    for (sum, d) in point.iter_mut().zip(control) {
+                        *sum = *sum + *value * *d;
+                    }
+                }
+            }
+        }
+        Ok(())
     }
 }

@@ -65,8 +65,9 @@ pub(super) fn values<F: Real, const K: usize, const N: usize>(
             values[c][l] = if value > F::one() { F::one() } else { value };
         }
     }
-    // Only next to a knot can a value come out as 0.
-    let apart = |x: &F, t: &F| (*x - *t).abs() > F::min_positive_value().sqrt().sqrt().sqrt();
+    // Only next to a knot can a value come out as 0: within 2⁻⁶⁴ of the unit (`f32`: 2⁻⁸).
+    let least = F::min_positive_value().sqrt().sqrt().sqrt().sqrt();
+    let apart = |x: &F, t: &F| (*x - *t).abs() > least;
     let next_to_a_knot = |t: &[F; N]| x.iter().zip(t).fold(false, |any, (x, t)| any | !apart(x, t));
     if next_to_a_knot(&knots[K - 1]) | next_to_a_knot(&knots[K]) {
         for c in 0..K + 1 {

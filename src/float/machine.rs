@@ -23,6 +23,11 @@ impl Machine {
         Self(Arch::new())
     }
 
+    /// The one that the program is compiled for.
+    pub(super) fn portable() -> Self {
+        Self(Arch::Scalar)
+    }
+
     /// Runs the kernel, compiled for this machine.
     #[inline]
     pub(super) fn run<K: Kernel>(self, kernel: K) -> K::Output {

@@ -8,7 +8,6 @@ mod basis;
 mod batch;
 mod curve;
 mod derivatives;
-mod discrepancy;
 mod error;
 mod fast;
 mod machine;
@@ -22,8 +21,10 @@ mod study;
 pub use basis::{FloatBasis, HIGHEST_DEGREE};
 pub use batch::Precision;
 pub use curve::FloatCurve;
-pub use discrepancy::{Discrepancy, INTERIOR_POINTS, Worst, discrepancy};
 pub use error::FloatError;
 pub use fast::FAST_DEGREE;
 pub use real::Real;
-pub use study::{Case, Effort, Errors, Extreme, Field, Figures, Formula, hexadecimal, study};
+pub use study::{
+    Case, CaseRecord, Effort, Errors, Extreme, Field, Figures, Formula, FormulaRecord, WorstRecord,
+    hexadecimal, study,
+};

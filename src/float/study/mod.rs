@@ -6,6 +6,7 @@ mod climb;
 mod formula;
 mod hexadecimal;
 mod measure;
+mod record;
 
 use num_traits::Zero;
 use rayon::prelude::*;
@@ -20,6 +21,7 @@ pub use case::Case;
 pub use formula::Formula;
 pub use hexadecimal::hexadecimal;
 pub use measure::Errors;
+pub use record::{CaseRecord, FormulaRecord, WorstRecord};
 
 /// How much of a study is done. The result depends on nothing else.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
