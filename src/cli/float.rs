@@ -1,12 +1,15 @@
 //! The command `float`: ways to compute in `f64` against exact arithmetic on the same floats.
 
 use std::fmt;
+use std::fs;
+use std::path::{Path, PathBuf};
 
 use num_rational::BigRational;
 use serde::Serialize;
 
-use crate::float::{Case, Effort, Field, Figures, FloatBasis, FloatError, FormulaRecord, study};
-use crate::scalar::{RationalAlgebra, parse_rational};
+use crate::float::{Case, Effort, Field, Figures, FloatBasis, FloatError, Formula, FormulaRecord, study};
+use crate::report::heat_map;
+use crate::scalar::{RationalAlgebra, integer, parse_rational};
 use crate::spline::{Basis, Side};
 
 use super::error::CliError;
@@ -39,11 +42,15 @@ pub(super) struct Args {
     /// How many steps the search takes, at most 10000000; 0 for none.
     #[arg(long, value_name = "N", value_parser = whole_number, allow_hyphen_values = true, default_value = "20000")]
     steps: usize,
+    /// Writes maps of the error over (x, α) as SVG into this folder, which is made if it is not there: one for each formula, on
+    /// these knots, or on 0, 1, …, 2k + 1.
+    #[arg(long, value_name = "DIR", conflicts_with = "x")]
+    out: Option<PathBuf>,
 }
 
 const EXAMPLE: &str = r#"Examples:
   knotproof float --degree 3 --seed 1
-  knotproof float --instance U4
+  knotproof float --instance U4 --out pictures
   knotproof float --degree 2 --knots "100000000 100000001 100000002 100000003 100000004 100000005" --alpha -1
   knotproof float --degree 1 --knots "0 1 2" --alpha -0x1.8p-3 --x 0x1.8p-1 --format json
 Exit code 1: an error is larger than its proved bound."#;
@@ -61,6 +68,8 @@ struct Comparison {
     count: usize,
     steps: usize,
     formulas: Vec<FormulaRecord>,
+    #[serde(skip)]
+    written: Vec<PathBuf>,
 }
 
 /// Measures, searches and prints.
@@ -74,11 +83,23 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     let (degree, field) = args.field()?;
     let [seed, count, steps] =
         [args.seed, args.count, args.steps].map(|n| u64::try_from(n).unwrap_or(u64::MAX));
+    let written = match &args.out {
+        Some(folder) => maps(folder, &field)?,
+        None => Vec::new(),
+    };
     let figures = study(&field, Effort { seed, count, steps });
     let kept = figures.iter().all(Figures::keeps_bound);
     let formulas = figures.iter().map(FormulaRecord::from).collect();
     let Args { seed, count, steps, .. } = *args;
-    output.result(&Comparison { schema: "knotproof.float/1", degree, seed, count, steps, formulas })?;
+    output.result(&Comparison {
+        schema: "knotproof.float/1",
+        degree,
+        seed,
+        count,
+        steps,
+        formulas,
+        written,
+    })?;
     Ok(if kept { Exit::Holds } else { Exit::Refuted })
 }
 
@@ -113,6 +134,29 @@ impl Args {
         let cases = bases.into_iter().map(at).collect::<Result<Vec<_>, CliError>>()?;
         Ok((degree, Field::Cases(cases.into_iter().flatten().collect())))
     }
+}
+
+/// Writes a map for each formula, and returns the files.
+fn maps(folder: &Path, field: &Field) -> Result<Vec<PathBuf>, CliError> {
+    let (knots, degree) = match field {
+        Field::Degree(degree) => ((0..2 * degree + 2).map(|i| 0.0_f64.embed(&integer(i))).collect(), *degree),
+        Field::Bases(bases) => match bases.first() {
+            Some(basis) => (basis.knots().to_vec(), basis.degree()),
+            None => return Ok(Vec::new()),
+        },
+        Field::Cases(_) => return Ok(Vec::new()),
+    };
+    let failed = |path: &Path| {
+        let path = path.to_owned();
+        move |error| CliError::File { argument: "--out", action: "write", path, error }
+    };
+    fs::create_dir_all(folder).map_err(failed(folder))?;
+    let write = |formula: Formula| {
+        let path = folder.join(format!("error-{}.svg", formula.name()));
+        fs::write(&path, heat_map(formula, &knots, degree)?).map_err(failed(&path))?;
+        Ok(path)
+    };
+    Formula::ALL.into_iter().map(write).collect()
 }
 
 /// The basis in floats.
@@ -158,6 +202,7 @@ impl fmt::Display for Comparison {
                 writeln!(f, "  {}, G_{}: {}", of.name, worst.index, worst.reproduce)?;
             }
         }
-        write!(f, "The exact values: the same with `knotproof eval`.")
+        write!(f, "The exact values: the same with `knotproof eval`.")?;
+        self.written.iter().try_for_each(|path| write!(f, "\nWritten: {}", path.display()))
     }
 }

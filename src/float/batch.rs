@@ -1,5 +1,7 @@
 //! Values at many points: several at once, as wide as the machine is.
 
+use std::hint::select_unpredictable;
+
 use super::accurate::Workspace;
 use super::basis::{FloatBasis, Frame, HIGHEST_DEGREE, Ratio, length};
 use super::error::FloatError;
@@ -244,7 +246,8 @@ impl<F: Real, H: Method<F>> Kernel for Scattered<'_, F, H> {
             while left > 1 {
                 let half = left / 2;
                 for l in 0..LANES {
-                    below[l] += if knots[below[l] + half] <= x[l] { half } else { 0 };
+                    let higher = knots[below[l] + half] <= x[l];
+                    below[l] = select_unpredictable(higher, below[l] + half, below[l]);
                 }
                 left -= half;
             }

@@ -2,6 +2,7 @@
 
 mod baseline;
 mod conjecture;
+mod heat;
 mod markdown;
 mod record;
 
@@ -18,6 +19,7 @@ use crate::spline::Basis;
 
 pub use baseline::{Baseline, BaselineError, Difference, Entry};
 pub use conjecture::{PictureError, conjecture_page};
+pub use heat::heat_map;
 pub use markdown::{END, START, markdown, with_verdict_table};
 pub use record::{DegreeFinding, Finding, Grounds, Record, Stated};
 
