@@ -109,7 +109,7 @@ impl<F: Real> FloatCurve<F> {
             }
             return Ok(());
         }
-        const BLOCK: usize = 128;
+        const BLOCK: usize = 256;
         let (degree, stride) = (self.basis.degree(), self.basis.degree() + 1);
         let (mut spans, mut values) = ([None; BLOCK], [F::zero(); BLOCK * (HIGHEST_DEGREE + 1)]);
         for (xs, points) in xs.chunks(BLOCK).zip(points.chunks_mut(BLOCK * self.dimension)) {
@@ -117,15 +117,21 @@ impl<F: Real> FloatCurve<F> {
             self.basis.values_at(xs, precision, spans, values)?;
             let columns = spans.iter().zip(values.chunks_exact(stride));
             for ((span, values), point) in columns.zip(points.chunks_exact_mut(self.dimension)) {
-                point.fill(F::zero());
-                let Some(span) = span else { continue };
+                let Some(span) = span else {
+                    point.fill(F::zero());
+                    continue;
+                };
                 let existing = self.basis.existing(*span);
-                let first = span.index() + existing.start - degree;
-                let controls = self.points[first * self.dimension..].chunks_exact(self.dimension);
-                for (value, control) in values[existing].iter().zip(controls) {
-                    for (sum, d) in point.iter_mut().zip(control) {
-                        *sum = *sum + *value * *d;
-                    }
+                let first = (span.index() + existing.start - degree) * self.dimension;
+                let values = &values[existing];
+                let controls = &self.points[first..first + values.len() * self.dimension];
+                for (coordinate, place) in point.iter_mut().enumerate() {
+                    let mut at = coordinate;
+                    *place = values.iter().fold(F::zero(), |sum, value| {
+                        let d = controls[at];
+                        at += self.dimension;
+                        sum + *value * d
+                    });
                 }
             }
         }

@@ -23,6 +23,7 @@ pub(super) fn values<F: Real, const K: usize, const N: usize>(
     values: &mut [[F; N]; HIGHEST_DEGREE + 1],
 ) {
     // All loops but the outer one have constant bounds, so that they are unrolled and the outer one becomes vectors.
+    let mut closest = [F::one(); N];
     for l in 0..N {
         let mut rises = [F::one(); K];
         let mut falls = [F::one(); K];
@@ -30,6 +31,7 @@ pub(super) fn values<F: Real, const K: usize, const N: usize>(
             rises[s] = ratio * (x[l] - knots[K - 1 - s][l]);
             falls[s] = knots[K + s][l] - x[l];
         }
+        closest[l] = if rises[0] < falls[0] { rises[0] } else { falls[0] };
         let mut numerators = [F::one(); FAST_DEGREE + 1];
         let mut denominator = F::one();
         // From degree d to degree d + 1.
@@ -67,9 +69,7 @@ pub(super) fn values<F: Real, const K: usize, const N: usize>(
     }
     // Only next to a knot can a value come out as 0: within 2⁻⁶⁴ of the unit (`f32`: 2⁻⁸).
     let least = F::min_positive_value().sqrt().sqrt().sqrt().sqrt();
-    let apart = |x: &F, t: &F| (*x - *t).abs() > least;
-    let next_to_a_knot = |t: &[F; N]| x.iter().zip(t).fold(false, |any, (x, t)| any | !apart(x, t));
-    if next_to_a_knot(&knots[K - 1]) | next_to_a_knot(&knots[K]) {
+    if closest.iter().fold(false, |any, distance| any | (*distance < least)) {
         for c in 0..K + 1 {
             for l in 0..N {
                 let above = c == 0 || knots[c.max(1) - 1][l] < x[l];
