@@ -1,5 +1,7 @@
 //! The command `float`: its figures, its commands, its errors.
 
+#![allow(clippy::unwrap_used, reason = "helpers of tests")]
+
 use assert_cmd::Command;
 use serde_json::Value;
 

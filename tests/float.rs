@@ -1,5 +1,8 @@
 //! The floating-point study: what it measures, where that is known beforehand, and that it can be done again.
 
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
+#![allow(clippy::float_cmp, reason = "exact floats are expected")]
+
 use knotproof::float::{Case, Effort, Errors, Field, FloatBasis, Formula, FormulaRecord, hexadecimal, study};
 use knotproof::scalar::{RationalAlgebra, exact_value, integer, parse_rational, rational, ulp};
 use knotproof::spline::Side;

@@ -1,5 +1,13 @@
 //! Values in floats against the exact values of the same floats: the proved bound, the signs, the edges.
 
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
+#![allow(clippy::float_cmp, reason = "exact floats are expected")]
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_precision_loss,
+    reason = "small numbers, and rounding that is asked for"
+)]
+
 use knotproof::float::{FAST_DEGREE, FloatBasis, FloatError, Precision, Real};
 use knotproof::scalar::{BigRational, exact_value, integer, rational};
 use knotproof::spline::{Side, Span};

@@ -254,16 +254,16 @@ impl<F: Real, H: Method<F>> Kernel for Scattered<'_, F, H> {
             for l in 0..LANES {
                 let span = below[l].min(last_span);
                 let local = &frame.knots[span + 1..=span + 2 * degree];
-                for i in 0..2 * degree {
-                    chunk.knots[i][l] = local[i];
+                for (place, t) in chunk.knots.iter_mut().zip(local) {
+                    place[l] = *t;
                 }
                 chunk.x[l] = x[l] * frame.unit;
                 below[l] = span;
             }
             method.run::<M>(&mut chunk);
             for (l, (values, span)) in values.chunks_exact_mut(stride).zip(spans).enumerate() {
-                for c in 0..stride {
-                    values[c] = chunk.values[c][l];
+                for (value, lanes) in values.iter_mut().zip(&chunk.values) {
+                    *value = lanes[l];
                 }
                 let inside = knots[0] <= x[l] && x[l] <= knots[knots.len() - 1];
                 *span = inside.then(|| Span::assumed(below[l]));

@@ -124,10 +124,10 @@ impl Task for Triangle {
         for d in 1..=self.degree {
             // Each G_i^{d−1} is split in two: the part w goes to G_i^d, the part 1 − w to G_{i−1}^d.
             let mut own = Pair::ZERO;
-            for c in 0..d {
+            for (c, place) in values.iter_mut().enumerate().take(d) {
                 let (w, complement) = weights.shares::<M>(d, c);
-                let value = values[c];
-                values[c] = own.plus_like(complement.times::<M>(value));
+                let value = *place;
+                *place = own.plus_like(complement.times::<M>(value));
                 own = w.times::<M>(value);
             }
             values[d] = own;

@@ -38,7 +38,7 @@ mod tests {
             assert!((1.0..2.0).contains(&shifted(value, -e).abs()), "{value:e}");
             assert_eq!(shifted(shifted(value, -e), e).to_bits(), value.to_bits());
         }
-        assert_eq!(shifted(f64::MAX, -2097), f64::from_bits(2));
+        assert_eq!(shifted(f64::MAX, -2097).to_bits(), 2);
         assert_eq!(shifted(1.0, -5000).to_bits(), 0);
     }
 }

@@ -155,10 +155,9 @@ impl Figures {
         if let Some(sum) = errors.sum.as_ref().filter(|sum| **sum > self.sum) {
             self.sum = sum.clone();
         }
-        if let Some((error, index)) = errors.worst() {
-            if self.worst.as_ref().is_none_or(|worst| *error > worst.error) {
-                self.worst = Some(Extreme { error: error.clone(), case: case.clone(), index });
-            }
+        let Some((error, index)) = errors.worst() else { return };
+        if self.worst.as_ref().is_none_or(|worst| *error > worst.error) {
+            self.worst = Some(Extreme { error: error.clone(), case: case.clone(), index });
         }
     }
 
