@@ -203,14 +203,17 @@ impl fmt::Display for Outcome {
             let amended: Tally = amended.into_iter().collect();
             writeln!(f, "As amended, where refuted: {amended}.")?;
         }
-        for (name, title) in [("paper", "The paper's formula in f64"), ("accurate", "Ours")] {
+        for (name, title) in [("paper", "the paper's formula"), ("accurate", "ours")] {
             let found = self.report.float.iter().flat_map(|drift| {
                 let of = drift.formulas.iter().find(|of| of.name == name);
                 of.and_then(|of| Some((drift, of.max_ulp.as_ref()?.parse::<f64>().ok()?)))
             });
             if let Some((drift, error)) = found.max_by(|a, b| a.1.total_cmp(&b.1)) {
                 let Drift { instance, degree, alpha, .. } = drift;
-                writeln!(f, "{title}: at most {error} ULP, on {instance} with k = {degree}, α = {alpha}.")?;
+                writeln!(
+                    f,
+                    "f64 against exact, {title}: at most {error} ULP, on {instance} with k = {degree}, α = {alpha}."
+                )?;
             }
         }
         for path in &self.written {
