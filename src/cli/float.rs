@@ -87,7 +87,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         Some(folder) => maps(folder, &field)?,
         None => Vec::new(),
     };
-    let figures = study(&field, Effort { seed, count, steps });
+    let figures = study(&field, &Formula::ALL, Effort { seed, count, steps });
     let kept = figures.iter().all(Figures::keeps_bound);
     let formulas = figures.iter().map(FormulaRecord::from).collect();
     let Args { seed, count, steps, .. } = *args;

@@ -83,9 +83,9 @@ pub struct Figures {
     pub bound: Option<f64>,
 }
 
-/// Measures all formulas. A field without cases has no figures.
+/// Measures the formulas. A field without cases has no figures.
 #[must_use]
-pub fn study(field: &Field, effort: Effort) -> Vec<Figures> {
+pub fn study(field: &Field, formulas: &[Formula], effort: Effort) -> Vec<Figures> {
     let draw = |stream: u64| {
         let mut source = Source::new(effort.seed, stream);
         match field {
@@ -102,10 +102,10 @@ pub fn study(field: &Field, effort: Effort) -> Vec<Figures> {
         .par_iter()
         .map(|case| {
             let exact = Exact::of(case);
-            Formula::ALL.iter().map(|formula| exact.errors(&formula.values(case))).collect()
+            formulas.iter().map(|formula| exact.errors(&formula.values(case))).collect()
         })
         .collect();
-    let figures = Formula::ALL.into_par_iter().enumerate().filter_map(|(f, formula)| {
+    let figures = formulas.par_iter().enumerate().filter_map(|(f, &formula)| {
         let errors: Vec<(&Case, &Errors)> = cases.iter().zip(measured.iter().map(|of| &of[f])).collect();
         let mut figures = Figures::of(formula, &errors)?;
         let (start, _) = errors.iter().max_by(|a, b| a.1.worst().cmp(&b.1.worst()))?;
