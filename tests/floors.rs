@@ -124,7 +124,7 @@ fn a_wrong_use_is_found() {
     for (module, text, found) in [
         ("scalar", clean, vec!["spline"]),
         ("analysis", "use crate::claims::Verdict;", vec!["claims"]),
-        ("claims", "use crate::float::discrepancy;", vec!["float"]),
+        ("claims", "use crate::float::study;", vec!["float"]),
         ("claims", "let x = crate::report::write();", vec!["report"]),
         ("report", "use crate::{cli, claims::{self, report}};", vec!["cli"]),
         ("spline", "use crate::{\n    scalar::{self, Ring},\n    analysis::Pieces,\n};", vec!["analysis"]),

@@ -9,6 +9,7 @@ use thiserror::Error;
 use crate::analysis::FreeKnotError;
 use crate::certificate::CertificateError;
 use crate::claims::Fault;
+use crate::float::FloatError;
 use crate::report::{BaselineError, END, PictureError, ReportError, START};
 use crate::scalar::NumberError;
 use crate::search::{MergeError, PartError, RecordError};
@@ -279,6 +280,26 @@ pub enum CliError {
     /// Shards that do not make up a search.
     #[error("FILE: {0}; nothing was written")]
     Merge(MergeError),
+    /// A number that is too small or too large.
+    #[error("{argument}: {given} is not between {least} and {most}")]
+    Limits {
+        /// The option.
+        argument: &'static str,
+        /// What was given.
+        given: usize,
+        /// The least that is allowed.
+        least: usize,
+        /// The most that is allowed.
+        most: usize,
+    },
+    /// Numbers that are none for floats.
+    #[error("{place}: in f64, {error}")]
+    Float {
+        /// Where they stand.
+        place: Place,
+        /// What is wrong with them.
+        error: FloatError,
+    },
     /// Threads that cannot be had.
     #[error("--threads: {reason}")]
     Threads {
@@ -321,6 +342,7 @@ impl CliError {
             | Self::Knots { place, .. }
             | Self::Basis { place, .. }
             | Self::Curve { place, .. }
+            | Self::Float { place, .. }
             | Self::NoIndices { place } => Some(place.argument()),
             Self::Missing { argument, .. } | Self::Degree { argument, .. } => Some(argument),
             Self::Parentheses { .. } | Self::PointsJson(_) | Self::NoPoints { .. } => Some("--points"),
@@ -337,6 +359,7 @@ impl CliError {
             Self::Baseline { .. } => Some("--baseline"),
             Self::NoTable => Some("--record"),
             Self::Needed { argument, .. }
+            | Self::Limits { argument, .. }
             | Self::Search { argument, .. }
             | Self::SearchFile { argument, .. }
             | Self::OtherSearch { argument, .. } => Some(argument),

@@ -137,6 +137,15 @@ impl InstanceArgs {
         Ok(Subject { label: given.label, cases })
     }
 
+    /// The degree, where no knots are given or named.
+    pub(super) fn degree_alone(&self) -> Option<Result<usize, CliError>> {
+        let missing = CliError::Needed {
+            argument: "--degree",
+            purpose: "give the degree of random cases, such as --degree 3, or knots with --knots or --instance",
+        };
+        (self.instance.is_none() && self.knots.is_none()).then(|| self.degree.ok_or(missing))
+    }
+
     /// The indices of `--alpha`, if there are any.
     fn indices(&self) -> Result<Option<Vec<Index>>, CliError> {
         let one = |choice: &IndexChoice| match choice {

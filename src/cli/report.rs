@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use serde::Serialize;
 
 use crate::claims::{Claim, claims};
-use crate::report::{Baseline, Difference, Report, conjecture_page, markdown, with_verdict_table};
+use crate::report::{Baseline, Difference, Drift, Report, conjecture_page, markdown, with_verdict_table};
 
 use super::error::CliError;
 use super::exit::Exit;
@@ -203,19 +203,18 @@ impl fmt::Display for Outcome {
             let amended: Tally = amended.into_iter().collect();
             writeln!(f, "As amended, where refuted: {amended}.")?;
         }
-        if let Some(worst) = self
-            .report
-            .float
-            .iter()
-            .max_by(|a, b| a.discrepancy.max_ulp.error.cmp(&b.discrepancy.max_ulp.error))
-        {
-            let (at, error) =
-                (&worst.discrepancy.max_ulp, crate::scalar::decimal(&worst.discrepancy.max_ulp.error, 4));
-            writeln!(
-                f,
-                "f64 against exact: at most {error} ULP, on {} with k = {}, α = {}, for G_{} at x = {}.",
-                worst.instance, worst.degree, worst.alpha, at.index, at.x
-            )?;
+        for (name, title) in [("paper", "the paper's formula"), ("accurate", "ours")] {
+            let found = self.report.float.iter().flat_map(|drift| {
+                let of = drift.formulas.iter().find(|of| of.name == name);
+                of.and_then(|of| Some((drift, of.max_ulp.as_ref()?.parse::<f64>().ok()?)))
+            });
+            if let Some((drift, error)) = found.max_by(|a, b| a.1.total_cmp(&b.1)) {
+                let Drift { instance, degree, alpha, .. } = drift;
+                writeln!(
+                    f,
+                    "f64 against exact, {title}: at most {error} ULP, on {instance} with k = {degree}, α = {alpha}."
+                )?;
+            }
         }
         for path in &self.written {
             writeln!(f, "Written: {}", path.display())?;

@@ -1,7 +1,30 @@
-//! Floor 5: the triangle in `f64` against the same triangle in exact numbers.
+//! Floor 5: the triangle in floating point, and how far that is from the exact values.
 //!
-//! What is found here says how well a program in floating point would do. It is never part of a verdict.
+//! [`FloatBasis`] computes values that are the exact ones, rounded. What is found here says how well a program in
+//! floating point can do. It is never part of a verdict.
 
-mod discrepancy;
+mod accurate;
+mod basis;
+mod batch;
+mod curve;
+mod derivatives;
+mod error;
+mod fast;
+mod machine;
+mod pair;
+mod point;
+mod power;
+mod real;
+mod scaled;
+mod study;
 
-pub use discrepancy::{Discrepancy, INTERIOR_POINTS, Worst, discrepancy};
+pub use basis::{FloatBasis, HIGHEST_DEGREE};
+pub use batch::Precision;
+pub use curve::FloatCurve;
+pub use error::FloatError;
+pub use fast::FAST_DEGREE;
+pub use real::Real;
+pub use study::{
+    Case, CaseRecord, Effort, Errors, Extreme, Field, Figures, Formula, FormulaRecord, WorstRecord,
+    hexadecimal, study,
+};

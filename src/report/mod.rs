@@ -2,6 +2,7 @@
 
 mod baseline;
 mod conjecture;
+mod heat;
 mod markdown;
 mod record;
 
@@ -13,11 +14,12 @@ use thiserror::Error;
 
 use crate::certificate::{CertificateError, certify};
 use crate::claims::{Cases, Claim, Fault, instances};
-use crate::float::{Discrepancy, discrepancy};
+use crate::float::{Effort, Field, FloatBasis, Formula, FormulaRecord, study};
 use crate::spline::Basis;
 
 pub use baseline::{Baseline, BaselineError, Difference, Entry};
 pub use conjecture::{PictureError, conjecture_page};
+pub use heat::heat_map;
 pub use markdown::{END, START, markdown, with_verdict_table};
 pub use record::{DegreeFinding, Finding, Grounds, Record, Stated};
 
@@ -32,7 +34,7 @@ pub struct Report {
     pub float: Vec<Drift>,
 }
 
-/// How far `f64` is from exact on one instance and index.
+/// How far `f64` is from exact on one instance and index, its numbers rounded to `f64` and then taken as exact.
 #[derive(Debug, Clone, Serialize)]
 pub struct Drift {
     /// The instance.
@@ -41,10 +43,12 @@ pub struct Drift {
     pub degree: usize,
     /// α.
     pub alpha: String,
-    /// The largest errors and where they occur.
-    #[serde(flatten)]
-    pub discrepancy: Discrepancy,
+    /// The paper's formula and what is proved best, with its bound.
+    pub formulas: Vec<FormulaRecord>,
 }
+
+/// The random points of each instance, and the steps of the search for its worst one.
+const EFFORT: Effort = Effort { seed: 0, count: 60, steps: 200 };
 
 /// Why there is no report: a bug of this program.
 #[derive(Debug, Error)]
@@ -88,10 +92,19 @@ fn drifts() -> Vec<Drift> {
         }
     }
     let distinct: HashSet<&Basis> = runs.iter().map(|(_, basis)| basis).collect();
-    let measured: HashMap<_, _> = distinct.into_par_iter().map(|basis| (basis, discrepancy(basis))).collect();
+    let measured: HashMap<_, _> = distinct.into_par_iter().map(|basis| (basis, errors(basis))).collect();
     let drift = |(instance, basis): &(&'static str, Basis)| {
-        let discrepancy = measured.get(basis)?.clone();
-        Some(Drift { instance, degree: basis.degree(), alpha: basis.index().to_string(), discrepancy })
+        let formulas = measured.get(basis)?.clone();
+        Some(Drift { instance, degree: basis.degree(), alpha: basis.index().to_string(), formulas })
     };
     runs.iter().filter_map(drift).collect()
 }
+
+/// The paper's formula and ours on one basis. The paper's numbers are bases in `f64` as well.
+fn errors(basis: &Basis) -> Vec<FormulaRecord> {
+    let bases = FloatBasis::nearest(basis).into_iter().collect();
+    study(&Field::Bases(bases), &SHOWN, EFFORT).iter().map(FormulaRecord::from).collect()
+}
+
+/// What the report shows.
+const SHOWN: [Formula; 2] = [Formula::Paper, Formula::Accurate];

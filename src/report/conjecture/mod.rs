@@ -16,6 +16,7 @@ use super::record::DegreeFinding;
 
 use picture::Cell;
 pub use picture::PictureError;
+pub(super) use picture::failed;
 
 /// The degrees of the page.
 const DEGREES: std::ops::RangeInclusive<usize> = 1..=8;

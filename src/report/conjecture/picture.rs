@@ -25,7 +25,7 @@ const SAMPLES: usize = 300;
 #[error("a picture could not be drawn: {0}")]
 pub struct PictureError(String);
 
-fn failed(error: impl ToString) -> PictureError {
+pub(in crate::report) fn failed(error: impl ToString) -> PictureError {
     PictureError(error.to_string())
 }
 

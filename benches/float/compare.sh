@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# Basis values in f64, degree 3: here, by SciPy, and by a plain triangle with divisions, in one run on one core.
+# Prints million points a second and the ratios.
+#
+#   benches/float/compare.sh [PYTHON]        a Python with numpy and scipy, python3 unless given
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+python=${1:-python3}
+"$python" -c 'import scipy' 2>/dev/null || { echo "compare.sh: $python has no SciPy: name one that has" >&2; exit 2; }
+
+cargo build --locked --release --quiet --example float-throughput
+one_core=()
+command -v taskset >/dev/null && one_core=(taskset -c "$(taskset -cp $$ | sed 's/.*[ ,-]//')")
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+
+# SciPy writes its points and its values for α = ∞, which are compared before anything is timed here.
+"${one_core[@]}" "$python" benches/float/scipy_side.py "$folder" | tee "$folder/scipy"
+"${one_core[@]}" target/release/examples/float-throughput "$folder" | tee "$folder/ours"
+
+awk -F'  +' '
+    { rate[$1] = $2 }
+    function ratio(a, b) { printf "%-40s %6.1f times %s\n", a, rate[a] / rate[b], b }
+    END {
+        print ""
+        ratio("fast, scattered", "SciPy design_matrix")
+        ratio("accurate, scattered", "SciPy design_matrix")
+        ratio("fast curve, scattered", "SciPy BSpline.__call__")
+        ratio("accurate curve, scattered", "SciPy BSpline.__call__")
+        ratio("fast, one span", "plain triangle, one span")
+        ratio("fast, one span, portable", "plain triangle, one span")
+    }' "$folder/scipy" "$folder/ours"

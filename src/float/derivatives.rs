@@ -1,0 +1,134 @@
+//! One-sided derivatives of any order in floats.
+
+use super::basis::{FloatBasis, HIGHEST_DEGREE, Ratio, length};
+use super::error::FloatError;
+use super::machine::Kernel;
+use super::pair::{Pair, Products};
+use super::point::{Column, InFrame};
+use super::real::Real;
+use crate::spline::{Side, Span};
+
+/// c_0, …, c_D of each function: entry e holds the coefficients of ε^e of all.
+type Jets = [Column; HIGHEST_DEGREE + 1];
+
+impl<F: Real> FloatBasis<F> {
+    /// The functions that live on the span at x and their derivatives up to an order of at most
+    /// [`HIGHEST_DEGREE`]: row e of `values` holds the k + 1 derivatives of order e, as limits from the given side, laid out
+    /// as in [`Self::values`].
+    ///
+    /// Derivatives are sums of terms of both signs. With M_e the sum of the absolute values of these terms
+    /// (`docs/float.md` says which), every derivative v of order e comes out with an error of at most
+    ///
+    /// u|v| + k(e + 2)·2⁻⁹⁸·M_e,
+    ///
+    /// barring underflow: rounded once, unless more than 40 bits cancel. Only what is not finite is an error.
+    ///
+    /// ```
+    /// use knotproof::float::FloatBasis;
+    /// use knotproof::spline::Side;
+    ///
+    /// // G_1² of the paper's U4 with α = −1 has a corner at the simple knot 1.
+    /// let basis = FloatBasis::new(vec![0.0, 0.0, 0.0, 1.0, 2.0, 3.0, 3.0, 3.0], 2, -1.0)?;
+    /// let mut rows = [0.0; 6];
+    /// basis.derivatives(1.0, Side::Left, 1, &mut rows)?;
+    /// assert_eq!(rows[4], -10.0 / 9.0);
+    /// basis.derivatives(1.0, Side::Right, 1, &mut rows)?;
+    /// assert_eq!(rows[3], -7.0 / 9.0);
+    /// # Ok::<(), knotproof::float::FloatError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`FloatError::Point`] if x is not finite; [`FloatError::Order`] above the highest order; [`FloatError::Length`]
+    /// unless there are order + 1 rows of k + 1; [`FloatError::Derivative`] for a derivative beyond the range, or for
+    /// any but the values where gaps and r are so far apart (2^400, for `f32` 2^100) that the terms may be.
+    pub fn derivatives(
+        &self,
+        x: F,
+        side: Side,
+        order: usize,
+        values: &mut [F],
+    ) -> Result<Option<Span>, FloatError> {
+        if order > HIGHEST_DEGREE {
+            return Err(FloatError::Order(order));
+        }
+        let stride = self.degree() + 1;
+        length("derivatives", (order + 1) * stride, values.len())?;
+        let span = self.values(x, side, &mut values[..stride])?;
+        let (Some(at), true) = (span, order > 0) else {
+            values[stride..].fill(F::zero());
+            return Ok(span);
+        };
+        let frame = self.frame.as_ref().ok_or(FloatError::Derivative(1))?;
+        let knots = frame.local(at, self.degree());
+        let jets = self.machine.run(JetTriangle { ratio: self.ratio, x: x * frame.unit, knots, order });
+        let (unit, mut factor) = (frame.unit.widen(), Pair::ONE);
+        let rows = values.chunks_exact_mut(stride).zip(&jets).enumerate().skip(1);
+        for (e, (row, coefficients)) in rows {
+            // e!·unit^e, and nothing is rounded up to 18!.
+            factor = factor.times::<super::pair::Split>(Pair::of(small(e)));
+            for (value, coefficient) in row.iter_mut().zip(coefficients) {
+                let scaled = coefficient.times::<super::pair::Split>(factor).hi;
+                *value = F::nearest((0..e).fold(scaled, |scaled, _| scaled * unit));
+            }
+            self.blank(span, row);
+            if row.iter().any(|value| !value.is_finite()) {
+                return Err(FloatError::Derivative(e));
+            }
+        }
+        Ok(span)
+    }
+}
+
+/// A number up to [`HIGHEST_DEGREE`] as a float.
+fn small(n: usize) -> f64 {
+    u32::try_from(n).map_or(f64::INFINITY, f64::from)
+}
+
+/// The triangle over jets x + ε, in the unit of a frame.
+struct JetTriangle<'a, F> {
+    ratio: Ratio,
+    x: F,
+    knots: &'a [F],
+    order: usize,
+}
+
+impl<F: Real> Kernel for JetTriangle<'_, F> {
+    type Output = Jets;
+
+    /// With E = rise + fall = E₀ + (p − q)ε, the weight has the coefficients w_1 = pq(b − a)/E₀² and
+    /// w_{e+1} = −(p − q)/E₀·w_e: products and quotients, so nothing cancels in them. A product w·G then has the
+    /// coefficients w_0 g_e + s_e with s_e = w_1 g_{e−1} − (p − q)/E₀·s_{e−1}, and (1 − w)·G has (1 − w_0) g_e − s_e.
+    #[inline(always)]
+    fn run<M: Products>(self) -> Jets {
+        let Self { ratio, x, knots, order } = self;
+        let degree = knots.len() / 2;
+        let terms = InFrame::new::<M, F>(ratio, x, knots);
+        let mut jets = [[Pair::ZERO; HIGHEST_DEGREE + 1]; HIGHEST_DEGREE + 1];
+        jets[0][0] = Pair::ONE;
+        for d in 1..=degree {
+            let mut own = [Pair::ZERO; HIGHEST_DEGREE + 1];
+            for c in 0..d {
+                let (rise, fall) = terms.terms(d, c);
+                let (w, complement) = Pair::shares::<M>(rise, fall);
+                let sum = rise.plus_like(fall);
+                let inverse = 1.0 / sum.hi;
+                let width = Pair::difference(knots[degree + c].widen(), knots[degree - d + c].widen());
+                let slope = width.times::<M>(Pair::of(ratio.p)).over::<M>(sum, inverse);
+                let slope = slope.times::<M>(ratio.q.over::<M>(sum, inverse));
+                let bend = Pair::of(-ratio.difference).over::<M>(sum, inverse);
+                let (mut previous, mut series) = (Pair::ZERO, Pair::ZERO);
+                for e in 0..=order {
+                    let g = jets[e][c];
+                    series = slope.times::<M>(previous).plus(bend.times::<M>(series));
+                    jets[e][c] = own[e].plus(complement.times::<M>(g).plus(series.negate()));
+                    own[e] = w.times::<M>(g).plus(series);
+                    previous = g;
+                }
+            }
+            for e in 0..=order {
+                jets[e][d] = own[e];
+            }
+        }
+        jets
+    }
+}

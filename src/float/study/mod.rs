@@ -1,0 +1,170 @@
+//! The study: each way to compute in `f64` against exact arithmetic on the same floats, at random cases and at the
+//! worst that a search finds.
+
+mod case;
+mod climb;
+mod formula;
+mod hexadecimal;
+mod measure;
+mod record;
+
+use num_traits::Zero;
+use rayon::prelude::*;
+
+use super::basis::FloatBasis;
+use crate::scalar::{BigRational, exact_value};
+use case::Source;
+use climb::climb;
+use measure::Exact;
+
+pub use case::Case;
+pub use formula::Formula;
+pub use hexadecimal::hexadecimal;
+pub use measure::Errors;
+pub use record::{CaseRecord, FormulaRecord, WorstRecord};
+
+/// How much of a study is done. The result depends on nothing else.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Effort {
+    /// The seed of all random numbers.
+    pub seed: u64,
+    /// How many random cases are measured.
+    pub count: u64,
+    /// How many steps the search for the worst case of each formula takes.
+    pub steps: u64,
+}
+
+/// What is measured.
+#[derive(Debug, Clone)]
+pub enum Field {
+    /// Random knots, α and x in one degree: 2k + 2 knots, x in the span in the middle. Gaps are 0 one time in eight (that of the
+    /// span never) and otherwise m·2^e, with m even in [1, 2) and e in −10, …, 9; t_0 is the difference of two such
+    /// numbers, and α is ∞ one time in eight and otherwise −s or 1 + s with s such a number; x is even in its span. The
+    /// search may go beyond that.
+    Degree(usize),
+    /// These bases: one of them evenly, a span of it evenly, and x evenly in the span. The search changes only x.
+    Bases(Vec<FloatBasis<f64>>),
+    /// These cases and nothing else.
+    Cases(Vec<Case>),
+}
+
+/// A largest value, and where.
+#[derive(Debug, Clone)]
+pub struct Extreme {
+    /// The value, exactly.
+    pub error: BigRational,
+    /// The case.
+    pub case: Case,
+    /// i of G_i^k.
+    pub index: usize,
+}
+
+/// What one formula does wrong.
+#[derive(Debug, Clone)]
+pub struct Figures {
+    /// Which one.
+    pub formula: Formula,
+    /// The largest error in units in the last place, over the random cases and the one that the search ended at;
+    /// `None` if nothing was finite.
+    pub worst: Option<Extreme>,
+    /// The same over the random cases alone: half, and 99 of 100, have at most this largest error.
+    pub median: BigRational,
+    /// See there.
+    pub percentile_99: BigRational,
+    /// The largest |float − exact|, over the same cases as `worst`.
+    pub absolute: BigRational,
+    /// The largest |Σ floats − Σ exact values|.
+    pub sum: BigRational,
+    /// The number of values that are not positive where they should be, or not 0 where they should be.
+    pub signs: usize,
+    /// The number of values that are infinite or NaN.
+    pub not_finite: usize,
+    /// The proved bound of `worst`, where there is one ([`Formula::bound`]).
+    pub bound: Option<f64>,
+}
+
+/// Measures the formulas. A field without cases has no figures.
+#[must_use]
+pub fn study(field: &Field, formulas: &[Formula], effort: Effort) -> Vec<Figures> {
+    let draw = |stream: u64| {
+        let mut source = Source::new(effort.seed, stream);
+        match field {
+            Field::Degree(degree) => Some(source.case(*degree)),
+            Field::Bases(bases) => source.point(bases),
+            Field::Cases(_) => None,
+        }
+    };
+    let cases: Vec<Case> = match field {
+        Field::Cases(cases) => cases.clone(),
+        _ => (0..effort.count.max(1)).filter_map(draw).collect(),
+    };
+    let measured: Vec<Vec<Errors>> = cases
+        .par_iter()
+        .map(|case| {
+            let exact = Exact::of(case);
+            formulas.iter().map(|formula| exact.errors(&formula.values(case))).collect()
+        })
+        .collect();
+    let figures = formulas.par_iter().enumerate().filter_map(|(f, &formula)| {
+        let errors: Vec<(&Case, &Errors)> = cases.iter().zip(measured.iter().map(|of| &of[f])).collect();
+        let mut figures = Figures::of(formula, &errors)?;
+        let (start, _) = errors.iter().max_by(|a, b| a.1.worst().cmp(&b.1.worst()))?;
+        if !matches!(field, Field::Cases(_)) {
+            // Streams from the end: no case is drawn from them.
+            let mut source = Source::new(effort.seed, u64::MAX - u64::try_from(f).unwrap_or(0));
+            let fixed = matches!(field, Field::Bases(_));
+            let case = climb(formula, (*start).clone(), &mut source, effort.steps, fixed);
+            figures.count(&case, &Errors::of(formula, &case));
+        }
+        Some(figures)
+    });
+    figures.collect()
+}
+
+impl Figures {
+    /// The figures of some cases; `None` if there are none.
+    fn of(formula: Formula, cases: &[(&Case, &Errors)]) -> Option<Self> {
+        let degree = cases.first()?.0.basis.degree();
+        let largest =
+            |errors: &Errors| errors.worst().map_or_else(BigRational::zero, |(error, _)| error.clone());
+        let mut sorted: Vec<BigRational> = cases.iter().map(|(_, errors)| largest(errors)).collect();
+        sorted.sort();
+        let quantile = |per_cent: usize| sorted[(sorted.len() * per_cent).div_ceil(100) - 1].clone();
+        let mut figures = Self {
+            formula,
+            worst: None,
+            median: quantile(50),
+            percentile_99: quantile(99),
+            absolute: BigRational::zero(),
+            sum: BigRational::zero(),
+            signs: 0,
+            not_finite: 0,
+            bound: formula.bound(degree),
+        };
+        cases.iter().for_each(|(case, errors)| figures.count(case, errors));
+        Some(figures)
+    }
+
+    /// One more case.
+    fn count(&mut self, case: &Case, errors: &Errors) {
+        self.signs += errors.signs;
+        self.not_finite += errors.ulps.iter().filter(|ulp| ulp.is_none()).count();
+        if errors.absolute > self.absolute {
+            self.absolute = errors.absolute.clone();
+        }
+        if let Some(sum) = errors.sum.as_ref().filter(|sum| **sum > self.sum) {
+            self.sum = sum.clone();
+        }
+        let Some((error, index)) = errors.worst() else { return };
+        if self.worst.as_ref().is_none_or(|worst| *error > worst.error) {
+            self.worst = Some(Extreme { error: error.clone(), case: case.clone(), index });
+        }
+    }
+
+    /// Is the largest error within the proved bound, if there is one?
+    #[must_use]
+    pub fn keeps_bound(&self) -> bool {
+        let bound = self.bound.and_then(exact_value);
+        bound.is_none_or(|bound| self.worst.as_ref().is_none_or(|worst| worst.error <= bound))
+    }
+}
