@@ -9,7 +9,7 @@ use thiserror::Error;
 use crate::analysis::FreeKnotError;
 use crate::certificate::CertificateError;
 use crate::claims::Fault;
-use crate::report::{BaselineError, END, PictureError, ReportError, START};
+use crate::report::{BaselineError, END, PageError, PictureError, ReportError, START};
 use crate::scalar::NumberError;
 use crate::search::{MergeError, PartError, RecordError};
 use crate::spline::{BasisError, CurveError, KnotError};
@@ -291,6 +291,9 @@ pub enum CliError {
     /// A picture could not be drawn: a bug.
     #[error("internal error: {0}; please report this bug with the command line")]
     Picture(#[from] PictureError),
+    /// The page of the report could not be written: a bug.
+    #[error("internal error: {0}; please report this bug with the command line")]
+    Page(#[from] PageError),
     /// This program has a bug.
     #[error(transparent)]
     Fault(#[from] Fault),
@@ -346,6 +349,7 @@ impl CliError {
             | Self::Conversion { .. }
             | Self::Certificate(_)
             | Self::Picture(_)
+            | Self::Page(_)
             | Self::Fault(_)
             | Self::Output(_) => None,
             Self::NoCertificate { .. } => Some("PATH"),
@@ -370,6 +374,7 @@ impl CliError {
             | Self::Fault(_)
             | Self::Certificate(_)
             | Self::Picture(_)
+            | Self::Page(_)
             | Self::Conversion { .. }
             | Self::Recorded(_) => Exit::Internal,
             _ => Exit::Usage,
