@@ -333,6 +333,10 @@ fn formula(items: &[Item]) -> String {
             {
                 write!(row, "<mo form=\"prefix\">{c}</mo>")
             }
+            // After words, whose space is there already.
+            Item::Operator(c) if at == 0 && RELATIONS.contains(*c) => {
+                write!(row, "<mo lspace=\"0\">{}</mo>", escape(&c.to_string()))
+            }
             Item::Operator(c) => write!(row, "<mo>{}</mo>", escape(&c.to_string())),
             Item::Group { open, items, close } => {
                 let fence = |c: &char| format!("<mo stretchy=\"false\">{}</mo>", escape(&c.to_string()));
@@ -392,6 +396,8 @@ fn render(items: &[Item], out: &mut String) {
                 render(items, out);
                 out.extend(close);
             }
+            // The operator before a break brings its own space.
+            Item::Space if run.is_empty() && out.ends_with("<wbr>") => {}
             Item::Space if run.is_empty() => out.push(' '),
             // Two terms side by side are two formulas; an operator holds its sides together.
             Item::Space => {

@@ -48,14 +48,15 @@ const panel = (() => {
     return j === undefined ? basis.t.slice(basis.k + 1).map(() => [0, 0]) : functionsOn(basis, j, x);
   };
 
-  // Local maxima of G_i, from the signs of the one-sided slopes: inside a span a function rises, or falls, or rises and then
-  // falls, so every maximum lies between an end of a span with slope > 0 and the next one with slope < 0.
+  // Local maxima of G_i, from the signs of the slopes, one-sided at the ends of spans: a maximum lies between a place with slope > 0
+  // and the next one with slope < 0. Inside a span a function rises, or falls, or rises and then falls (X.maxima.spans), so that
+  // maxima close to a knot, on its two sides, are not missed. The slope at an end may be 0: hence the places between.
   const maximaOf = (basis, i) => {
     const { t, k } = basis;
     if (k === 0) return [];
     const tiny = 1e-11 * (k + 1) * (basis.r + 1 / basis.r) / (t[i + k + 1] - t[i]);
     const maxima = [];
-    let rising = null; // Where the function was last seen to rise.
+    let rising = { x: t[i], j: spanAt(t, t[i]) }; // Where it was last seen to rise: it begins with that.
     let before = 0;
     const see = (x, j, slope) => {
       if (slope > tiny) rising = { x, j };
@@ -69,22 +70,26 @@ const panel = (() => {
       if (start[0] > before + 1e-9) rising = { x: t[j], j }; // It jumps up,
       if (start[0] < before - 1e-9) rising = null; // or down: then the limit is not attained.
       see(t[j], j, start[1]);
+      for (const part of [0.25, 0.5, 0.75]) {
+        const x = t[j] + part * (t[j + 1] - t[j]);
+        see(x, j, functionsOn(basis, j, x)[i][1]);
+      }
       see(t[j + 1], j, end[1]);
       before = end[0];
     }
     // At t_m the value is the limit from the left.
-    if (rising !== null && rising.x === t.at(-1) && before > 1e-9) maxima.push(rising.x);
+    if (rising?.x === t.at(-1) && before > 1e-9) maxima.push(rising.x);
     return maxima;
   };
 
-  // The maximum between two places, by golden section.
+  // The maximum between two places, by halving: on the sign of the slope where they are in one span, else it is at the
+  // knot between them, or so flat there that the knot will do.
   const peak = (basis, i, from, to) => {
-    const value = (x) => functionsOn(basis, x === to.x ? to.j : spanAt(basis.t, x), x)[i][0];
-    const golden = (Math.sqrt(5) - 1) / 2;
+    if (from.j !== to.j) return basis.t[to.j];
     let [low, high] = [from.x, to.x];
     for (let step = 0; step < 60; step++) {
-      const [p, q] = [high - golden * (high - low), low + golden * (high - low)];
-      if (value(p) < value(q)) low = p; else high = q;
+      const x = (low + high) / 2;
+      if (functionsOn(basis, from.j, x)[i][1] > 0) low = x; else high = x;
     }
     return (low + high) / 2;
   };

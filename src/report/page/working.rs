@@ -168,7 +168,7 @@ fn working(basis: &Basis, x: &BigRational, side: Side, derivatives: bool) -> Opt
 }
 
 fn shown(index: &Index) -> String {
-    index.alpha().map_or_else(|| "∞".to_owned(), |alpha| factor(&alpha))
+    index.alpha().map_or_else(|| "∞".to_owned(), |alpha| alpha.to_string())
 }
 
 /// The computation of r.
@@ -210,7 +210,7 @@ fn weight_line(
             r,
             difference(x, a),
             difference(b, x),
-            factor(&slope_at(&w))
+            slope_at(&w)
         );
     }
     formula::html(&line)
@@ -250,7 +250,7 @@ fn function_line(
     let mut line =
         format!("G_{{{i}}}^{d} = {} = {} = {}", symbols.join(" + "), numbers.join(" + "), value(found));
     if derivatives {
-        line += &format!(", DG_{{{i}}}^{d} = {} = {}", products.join(" + "), factor(&slope_at(found)));
+        line += &format!(", DG_{{{i}}}^{d} = {} = {}", products.join(" + "), slope_at(found));
     }
     formula::html(&line)
 }
