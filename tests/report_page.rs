@@ -13,14 +13,17 @@ const CLAIMS: [&str; 6] = ["P2.1.3", "C2.4", "T3.5.2", "T3.5.3", "T3.5.4", "Conj
 static REPORT: LazyLock<Report> = LazyLock::new(|| {
     let mut chosen = claims();
     chosen.retain(|claim| CLAIMS.contains(&claim.id));
-    Report::of(&chosen, |_| {}).unwrap()
+    Report::of(&chosen, |_| {}).expect("the claims can be judged")
 });
 
-const SOURCE: PageSource<'_> = PageSource { compared: None, pictures: &[], certificates: Some("../proofs/certs") };
+const SOURCE: PageSource<'_> =
+    PageSource { compared: None, pictures: &[], certificates: Some("../proofs/certs") };
 
 /// The part of the page about a claim.
 fn section<'a>(page: &'a str, claim: &str) -> &'a str {
-    let start = page.find(&format!("<details class=\"claim\" id=\"claim={claim}\"")).unwrap();
+    let start = page
+        .find(&format!("<details class=\"claim\" id=\"claim={claim}\""))
+        .expect("the claim has a section");
     let rest = &page[start..];
     &rest[..rest[1..].find("<details class=\"claim\"").map_or(rest.len(), |end| end + 1)]
 }
@@ -93,7 +96,10 @@ fn differences_are_shown_with_the_name_of_what_they_are_from() {
     let differences = [difference];
     let source = PageSource { compared: Some(("old & \"new\".json", &differences)), ..SOURCE };
     let html = page(&REPORT, &source).unwrap();
-    assert!(html.contains("undecided: &#60;limit&#62;") || html.contains("undecided: &lt;limit&gt;"), "not escaped");
+    assert!(
+        html.contains("undecided: &#60;limit&#62;") || html.contains("undecided: &lt;limit&gt;"),
+        "not escaped"
+    );
     assert!(!html.contains("<limit>") && !html.contains("old & \"new\""));
     assert!(html.contains("1 verdict is not as there"));
     let same = page(&REPORT, &PageSource { compared: Some(("old.json", &[])), ..SOURCE }).unwrap();
