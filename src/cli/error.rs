@@ -10,7 +10,7 @@ use crate::analysis::FreeKnotError;
 use crate::certificate::CertificateError;
 use crate::claims::Fault;
 use crate::float::FloatError;
-use crate::report::{BaselineError, END, PictureError, ReportError, START};
+use crate::report::{BaselineError, END, PageError, PictureError, ReportError, START};
 use crate::scalar::NumberError;
 use crate::search::{MergeError, PartError, RecordError};
 use crate::spline::{BasisError, CurveError, KnotError};
@@ -312,6 +312,9 @@ pub enum CliError {
     /// A picture could not be drawn: a bug.
     #[error("internal error: {0}; please report this bug with the command line")]
     Picture(#[from] PictureError),
+    /// The page of the report could not be written: a bug.
+    #[error("internal error: {0}; please report this bug with the command line")]
+    Page(#[from] PageError),
     /// This program has a bug.
     #[error(transparent)]
     Fault(#[from] Fault),
@@ -369,6 +372,7 @@ impl CliError {
             | Self::Conversion { .. }
             | Self::Certificate(_)
             | Self::Picture(_)
+            | Self::Page(_)
             | Self::Fault(_)
             | Self::Output(_) => None,
             Self::NoCertificate { .. } => Some("PATH"),
@@ -393,6 +397,7 @@ impl CliError {
             | Self::Fault(_)
             | Self::Certificate(_)
             | Self::Picture(_)
+            | Self::Page(_)
             | Self::Conversion { .. }
             | Self::Recorded(_) => Exit::Internal,
             _ => Exit::Usage,

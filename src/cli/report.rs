@@ -7,7 +7,9 @@ use std::path::{Path, PathBuf};
 use serde::Serialize;
 
 use crate::claims::{Claim, claims};
-use crate::report::{Baseline, Difference, Drift, Report, conjecture_page, markdown, with_verdict_table};
+use crate::report::{
+    Baseline, Difference, Drift, PageSource, Report, conjecture_page, markdown, page, with_verdict_table,
+};
 
 use super::error::CliError;
 use super::exit::Exit;
@@ -21,8 +23,8 @@ use super::verdict::{Tally, styled};
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLE)]
 pub(super) struct Args {
-    /// Writes report.json and report.md into this folder, which is made if it is not there; if all claims are judged, also
-    /// conjecture.md, the page on Conjecture 3.1, with its pictures.
+    /// Writes report.json, report.md and index.html, a page to read in a browser, into this folder, which is made if it is
+    /// not there; if all claims are judged, also conjecture.md, the page on Conjecture 3.1, with its pictures.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Compares with the verdicts in this file, instead of those recorded with the program.
@@ -45,9 +47,11 @@ Exit code 0: every verdict is as recorded, refuted claims included. Exit code 1:
 
 const JSON: &str = "report.json";
 const MARKDOWN: &str = "report.md";
+const PAGE: &str = "index.html";
 /// The folder and the file of the recorded verdicts, and the file with their table, below the current folder.
 const PROOFS: &str = "proofs";
 const VERDICTS: &str = "verdicts.json";
+const CERTIFICATES: &str = "proofs/certs";
 const README: &str = "README.md";
 /// The folder of the page on the conjecture.
 const DOCS: &str = "docs";
@@ -81,6 +85,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         fs::create_dir_all(folder).map_err(|error| unwritable("--out", folder, error))?;
         writable("--out", &folder.join(JSON))?;
         writable("--out", &folder.join(MARKDOWN))?;
+        writable("--out", &folder.join(PAGE))?;
     }
 
     let progress = Progress::new(chosen.len() + 1);
@@ -99,9 +104,19 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         let mut files =
             vec![(JSON.to_owned(), json + "\n"), (MARKDOWN.to_owned(), markdown(&outcome.report))];
         // The page on the conjecture is about claims that have to be there.
-        if !partial {
-            files.extend(conjecture_page(&found)?);
-        }
+        let pictures = if partial { Vec::new() } else { conjecture_page(&found)? };
+        let name = match &args.baseline {
+            Some(path) => path.display().to_string(),
+            None => "the recorded verdicts".to_owned(),
+        };
+        let certificates = certificates_from(folder);
+        let source = PageSource {
+            compared: (!args.record).then_some((name.as_str(), outcome.differences.as_slice())),
+            pictures: &pictures,
+            certificates: certificates.as_deref(),
+        };
+        files.push((PAGE.to_owned(), page(&outcome.report, &source)?));
+        files.extend(pictures);
         for (name, text) in files {
             write_file("--out", &folder.join(name), &text, &mut outcome.written)?;
         }
@@ -123,6 +138,13 @@ pub(super) fn choose(mut all: Vec<Claim>, names: &[String]) -> Result<Vec<Claim>
 fn read_baseline(path: &Path) -> Result<Baseline, CliError> {
     let text = read("--baseline", path)?;
     Baseline::parse(&text).map_err(|error| CliError::Baseline { path: path.to_owned(), error })
+}
+
+/// The way from the folder to the certificates, if both are below the current folder.
+fn certificates_from(folder: &Path) -> Option<String> {
+    let (here, there) = (Path::new(".").canonicalize().ok()?, folder.canonicalize().ok()?);
+    let depth = there.strip_prefix(&here).ok()?.components().count();
+    Path::new(CERTIFICATES).is_dir().then(|| "../".repeat(depth) + CERTIFICATES)
 }
 
 /// Are README.md, with its two marks, and the folders where `--record` looks for them?

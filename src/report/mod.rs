@@ -4,9 +4,10 @@ mod baseline;
 mod conjecture;
 mod heat;
 mod markdown;
+mod page;
 mod record;
 
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeMap, HashMap, HashSet};
 
 use rayon::prelude::*;
 use serde::Serialize;
@@ -21,6 +22,7 @@ pub use baseline::{Baseline, BaselineError, Difference, Entry};
 pub use conjecture::{PictureError, conjecture_page};
 pub use heat::heat_map;
 pub use markdown::{END, START, markdown, with_verdict_table};
+pub use page::{PageError, PageSource, page};
 pub use record::{DegreeFinding, Finding, Grounds, Record, Stated};
 
 /// All that one run found: the data of `report.json`.
@@ -32,6 +34,9 @@ pub struct Report {
     pub claims: Vec<Record>,
     /// `f64` against exact, on every instance of the paper.
     pub float: Vec<Drift>,
+    /// Goals and lemmas of every certificate that the checker has accepted, by its name.
+    #[serde(skip)]
+    pub steps: BTreeMap<String, usize>,
 }
 
 /// How far `f64` is from exact on one instance and index, its numbers rounded to `f64` and then taken as exact.
@@ -69,15 +74,20 @@ impl Report {
     pub fn of(claims: &[Claim], mut progress: impl FnMut(&str)) -> Result<Self, ReportError> {
         let cases = Cases::all();
         let mut records = Vec::with_capacity(claims.len());
+        let mut steps = BTreeMap::new();
         for claim in claims {
             progress(claim.id);
             let judged = claim.judge(&cases)?;
             let certificates = certify(claim, &judged)?;
-            certificates.par_iter().try_for_each(|certificate| certificate.check().map(drop))?;
+            let counted = certificates.par_iter().map(|certificate| {
+                let checked = certificate.check()?;
+                Ok((certificate.name(), checked.goals + checked.lemmas))
+            });
+            steps.extend(counted.collect::<Result<Vec<_>, CertificateError>>()?);
             records.push(Record::new(claim, &judged, &certificates));
         }
         progress("f64 against exact");
-        Ok(Self { schema: "knotproof.report/1", claims: records, float: drifts() })
+        Ok(Self { schema: "knotproof.report/1", claims: records, float: drifts(), steps })
     }
 }
 

@@ -1,0 +1,233 @@
+//! What the page shows of one claim.
+
+use super::super::Report;
+use super::super::record::{Finding, Grounds, Record, Stated};
+use super::working::{Setting, Working, workings};
+use super::{PageSource, formula};
+
+use crate::claims::Witness;
+
+/// One row of the table of verdicts.
+pub(super) struct Row<'a> {
+    pub(super) id: &'a str,
+    pub(super) locator: &'a str,
+    pub(super) status: &'a str,
+    pub(super) printed: String,
+    pub(super) amended: String,
+    pub(super) amended_status: &'a str,
+    /// How far the statement that stands is proved; empty if none is.
+    pub(super) scope: &'a str,
+    /// What the search looks through.
+    pub(super) text: String,
+}
+
+fn verdict(finding: &Finding) -> String {
+    match finding.reach() {
+        Some(reach) => format!("{} ({reach})", finding.status),
+        None => finding.status.clone(),
+    }
+}
+
+/// The row of a claim.
+pub(super) fn row(record: &Record) -> Row<'_> {
+    let printed = &record.as_printed.finding;
+    let amended = record.amended.as_ref().map(|stated| &stated.finding);
+    let standing = amended.unwrap_or(printed);
+    let amended_text = record.amended.as_ref().map_or("", |stated| stated.statement.as_str());
+    let text =
+        [&record.id, &record.locator, &record.statement, amended_text, record.note.as_deref().unwrap_or("")];
+    Row {
+        id: &record.id,
+        locator: &record.locator,
+        status: &printed.status,
+        printed: verdict(printed),
+        amended: amended.map(verdict).unwrap_or_default(),
+        amended_status: amended.map_or("", |finding| finding.status.as_str()),
+        scope: standing.scope.as_deref().unwrap_or(""),
+        text: text.join(" ").to_lowercase(),
+    }
+}
+
+/// All about one claim.
+pub(super) struct Section<'a> {
+    pub(super) row: Row<'a>,
+    pub(super) statement: &'a str,
+    pub(super) parts: Vec<Part<'a>>,
+    pub(super) degrees: Vec<OfDegree<'a>>,
+    pub(super) note: Option<String>,
+    pub(super) figures: Vec<Figure<'a>>,
+    pub(super) command: String,
+}
+
+/// A statement, as printed or as amended.
+pub(super) struct Part<'a> {
+    pub(super) title: &'static str,
+    pub(super) status: &'a str,
+    pub(super) verdict: String,
+    pub(super) statement: String,
+    pub(super) hypotheses: Vec<String>,
+    pub(super) grounds: Option<String>,
+    pub(super) reason: Option<String>,
+    pub(super) witness: Option<Shown<'a>>,
+    pub(super) remarks: &'a [String],
+    pub(super) certificate: Option<Certificate<'a>>,
+    pub(super) checked_by: String,
+    pub(super) sharpness: Option<String>,
+}
+
+/// A witness with its working.
+pub(super) struct Shown<'a> {
+    pub(super) given: &'a [(String, String)],
+    pub(super) claimed: String,
+    pub(super) found: String,
+    pub(super) workings: Vec<Working>,
+    pub(super) command: Option<&'a str>,
+    pub(super) panel: Option<String>,
+}
+
+/// The verdict for one degree.
+pub(super) struct OfDegree<'a> {
+    pub(super) degree: usize,
+    pub(super) status: &'a str,
+    pub(super) verdict: String,
+    pub(super) witness: Option<Shown<'a>>,
+    pub(super) grounds: Option<String>,
+    pub(super) certificate: Option<Certificate<'a>>,
+}
+
+/// A certificate by its name.
+pub(super) struct Certificate<'a> {
+    pub(super) name: &'a str,
+    pub(super) folder: Option<&'a str>,
+    pub(super) steps: Option<usize>,
+}
+
+/// A picture that belongs to a claim.
+pub(super) struct Figure<'a> {
+    pub(super) caption: &'static str,
+    pub(super) svg: &'a str,
+}
+
+/// Which picture belongs to which claim; every one is shown once.
+const FIGURES: &[(&str, &str, &str)] = &[
+    (
+        "Conj3.1.strong.continuous",
+        "conjecture-two-maxima.svg",
+        "Two local maxima, the smallest example of degree 3. Right: the part around them, with the minimum between them (open) at a knot.",
+    ),
+    (
+        "Conj3.1.weak.continuous",
+        "conjecture-left-higher.svg",
+        "At the first α the left maximum is the higher one.",
+    ),
+    (
+        "Conj3.1.weak.continuous",
+        "conjecture-right-higher.svg",
+        "At the second α the right maximum is the higher one: for some α between they are equal.",
+    ),
+    (
+        "X.maxima",
+        "conjecture-uniform.svg",
+        "Uniform knots: the number of local maxima for every r, degree by degree.",
+    ),
+    ("X.maxima.most", "conjecture-degree-4.svg", "Three local maxima in degree 4."),
+    ("X.maxima.most", "conjecture-degree-5.svg", "Four local maxima in degree 5."),
+];
+
+/// The figures of a claim, out of the pictures that there are.
+fn figures<'a>(claim: &str, pictures: &'a [(String, String)]) -> Vec<Figure<'a>> {
+    let found = |&(of, file, caption): &(&str, &str, &'static str)| {
+        let (_, svg) = pictures.iter().find(|(name, _)| of == claim && name == file)?;
+        Some(Figure { caption, svg })
+    };
+    FIGURES.iter().filter_map(found).collect()
+}
+
+fn decided(grounds: &Grounds) -> String {
+    let Grounds { instances, small_cases, facts } = grounds;
+    format!(
+        "Decided on {instances} instances of the paper and {small_cases} small cases, by {facts} exact decisions."
+    )
+}
+
+/// The state of the panel that shows the witness, for the part of the address after `#`.
+fn panel(witness: &Witness) -> Option<String> {
+    let Setting { basis, i, x } = Setting::of(witness)?;
+    let knots: Vec<_> = basis.knots().knots().iter().map(ToString::to_string).collect();
+    let mut state =
+        format!("panel=own&degree={}&knots={}&alpha={}", basis.degree(), knots.join(","), basis.index());
+    for (name, value) in [("x", x.map(|x| x.to_string())), ("function", i.map(|i| i.to_string()))] {
+        if let Some(value) = value {
+            state += &format!("&{name}={value}");
+        }
+    }
+    Some(state)
+}
+
+impl<'a> Shown<'a> {
+    fn of(witness: &'a Witness, worked: bool) -> Self {
+        Self {
+            given: &witness.given,
+            claimed: formula::html(&witness.claimed),
+            found: formula::html(&witness.found),
+            workings: if worked { workings(witness) } else { Vec::new() },
+            command: witness.reproduce.as_deref(),
+            panel: panel(witness),
+        }
+    }
+}
+
+impl<'a> Section<'a> {
+    /// Everything about the claim of the record.
+    pub(super) fn of(record: &'a Record, report: &'a Report, source: &PageSource<'a>) -> Self {
+        let certificate = |finding: &'a Finding| {
+            let name = finding.certificate.as_deref()?;
+            Some(Certificate { name, folder: source.certificates, steps: report.steps.get(name).copied() })
+        };
+        let part = |title, stated: &'a Stated| {
+            let finding = &stated.finding;
+            Part {
+                title,
+                status: &finding.status,
+                verdict: verdict(finding),
+                statement: formula::html(&stated.statement),
+                hypotheses: stated.hypotheses.iter().map(|hypothesis| formula::html(hypothesis)).collect(),
+                grounds: stated.rests_on.as_ref().map(decided),
+                reason: finding.reason.as_deref().map(formula::html),
+                witness: finding.witness.as_ref().map(|witness| Shown::of(witness, true)),
+                remarks: &finding.remarks,
+                certificate: certificate(finding),
+                checked_by: finding.checked_by.join(", "),
+                sharpness: stated.sharpness.map(|sharpness| {
+                    format!(
+                        "Of {} cases that the extra hypotheses exclude, the printed statement fails in {}.",
+                        sharpness.excluded, sharpness.failing
+                    )
+                }),
+            }
+        };
+        let mut parts = vec![part("As printed", &record.as_printed)];
+        parts.extend(record.amended.as_ref().map(|stated| part("As amended", stated)));
+        let degrees = record
+            .by_degree
+            .iter()
+            .map(|of| OfDegree {
+                degree: of.degree,
+                status: &of.finding.status,
+                verdict: verdict(&of.finding),
+                witness: of.finding.witness.as_ref().map(|witness| Shown::of(witness, false)),
+                grounds: of.rests_on.as_ref().map(decided),
+                certificate: certificate(&of.finding),
+            })
+            .collect();
+        Self {
+            row: row(record),
+            statement: &record.statement,
+            parts,
+            degrees,
+            note: record.note.as_deref().map(formula::html),
+            figures: figures(&record.id, source.pictures),
+            command: format!("knotproof report --claim {}", record.id),
+        }
+    }
+}
