@@ -1,7 +1,8 @@
-//! Floor 5: all claims judged, as data, as Markdown and against recorded verdicts.
+//! Floor 5: all claims judged, as data, as Markdown and against recorded verdicts; basis functions as formulas.
 
 mod baseline;
 mod conjecture;
+mod formula;
 mod markdown;
 mod record;
 
@@ -18,6 +19,7 @@ use crate::spline::Basis;
 
 pub use baseline::{Baseline, BaselineError, Difference, Entry};
 pub use conjecture::{PictureError, conjecture_page};
+pub use formula::{Form, Language, expression, formula};
 pub use markdown::{END, START, markdown, with_verdict_table};
 pub use record::{DegreeFinding, Finding, Grounds, Record, Stated};
 
