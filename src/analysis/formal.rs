@@ -27,7 +27,7 @@ pub struct FormalPiece {
     pub to: BigRational,
     /// Does the piece hold at t_{j+1} too? Only at t_m, where every function has its limit from the left.
     pub closed: bool,
-    /// The powers of x − t_a, t_b − x, α and α − 1 that divide it, then the rest.
+    /// The powers of α, α − 1, x − t_a and t_b − x that divide it, then the rest.
     pub numerator: Factored,
     /// A product of linear polynomials in x.
     pub denominator: Factored,
@@ -261,7 +261,8 @@ impl<'a> Recursion<'a> {
             line(&Multivariate::constant(constant.clone()), &Multivariate::constant(slope.clone()))
         });
         // What a numerator is likely to be divisible by: for a number these are constants, and pass.
-        let likely: Vec<_> = lines.chain([self.p.clone(), self.q.clone()]).map(|p| primitive(&p).1).collect();
+        let ratio = [self.p.clone(), self.q.clone()];
+        let likely: Vec<_> = ratio.into_iter().chain(lines).map(|p| primitive(&p).1).collect();
         let reduced = |(i, numerator): (usize, &Polynomial<Multivariate>)| {
             let denominator = factors.denominator(i).map(|(constant, slope)| line(constant, slope));
             reduced(in_x(numerator), denominator, &likely)

@@ -61,9 +61,9 @@ pub fn formula(formal: &FormalBasis, index: Option<usize>, language: Language, f
 /// What a reader of any language has to know, line by line.
 fn remarks(formal: &FormalBasis) -> Vec<String> {
     let (basis, symbol) = (formal.basis(), formal.index().is_none());
-    let index = formal.index().map_or_else(|| "alpha".to_owned(), ToString::to_string);
+    let index = formal.index().map_or_else(|| "a symbol".to_owned(), |index| format!("= {index}"));
     let mut lines = vec![
-        format!("Knots {}, degree {}, alpha = {index}.", basis.knots(), basis.degree()),
+        format!("Knots {}, degree {}, alpha {index}.", basis.knots(), basis.degree()),
         format!(
             "Outside of its pieces a function is 0. At x = {}, the last knot, it has its limit from the left.",
             { basis.knots().last() }
