@@ -111,7 +111,7 @@ const TASKS: &[Task] = &[
             ),
             example(
                 "knotproof search --degree 3 --limit 9",
-                "All functions of degree 3 in order of size: the sum of the gaps and the height of α. The first with two.",
+                "All functions of degree 3 in order of size: the sum of the gaps and the height of α. Three have two maxima.",
                 Exit::Refuted,
             ),
         ],

@@ -75,10 +75,10 @@ def by_maxima(source, count, alpha, xs):
     with tempfile.NamedTemporaryFile("w", suffix=".mac") as file:
         file.write(source + "\n")
         file.flush()
-        printed = run(["maxima", "--very-quiet"], f'load("{file.name}")$\n' + "\n".join(calls) + "\n")
+        printed = run(["maxima", "--very-quiet"], f'display2d: false$ linel: 100000$\nload("{file.name}")$\n' + "\n".join(calls) + "\n")
     found = re.findall(r"^value (-?\d+(?:/\d+)?) *$", printed, re.MULTILINE)
     if len(found) != len(calls):
-        sys.exit(f"Maxima: {len(found)} of {len(calls)} values:\n{printed[-2000:]}")
+        sys.exit(f"Maxima: {len(found)} of {len(calls)} values:\n{printed[:3000]}")
     values = iter(map(Fraction, found))
     return [[next(values) for _ in range(count)] for _ in xs]
 
