@@ -61,7 +61,7 @@ pub struct FormalFunction {
 /// let basis = Basis::new(KnotVector::bernstein(1, &integer(0), &integer(1))?, 1, Index::infinity())?;
 /// let formal = FormalBasis::for_every_index(&basis).expect("a low degree");
 /// let phi = &formal.functions()[1].pieces[0];
-/// assert_eq!(phi.value(&rational(1, 2), &integer(-1)), Some(rational(1, 3)));
+/// assert_eq!(phi.value(&rational(1, 2), &rational(-1, 1)), Some(rational(1, 3)));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
