@@ -3,6 +3,7 @@
 mod contenders;
 mod decision;
 mod extremum;
+mod formal;
 mod integer_polynomial;
 mod linear;
 mod local_knots;
@@ -23,6 +24,7 @@ pub use decision::{
     sign_pattern,
 };
 pub use extremum::{Extremum, ExtremumKind, Jump, Place};
+pub use formal::{Factored, FormalBasis, FormalFunction, FormalPiece};
 pub use linear::{coefficient_rows, common_numerators, in_span, is_combination, rank};
 pub use local_knots::{LocalKnots, LocalKnotsError, SpanQuotient};
 pub use monotonicity::{Monotonicity, Route, SpanMonotonicity};

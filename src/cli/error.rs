@@ -122,6 +122,11 @@ pub enum CliError {
         "--alpha: `all` stands alone, and only `knotproof shape` takes it; give an index, such as -1 or inf"
     )]
     AllIndices,
+    /// `--alpha symbolic` among other indices, or where the index has to be known.
+    #[error(
+        "--alpha: `symbolic` stands alone, and only `knotproof formula` takes it; give an index, such as -1 or inf"
+    )]
+    SymbolicIndex,
     /// A width that is not positive.
     #[error("--width: {0} is not positive; give the longest interval wanted, such as 1e-9")]
     Width(BigRational),
@@ -169,13 +174,21 @@ pub enum CliError {
         /// n + 1.
         needed: usize,
     },
-    /// A degree that would take too long to convert.
-    #[error("--degree: {degree} is too high to be converted: at most {limit}")]
+    /// A degree of which the result would be too long, or take too long.
+    #[error("--degree: {degree} is too high for this: at most {limit}")]
     TooHigh {
         /// k.
         degree: usize,
         /// The highest that is allowed.
         limit: usize,
+    },
+    /// Help about a command that is not there.
+    #[error("COMMAND: there is no command `{name}`; there are {}", list(commands))]
+    UnknownCommand {
+        /// What was given.
+        name: String,
+        /// The commands.
+        commands: Vec<String>,
     },
     /// No claim has this identifier.
     #[error("{argument}: there is no claim `{name}`; there are {near}", near = list(near))]
@@ -352,7 +365,8 @@ impl CliError {
             Self::Points { .. } | Self::NoPoint { .. } => Some("--points-file"),
             Self::TooHigh { .. } => Some("--degree"),
             Self::UnknownInstance { .. } | Self::Malformed { .. } => Some("--instance"),
-            Self::SeveralIndices { .. } | Self::AllIndices => Some("--alpha"),
+            Self::SeveralIndices { .. } | Self::AllIndices | Self::SymbolicIndex => Some("--alpha"),
+            Self::UnknownCommand { .. } => Some("COMMAND"),
             Self::Width(_) => Some("--width"),
             Self::FreeKnot(_) | Self::TwoParameters => Some("--free-knot"),
             Self::Function { .. } => Some("--index"),

@@ -46,13 +46,19 @@ enum IndexChoice {
     One(Index),
     /// `all`, for the commands that take the index as unknown.
     All,
+    /// `symbolic`, for formulas with the index as a letter.
+    Symbolic,
 }
 
 impl FromStr for IndexChoice {
     type Err = IndexError;
 
     fn from_str(text: &str) -> Result<Self, IndexError> {
-        if text.trim().eq_ignore_ascii_case("all") { Ok(Self::All) } else { text.parse().map(Self::One) }
+        match text.trim().to_ascii_lowercase().as_str() {
+            "all" => Ok(Self::All),
+            "symbolic" => Ok(Self::Symbolic),
+            _ => text.parse().map(Self::One),
+        }
     }
 }
 
@@ -151,6 +157,7 @@ impl InstanceArgs {
         let one = |choice: &IndexChoice| match choice {
             IndexChoice::One(index) => Ok(index.clone()),
             IndexChoice::All => Err(CliError::AllIndices),
+            IndexChoice::Symbolic => Err(CliError::SymbolicIndex),
         };
         let indices = self.alpha.iter().map(one).collect::<Result<Vec<_>, _>>()?;
         Ok((!indices.is_empty()).then_some(indices))
@@ -158,8 +165,16 @@ impl InstanceArgs {
 
     /// Is `--alpha all` what is asked for? Then there is one case, and its index stands for nothing.
     pub(super) fn every_index(&self) -> Option<Self> {
-        let stand_in = vec![IndexChoice::One(Index::infinity())];
-        (self.alpha == [IndexChoice::All]).then(|| Self { alpha: stand_in, ..self.clone() })
+        (self.alpha == [IndexChoice::All]).then(|| self.with_stand_in())
+    }
+
+    /// Is `--alpha symbolic` what is asked for? Then likewise.
+    pub(super) fn symbolic_index(&self) -> Option<Self> {
+        (self.alpha == [IndexChoice::Symbolic]).then(|| self.with_stand_in())
+    }
+
+    fn with_stand_in(&self) -> Self {
+        Self { alpha: vec![IndexChoice::One(Index::infinity())], ..self.clone() }
     }
 
     /// A paper instance if the name is known, a file otherwise.

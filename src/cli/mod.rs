@@ -7,6 +7,7 @@
 mod atomic;
 mod bezier;
 mod check;
+mod completions;
 mod error;
 mod eval;
 mod exact;
@@ -14,8 +15,11 @@ mod exit;
 mod explain;
 mod file;
 mod float;
+mod formula;
+mod help;
 mod instance;
 mod lists;
+mod man;
 mod merge;
 mod output;
 mod place;
@@ -44,7 +48,7 @@ pub use place::Place;
 
 /// Judges claims about rational B-splines in exact arithmetic.
 #[derive(Debug, Parser)]
-#[command(name = "knotproof", version, after_help = EXAMPLE)]
+#[command(name = "knotproof", version, disable_help_subcommand = true, after_help = EXAMPLE)]
 struct Program {
     #[command(subcommand)]
     command: Command,
@@ -58,11 +62,13 @@ Numbers are exact: 3, -1/2, 0.4 (that is 2/5), 1e-3, 0x1.8p-3; an index can be i
 Exit codes: 0 everything asked holds, 1 something is refuted, 2 bad usage or input, 3 undecided, 4 internal error.
 
 Example:
-  knotproof eval --instance U4 --alpha -1 --x 1/2";
+  knotproof eval --instance U4 --alpha -1 --x 1/2
+More, by task: knotproof help";
 
 #[derive(Debug, Subcommand)]
 enum Command {
     Eval(Box<eval::Args>),
+    Formula(Box<formula::Args>),
     Bezier(Box<bezier::Args>),
     Check(Box<check::Args>),
     Shape(Box<shape::Args>),
@@ -74,12 +80,16 @@ enum Command {
     Search(Box<search::Args>),
     Merge(merge::Args),
     Schema(schema::Args),
+    Completions(completions::Args),
+    Man(man::Args),
+    Help(help::Args),
 }
 
 impl Command {
     fn run(&self, output: &Output) -> Result<Exit, CliError> {
         match self {
             Self::Eval(args) => eval::run(args, output),
+            Self::Formula(args) => formula::run(args, output),
             Self::Bezier(args) => bezier::run(args, output),
             Self::Check(args) => check::run(args, output),
             Self::Shape(args) => shape::run(args, output),
@@ -91,6 +101,9 @@ impl Command {
             Self::Search(args) => search::run(args, output),
             Self::Merge(args) => merge::run(args, output),
             Self::Schema(args) => schema::run(args, output),
+            Self::Completions(args) => completions::run(args, output),
+            Self::Man(args) => man::run(args, output),
+            Self::Help(args) => help::run(args, output),
         }
     }
 }

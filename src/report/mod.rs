@@ -1,7 +1,8 @@
-//! Floor 5: all claims judged, as data, as Markdown and against recorded verdicts.
+//! Floor 5: all claims judged, as data, as Markdown and against recorded verdicts; basis functions as formulas.
 
 mod baseline;
 mod conjecture;
+mod formula;
 mod heat;
 mod markdown;
 mod page;
@@ -20,6 +21,7 @@ use crate::spline::Basis;
 
 pub use baseline::{Baseline, BaselineError, Difference, Entry};
 pub use conjecture::{PictureError, conjecture_page};
+pub use formula::{Form, Language, expression, formula};
 pub use heat::heat_map;
 pub use markdown::{END, START, markdown, with_verdict_table};
 pub use page::{PageError, PageSource, page};

@@ -1,0 +1,152 @@
+//! The command `formula`: the basis functions as formulas, piece by piece.
+
+use std::fmt;
+
+use clap::ValueEnum;
+use serde::Serialize;
+
+use crate::analysis::{FormalBasis, FormalFunction, FormalPiece};
+use crate::report::{Form, Language, expression, formula};
+
+use super::error::CliError;
+use super::exact::Exact;
+use super::exit::Exit;
+use super::instance::{FunctionArgs, InstanceArgs};
+use super::output::Output;
+
+/// The basis functions as formulas in x, one for each interval between knots.
+///
+/// Numerators and denominators have integer coefficients and no common factor; the denominators are products of
+/// factors that are linear in x. With --alpha symbolic they hold for every α < 0 and every α > 1, and `alpha` is a
+/// letter in them; α = ∞ is no value of it, but --alpha inf gives those formulas.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLE)]
+pub(super) struct Args {
+    #[command(flatten)]
+    instance: InstanceArgs,
+    #[command(flatten)]
+    function: FunctionArgs,
+    /// Who reads the formulas.
+    #[arg(long = "as", value_name = "LANGUAGE", value_enum, default_value_t = Reader::Text)]
+    reader: Reader,
+    /// Polynomials as products, which is the default: all powers of x − t that divide a numerator are split off.
+    #[arg(long)]
+    factored: bool,
+    /// Polynomials as sums of terms.
+    #[arg(long, conflicts_with = "factored")]
+    expanded: bool,
+}
+
+const EXAMPLE: &str = r#"Examples:
+  knotproof formula --instance U4 --alpha -1
+  knotproof formula --degree 1 --knots "0 1 3" --alpha symbolic --as latex
+  knotproof formula --instance U4 --alpha 5 --index 1 --expanded --as maxima
+  knotproof formula --instance U9 --alpha -1 --as sympy"#;
+
+/// The highest degree k that is written out. A numerator has up to ⌊(k + 2)²/4⌋ − 1 powers of x, and with a symbol as many
+/// of α for each: this is more than anybody reads.
+const DEGREE_LIMIT: usize = 8;
+
+/// A value of `--as`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum, Serialize)]
+#[serde(rename_all = "lowercase")]
+enum Reader {
+    /// People.
+    Text,
+    /// LaTeX with amsmath.
+    Latex,
+    /// Maxima: definitions to load.
+    Maxima,
+    /// Python with SymPy: a program.
+    Sympy,
+}
+
+impl Reader {
+    fn language(self) -> Language {
+        match self {
+            Self::Text => Language::Text,
+            Self::Latex => Language::Latex,
+            Self::Maxima => Language::Maxima,
+            Self::Sympy => Language::Sympy,
+        }
+    }
+}
+
+/// The result: its fields are the JSON.
+#[derive(Debug, Serialize)]
+struct Formulas {
+    schema: &'static str,
+    degree: usize,
+    knots: Vec<Exact>,
+    /// `symbolic` where α is a letter.
+    alpha: String,
+    #[serde(rename = "as")]
+    reader: Reader,
+    form: &'static str,
+    /// By function, then from left to right. Elsewhere a function is 0.
+    pieces: Vec<Piece>,
+    /// The whole text, as it is without --format json.
+    source: String,
+}
+
+/// G_index = numerator/denominator on [from, to), or on [from, to] if it is closed.
+#[derive(Debug, Serialize)]
+struct Piece {
+    index: usize,
+    from: Exact,
+    to: Exact,
+    closed: bool,
+    numerator: String,
+    denominator: String,
+}
+
+/// Finds the formulas and prints them.
+pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
+    let every_index = args.instance.symbolic_index();
+    let case = every_index.as_ref().unwrap_or(&args.instance).resolve()?.only_case()?;
+    let basis = &case.basis;
+    let index = args.function.chosen(basis)?;
+    let too_high = CliError::TooHigh { degree: basis.degree(), limit: DEGREE_LIMIT };
+    if basis.degree() > DEGREE_LIMIT {
+        return Err(too_high);
+    }
+    let formal =
+        if every_index.is_some() { FormalBasis::for_every_index(basis) } else { FormalBasis::of(basis) };
+    let formal = formal.ok_or(too_high)?;
+    let (language, form) =
+        (args.reader.language(), if args.expanded { Form::Expanded } else { Form::Factored });
+    let chosen = |function: &&FormalFunction| index.is_none_or(|i| i == function.index);
+    let pieces = formal.functions().iter().filter(chosen).flat_map(|function| {
+        function.pieces.iter().map(|piece| Piece::new(function.index, piece, language, form))
+    });
+    output.result(&Formulas {
+        schema: "knotproof.formula/1",
+        degree: basis.degree(),
+        knots: basis.knots().knots().iter().cloned().map(Exact).collect(),
+        alpha: formal.index().map_or_else(|| "symbolic".to_owned(), ToString::to_string),
+        reader: args.reader,
+        form: if args.expanded { "expanded" } else { "factored" },
+        pieces: pieces.collect(),
+        source: formula(&formal, index, language, form),
+    })?;
+    Ok(Exit::Holds)
+}
+
+impl Piece {
+    fn new(index: usize, piece: &FormalPiece, language: Language, form: Form) -> Self {
+        Self {
+            index,
+            from: Exact(piece.from.clone()),
+            to: Exact(piece.to.clone()),
+            closed: piece.closed,
+            numerator: expression(&piece.numerator, language, form),
+            denominator: expression(&piece.denominator, language, form),
+        }
+    }
+}
+
+impl fmt::Display for Formulas {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.source)
+    }
+}

@@ -1,0 +1,64 @@
+//! The command `man`.
+
+use std::fmt;
+use std::fs;
+use std::path::PathBuf;
+
+use clap::CommandFactory;
+use clap_mangen::Man;
+use serde::Serialize;
+
+use super::Program;
+use super::atomic::write_atomically;
+use super::error::CliError;
+use super::exit::Exit;
+use super::output::Output;
+
+/// Writes manual pages: knotproof.1, and one for each command.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLE)]
+pub(super) struct Args {
+    /// The folder to write them to; it is made if it is not there.
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+}
+
+const EXAMPLE: &str = "Example, after which `man knotproof-eval` shows a page:
+  knotproof man --out ~/.local/share/man/man1";
+
+/// The result: its fields are the JSON.
+#[derive(Debug, Serialize)]
+struct Pages {
+    schema: &'static str,
+    files: Vec<PathBuf>,
+}
+
+/// Writes the pages and names them.
+pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
+    let mut program = Program::command();
+    program.build();
+    fs::create_dir_all(&args.out).map_err(|error| CliError::File {
+        argument: "--out",
+        action: "write",
+        path: args.out.clone(),
+        error,
+    })?;
+    let mut files = Vec::new();
+    for command in std::iter::once(&program).chain(program.get_subcommands()) {
+        let page = Man::new(command.clone());
+        let mut text = Vec::new();
+        page.render(&mut text)?;
+        let path = args.out.join(page.get_filename());
+        write_atomically("--out", &path, &String::from_utf8_lossy(&text))?;
+        files.push(path);
+    }
+    output.result(&Pages { schema: "knotproof.man/1", files })?;
+    Ok(Exit::Holds)
+}
+
+/// One file a line.
+impl fmt::Display for Pages {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.files.iter().try_for_each(|file| writeln!(f, "{}", file.display()))
+    }
+}

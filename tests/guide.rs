@@ -1,0 +1,144 @@
+//! Every command that the guide and the help show is run, and ends as they say; completions and manual pages are there.
+
+#![allow(clippy::unwrap_used, reason = "helpers of tests")]
+
+use std::path::Path;
+
+use assert_cmd::Command;
+use serde_json::Value;
+
+fn knotproof() -> Command {
+    Command::cargo_bin("knotproof").unwrap()
+}
+
+fn text(arguments: &[&str]) -> String {
+    let output = knotproof().args(arguments).assert().success().stderr("").get_output().stdout.clone();
+    String::from_utf8(output).unwrap()
+}
+
+/// The arguments as a shell would split them: at spaces, but not between double quotes.
+fn arguments(line: &str) -> Vec<String> {
+    let quoted = line.split('"').enumerate();
+    let parts = quoted.flat_map(|(at, part)| match at % 2 {
+        0 => part.split_whitespace().map(str::to_owned).collect(),
+        _ => vec![part.to_owned()],
+    });
+    parts.collect()
+}
+
+/// Runs `knotproof …` in a folder of its own.
+fn run(line: &str, exit: i32) {
+    let arguments = arguments(line);
+    assert_eq!(arguments[0], "knotproof", "{line}");
+    let folder = tempfile::tempdir().unwrap();
+    let output = knotproof().args(&arguments[1..]).current_dir(folder.path()).output().unwrap();
+    let messages = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(exit), "{line}\n{messages}");
+    assert!(!output.stdout.is_empty(), "{line} prints nothing");
+}
+
+#[test]
+fn every_example_of_the_help_ends_as_it_says() {
+    let help: Value = serde_json::from_str(&text(&["help", "--format", "json"])).unwrap();
+    let shown = text(&["help"]);
+    let mut count = 0;
+    for task in help["tasks"].as_array().unwrap() {
+        for example in task["examples"].as_array().unwrap() {
+            let line = example["command"].as_str().unwrap();
+            assert!(shown.contains(&format!("  {line}\n")), "{line}");
+            run(line, i32::try_from(example["exit"].as_i64().unwrap()).unwrap());
+            count += 1;
+        }
+    }
+    assert!(count >= 10, "{count}");
+}
+
+/// Lines of ```` ```sh ```` blocks; `# exit code 1` after one that ends so.
+#[test]
+fn every_command_of_the_guide_runs() {
+    let guide = include_str!("../docs/guide.md");
+    let mut count = 0;
+    for block in guide.split("```sh\n").skip(1) {
+        for line in block.split("```").next().unwrap().lines().filter(|line| line.starts_with("knotproof ")) {
+            let (command, exit) = match line.split_once("# exit code ") {
+                Some((command, code)) => (command, code.trim().parse().unwrap()),
+                None => (line, 0),
+            };
+            run(command, exit);
+            count += 1;
+        }
+    }
+    assert!(count >= 8, "{count}");
+}
+
+/// What the guide prints in ```` ```text ```` blocks after a command comes out of the program.
+#[test]
+fn the_guide_quotes_what_the_program_prints() {
+    let guide = include_str!("../docs/guide.md");
+    let mut count = 0;
+    for part in guide.split("```sh\n").skip(1) {
+        let (command, after) = part.split_once("```").unwrap();
+        let Some(quoted) = after.trim_start().strip_prefix("```text\n") else { continue };
+        let quoted = quoted.split("```").next().unwrap();
+        let (command, _) = command.trim().split_once('#').unwrap_or((command.trim(), ""));
+        let output = knotproof().args(&arguments(command)[1..]).output().unwrap();
+        let printed = String::from_utf8(output.stdout).unwrap();
+        for line in quoted.lines().map(str::trim_end).filter(|line| !line.is_empty() && *line != "…") {
+            assert!(
+                printed.lines().any(|printed| printed.trim_end() == line),
+                "{command}: {line}\n{printed}"
+            );
+            count += 1;
+        }
+    }
+    assert!(count >= 5, "{count}");
+}
+
+#[test]
+fn every_picture_of_the_guide_is_there() {
+    let guide = include_str!("../docs/guide.md");
+    let pictures: Vec<_> = guide.split("](").skip(1).filter_map(|part| part.split(')').next()).collect();
+    assert!(pictures.iter().any(|link| link.ends_with(".svg")));
+    for link in pictures.iter().filter(|link| !link.starts_with("http")) {
+        assert!(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs").join(link).exists(), "{link}");
+    }
+}
+
+#[test]
+fn help_about_one_command() {
+    assert!(text(&["help", "check"]).contains("knotproof check --"));
+    let output = knotproof().args(["help", "chek"]).assert().code(2).stdout("").get_output().stderr.clone();
+    assert!(
+        String::from_utf8(output).unwrap().contains("there is no command `chek`; there are eval, formula")
+    );
+}
+
+#[test]
+fn completions_know_the_commands() {
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        let script = text(&["completions", shell]);
+        assert!(script.contains("formula") && script.contains("alpha"), "{shell}");
+    }
+    knotproof().args(["completions", "tcsh"]).assert().code(2);
+}
+
+#[test]
+fn there_is_a_manual_page_for_every_command() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("man1");
+    let printed = text(&["man", "--out", out.to_str().unwrap()]);
+    let help = text(&["--help"]);
+    let (_, commands) = help.split_once("Commands:\n").unwrap();
+    let commands: Vec<_> = commands
+        .lines()
+        .take_while(|line| !line.is_empty())
+        .filter_map(|line| line.strip_prefix("  ")?.split(' ').next().filter(|name| !name.is_empty()))
+        .collect();
+    assert!(commands.len() > 10);
+    for name in commands {
+        let page = std::fs::read_to_string(out.join(format!("knotproof-{name}.1"))).unwrap();
+        assert!(page.contains(".SH NAME") && page.contains("Example"), "{name}");
+        assert!(printed.contains(&format!("knotproof-{name}.1\n")));
+    }
+    assert!(out.join("knotproof.1").exists());
+}

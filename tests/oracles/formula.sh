@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# The formulas of `knotproof formula` in the real Maxima and the real SymPy: all values are those of `knotproof eval`.
+#
+# Needs root and Debian's packages maxima and python3-sympy, which it installs if they are missing; without them it fails.
+#
+# usage: tests/oracles/formula.sh [PATH OF knotproof]
+set -euo pipefail
+repository=$(cd "$(dirname "$0")/../.." && pwd)
+program=${1:-$repository/target/release/knotproof}
+
+if ! command -v maxima > /dev/null || ! /usr/bin/python3 -c 'import sympy' 2> /dev/null; then
+    apt-get update -qq
+    DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends maxima python3-sympy > /dev/null
+fi
+/usr/bin/python3 "$repository/tests/oracles/formula.py" "$program"
