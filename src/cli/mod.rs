@@ -12,6 +12,7 @@ mod eval;
 mod exact;
 mod exit;
 mod explain;
+mod figures;
 mod file;
 mod instance;
 mod lists;
@@ -65,6 +66,7 @@ enum Command {
     Bezier(Box<bezier::Args>),
     Check(Box<check::Args>),
     Shape(Box<shape::Args>),
+    Figures(figures::Args),
     Report(report::Args),
     Explain(explain::Args),
     Prove(prove::Args),
@@ -81,6 +83,7 @@ impl Command {
             Self::Bezier(args) => bezier::run(args, output),
             Self::Check(args) => check::run(args, output),
             Self::Shape(args) => shape::run(args, output),
+            Self::Figures(args) => figures::run(args, output),
             Self::Report(args) => report::run(args, output),
             Self::Explain(args) => explain::run(args, output),
             Self::Prove(args) => prove::run(args, output),

@@ -2,6 +2,7 @@
 
 mod baseline;
 mod conjecture;
+pub mod figures;
 mod markdown;
 mod record;
 
@@ -17,7 +18,8 @@ use crate::float::{Discrepancy, discrepancy};
 use crate::spline::Basis;
 
 pub use baseline::{Baseline, BaselineError, Difference, Entry};
-pub use conjecture::{PictureError, conjecture_page};
+pub use conjecture::conjecture_page;
+pub use figures::PictureError;
 pub use markdown::{END, START, markdown, with_verdict_table};
 pub use record::{DegreeFinding, Finding, Grounds, Record, Stated};
 

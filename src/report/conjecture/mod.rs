@@ -15,7 +15,9 @@ use super::baseline::Baseline;
 use super::record::DegreeFinding;
 
 use picture::Cell;
-pub use picture::PictureError;
+pub(super) use picture::function;
+
+use super::figures::PictureError;
 
 /// The degrees of the page.
 const DEGREES: std::ops::RangeInclusive<usize> = 1..=8;
@@ -220,7 +222,7 @@ fn uniform(page: &mut String, files: &mut Vec<(String, String)>) -> Result<(), P
         .collect();
     let file = "conjecture-uniform.svg".to_owned();
     let title = "uniform knots: two local maxima (red) or one, by r";
-    files.push((file.clone(), picture::partition(title, &rows, 32.0)?));
+    files.push((file.clone(), picture::partition(title, &rows, 5)?));
     let _ = writeln!(page, "\n![{title}]({file})\n\n{ENDS}\n");
     for (k, partition) in &partitions {
         for end in partition.ends() {
