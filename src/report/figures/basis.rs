@@ -12,7 +12,8 @@ use super::layout::{Sheet, heading, knot_axis, levels};
 use super::notation::{alpha, indexed, knots};
 use super::sample::{float, polygon, value};
 
-const NOTE: &str = "Below the axis: knots and how often they occur. At a jump ● is the value (from the right; at the last knot from the left), ○ a limit that is not taken.";
+const NOTE: &str = "Below the axis: knots, and how often they occur. ● value (from the right; at the last knot from the left), \
+○ limit from the left.";
 
 /// The figure of an instance.
 ///

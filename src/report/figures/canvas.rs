@@ -172,7 +172,8 @@ impl<'a> Canvas<'a> {
         let (head, body) = body.split_once('>').ok_or_else(|| failed("the SVG has no body"))?;
         let title = escaped(title);
         Ok(format!(
-            "<svg role=\"img\" width=\"{width}\" height=\"{height}\" viewBox{head}>\n<title>{title}</title>{body}"
+            "<svg role=\"img\" width=\"{width}\" height=\"{height}\" viewBox{head}>\n<title>{title}</title>{}",
+            joined(body)
         ))
     }
 
@@ -208,7 +209,7 @@ impl<'a> Canvas<'a> {
         let coordinates = Cartesian2d::<RangedCoordf64, RangedCoordf64>::new(
             frame.x.0..frame.x.1,
             frame.y.0..frame.y.1,
-            (units(cell.left)..units(cell.right), units(cell.top)..units(cell.bottom)),
+            (units(cell.left)..units(cell.right), units(cell.bottom)..units(cell.top)),
         );
         let unit = (
             (frame.x.1 - frame.x.0) / f64::from(units(cell.right - cell.left)),
@@ -286,6 +287,32 @@ fn units(pixels: u32) -> i32 {
     i32::try_from(pixels).unwrap_or(i32::MAX / UNITS).saturating_mul(UNITS)
 }
 
+/// Lines of the same pen that follow each other, such as dashes, as one path: a third of the length.
+fn joined(body: &str) -> String {
+    let mut text = String::with_capacity(body.len());
+    let mut pen = None;
+    for line in body.lines() {
+        let polyline = line.strip_prefix("<polyline ").and_then(|rest| rest.split_once(" points=\""));
+        let next = polyline.map(|(attributes, _)| attributes);
+        if next != pen {
+            text += if pen.is_some() { "\"/>\n" } else { "" };
+            text += &next.map_or_else(String::new, |attributes| format!("<path {attributes} d=\""));
+            pen = next;
+        }
+        match polyline {
+            Some((_, points)) => {
+                text.push('M');
+                text += points.trim_end_matches("\"/>").trim_end();
+            }
+            None => {
+                text += line;
+                text.push('\n');
+            }
+        }
+    }
+    text
+}
+
 fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
@@ -302,6 +329,14 @@ mod tests {
             "{svg}"
         );
         assert!(svg.contains("<title>a &lt; b</title>"), "{svg}");
+    }
+
+    #[test]
+    fn lines_of_one_pen_become_one_path() {
+        let line = |pen: &str, points: &str| format!("<polyline {pen} points=\"{points} \"/>\n");
+        let body = line("a", "0,0 1,1") + &line("a", "2,2 3,3") + &line("b", "4,4") + "<circle/>\n</svg>\n";
+        let expected = "<path a d=\"M0,0 1,1M2,2 3,3\"/>\n<path b d=\"M4,4\"/>\n<circle/>\n</svg>\n";
+        assert_eq!(joined(&body), expected);
     }
 
     #[test]

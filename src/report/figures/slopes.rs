@@ -10,7 +10,8 @@ use super::layout::{Sheet, heading};
 use super::notation::{alpha, indexed, knots, number};
 use super::sample::float;
 
-const NOTE: &str = "From left to right r = α/(α − 1) on a logarithmic scale; in the middle α = ∞, where no derivative jumps. The jumps are computed exactly.";
+const NOTE: &str = "r = α/(α − 1) from 1/8 to 8 on a logarithmic scale. At α = ∞, r = 1, no derivative jumps. Jumps are computed \
+exactly.";
 
 /// Ratios from 1/8 to 8, so many from one to twice as much.
 const STEPS: i64 = 8;
@@ -33,21 +34,23 @@ pub(super) fn svg(title: &str, name: &str) -> Result<String, PictureError> {
     let cells = places.len() + 1;
     Sheet { title, subtitle: &subtitle, note: NOTE, cells, panel: 230 }.svg(|canvas, number_of, cell| {
         let Some(at) = places.get(number_of) else {
-            let entries: Vec<_> = (0..=instance.knots.m() - instance.degree - 1)
-                .map(|i| (Pen::nth(i), indexed("G", i)))
-                .collect();
+            let mut pens: Vec<_> = lines.iter().flatten().map(|line| (line.i, Pen::nth(line.i))).collect();
+            pens.sort_by_key(|(i, _)| *i);
+            pens.dedup_by_key(|(i, _)| *i);
+            let entries: Vec<_> = pens.into_iter().map(|(i, pen)| (pen, indexed("G", i))).collect();
             return canvas.legend(cell, &entries);
         };
         heading(canvas, cell, &format!("k = {}, at the knot {}", instance.degree, number(at)))?;
         let panel = canvas.panel(cell, frame.padded(0.04, 0.06));
         axes(&panel)?;
-        lines[number_of].iter().try_for_each(|line| panel.line(&line.points, line.pen))
+        lines[number_of].iter().try_for_each(|line| panel.line(&line.points, Pen::nth(line.i)))
     })
 }
 
 /// The jump of one function at one knot.
 struct Line {
-    pen: Pen,
+    /// Of which function.
+    i: usize,
     /// log₂ r, and the jump.
     points: Vec<(f64, f64)>,
 }
@@ -68,7 +71,7 @@ fn lines(instance: &Instance, at: &BigRational) -> Result<Vec<Line>, PictureErro
     }
     let lines =
         jumps.into_iter().enumerate().filter(|(_, points)| points.iter().any(|(_, jump)| *jump != 0.0));
-    Ok(lines.map(|(i, points)| Line { pen: Pen::nth(i), points }).collect())
+    Ok(lines.map(|(i, points)| Line { i, points }).collect())
 }
 
 /// 2^(n/8) for n = `step`, straight between the powers of 2: a fraction.
