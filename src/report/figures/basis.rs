@@ -37,16 +37,17 @@ fn panel(canvas: &Canvas<'_>, cell: Cell, basis: &Basis) -> Drawn {
     levels(&panel, &[integer(0), rational(1, 2), integer(1)])?;
     knot_axis(&panel, basis.knots(), 0.0)?;
     let pieces = Pieces::of(basis);
-    for i in 0..=basis.n() {
+    let shapes: Vec<Shape> = (0..=basis.n()).map(|i| Shape::of(basis, &pieces, i)).collect();
+    for (i, shape) in shapes.iter().enumerate() {
         let pen = Pen::nth(i);
         graph(&panel, basis, i, pen)?;
-        let shape = Shape::of(basis, &pieces, i);
-        jumps(&panel, basis, i, &shape, pen)?;
-        if let Some(top) = top(&shape) {
+        limits(&panel, shape, pen)?;
+        if let Some(top) = top(shape) {
             panel.text(top, &indexed("G", i), Lies::Above, pen.colour)?;
         }
     }
-    Ok(())
+    // The value of one function in the limit of another: the dot goes into the ring.
+    shapes.iter().enumerate().try_for_each(|(i, shape)| values(&panel, basis, i, shape, Pen::nth(i)))
 }
 
 /// The graph over the support, broken where the function jumps.
@@ -81,12 +82,16 @@ pub(in crate::report) fn graph(panel: &Panel<'_>, basis: &Basis, i: usize, pen: 
     if line.is_empty() { Ok(()) } else { panel.line(&line, pen) }
 }
 
-/// One-sided values: at jumps, and at the ends of [t_0, t_m], where the function is not 0.
-fn jumps(panel: &Panel<'_>, basis: &Basis, i: usize, shape: &Shape, pen: Pen) -> Drawn {
+/// The limits from the left at jumps.
+fn limits(panel: &Panel<'_>, shape: &Shape, pen: Pen) -> Drawn {
+    let mut jumps = shape.jumps().iter();
+    jumps.try_for_each(|jump| panel.dot((float(&jump.at), float(&jump.left)), Dot::Open, pen.colour))
+}
+
+/// The values at jumps, and at the ends of [t_0, t_m] where the function is not 0.
+fn values(panel: &Panel<'_>, basis: &Basis, i: usize, shape: &Shape, pen: Pen) -> Drawn {
     for jump in shape.jumps() {
-        let x = float(&jump.at);
-        panel.dot((x, float(&jump.left)), Dot::Open, pen.colour)?;
-        panel.dot((x, float(&jump.right)), Dot::Filled, pen.colour)?;
+        panel.dot((float(&jump.at), float(&jump.right)), Dot::Filled, pen.colour)?;
     }
     for (end, side) in [(basis.knots().first(), Side::Right), (basis.knots().last(), Side::Left)] {
         let value = &basis.values(end, side)[i];

@@ -252,13 +252,13 @@ impl Panel<'_> {
     /// A marked point.
     pub(in crate::report) fn dot(&self, at: (f64, f64), dot: Dot, colour: RGBColor) -> Drawn {
         let (size, inside) = match dot {
-            Dot::Filled => (36, colour),
-            Dot::Open => (36, WHITE),
+            Dot::Filled => (30, colour),
+            Dot::Open => (52, WHITE),
             Dot::Small => (22, colour),
         };
         self.plot.draw(&Circle::new(at, size, inside.filled())).map_err(failed)?;
         if dot == Dot::Open {
-            self.plot.draw(&Circle::new(at, size - 6, colour.stroke_width(14))).map_err(failed)?;
+            self.plot.draw(&Circle::new(at, size - 7, colour.stroke_width(14))).map_err(failed)?;
         }
         Ok(())
     }

@@ -196,16 +196,4 @@ const FIGURES: &[Figure] = &[
         &["Conj3.1.strong", "Conj3.1.strong.continuous"],
         Subject::Function(3, "0 0 0 0 1 2 4 4", "5/2", 2),
     ),
-    ours(
-        "left-maximum-higher",
-        "G_0, k = 3, U = (0, 0, 5, 7, 8, 8, 8, 8), α = −53/47: which of the maxima is higher?",
-        &["Conj3.1.weak", "Conj3.1.weak.continuous"],
-        Subject::Function(3, "0 0 5 7 8 8 8 8", "-53/47", 0),
-    ),
-    ours(
-        "right-maximum-higher",
-        "G_0, k = 3, U = (0, 0, 5, 7, 8, 8, 8, 8), α = −12/13: the other one",
-        &["Conj3.1.weak", "Conj3.1.weak.continuous"],
-        Subject::Function(3, "0 0 5 7 8 8 8 8", "-12/13", 0),
-    ),
 ];
