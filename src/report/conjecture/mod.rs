@@ -294,7 +294,7 @@ mod tests {
         let Example { basis, i } = on_gaps(&[2, 1, 1, 0], (3, 5)).unwrap();
         let svg = picture::function("title", &basis, i).unwrap();
         assert!(
-            svg.starts_with("<svg") && svg.contains("title") && svg.matches("<circle").count() == 6,
+            svg.starts_with("<svg") && svg.contains("title") && svg.matches("<circle").count() == 8,
             "{svg}"
         );
         assert_eq!(picture::function("title", &basis, i), Ok(svg));
