@@ -38,6 +38,7 @@ pub use formal::{Formal, formal, formal_for_degree, refutation};
 pub use hypothesis::{Hypothesis, WeightHypothesis};
 pub use illustrations::Illustration;
 pub use instances::{Instance, instances, instances_named};
+pub(crate) use reflection::Reflection;
 pub use register::claims;
 pub use small_cases::Cases;
 pub use statement::{Conclusion, Fault, Sharpness, Statement, judge, judge_by_degree, sharpness};

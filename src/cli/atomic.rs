@@ -13,7 +13,11 @@ use super::error::CliError;
 ///
 /// # Errors
 /// [`CliError::File`]; the old file is then as it was.
-pub(super) fn write_atomically(argument: &'static str, path: &Path, text: &str) -> Result<(), CliError> {
+pub(super) fn write_atomically(
+    argument: &'static str,
+    path: &Path,
+    content: impl AsRef<[u8]>,
+) -> Result<(), CliError> {
     let failed = |error| CliError::File { argument, action: "write", path: path.to_owned(), error };
     let target = match fs::symlink_metadata(path) {
         Ok(_) => fs::canonicalize(path).map_err(failed)?,
@@ -32,7 +36,7 @@ pub(super) fn write_atomically(argument: &'static str, path: &Path, text: &str) 
     builder.permissions(permissions(&target));
     // The kind of the error is enough: its text would name a file that nobody knows.
     let mut file = builder.tempfile_in(&folder).map_err(|error| failed(error.kind().into()))?;
-    file.as_file_mut().write_all(text.as_bytes()).map_err(failed)?;
+    file.as_file_mut().write_all(content.as_ref()).map_err(failed)?;
     file.as_file().sync_all().map_err(failed)?;
     file.persist(&target).map_err(|error| failed(error.error))?;
     // The new name is on the disk once the folder is; a system that cannot do that has renamed it all the same.

@@ -322,6 +322,19 @@ pub enum CliError {
     /// A claim could not be certified: this program has a bug.
     #[error("internal error: {0}; please report this bug with the command line")]
     Certificate(#[from] CertificateError),
+    /// There is no such figure.
+    #[error(
+        "NUMBER: there is no figure `{name}`: those of the paper are 1 to {last} (or fig1 to fig{last}), ours are {ours}",
+        ours = list(ours)
+    )]
+    UnknownFigure {
+        /// What was given.
+        name: String,
+        /// The last figure of the paper.
+        last: usize,
+        /// The names of the others.
+        ours: Vec<&'static str>,
+    },
     /// A picture could not be drawn: a bug.
     #[error("internal error: {0}; please report this bug with the command line")]
     Picture(#[from] PictureError),
@@ -380,6 +393,7 @@ impl CliError {
             | Self::Search { argument, .. }
             | Self::SearchFile { argument, .. }
             | Self::OtherSearch { argument, .. } => Some(argument),
+            Self::UnknownFigure { .. } => Some("NUMBER"),
             Self::Merge(_) => Some("FILE"),
             Self::Threads { .. } => Some("--threads"),
             Self::Recorded(_)

@@ -49,7 +49,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         let mut text = Vec::new();
         page.render(&mut text)?;
         let path = args.out.join(page.get_filename());
-        write_atomically("--out", &path, &String::from_utf8_lossy(&text))?;
+        write_atomically("--out", &path, &text)?;
         files.push(path);
     }
     output.result(&Pages { schema: "knotproof.man/1", files })?;

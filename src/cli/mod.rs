@@ -13,6 +13,7 @@ mod eval;
 mod exact;
 mod exit;
 mod explain;
+mod figures;
 mod file;
 mod float;
 mod formula;
@@ -73,6 +74,7 @@ enum Command {
     Check(Box<check::Args>),
     Shape(Box<shape::Args>),
     Float(Box<float::Args>),
+    Figures(figures::Args),
     Report(report::Args),
     Explain(explain::Args),
     Prove(prove::Args),
@@ -94,6 +96,7 @@ impl Command {
             Self::Check(args) => check::run(args, output),
             Self::Shape(args) => shape::run(args, output),
             Self::Float(args) => float::run(args, output),
+            Self::Figures(args) => figures::run(args, output),
             Self::Report(args) => report::run(args, output),
             Self::Explain(args) => explain::run(args, output),
             Self::Prove(args) => prove::run(args, output),

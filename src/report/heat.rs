@@ -4,7 +4,7 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 
 use super::PictureError;
-use super::conjecture::failed;
+use super::figures::canvas::failed;
 use crate::float::{Case, Errors, FloatBasis, Formula};
 use crate::spline::Side;
 

@@ -2,6 +2,7 @@
 
 mod baseline;
 mod conjecture;
+pub mod figures;
 mod formula;
 mod heat;
 mod markdown;
@@ -20,7 +21,8 @@ use crate::float::{Effort, Field, FloatBasis, Formula, FormulaRecord, study};
 use crate::spline::Basis;
 
 pub use baseline::{Baseline, BaselineError, Difference, Entry};
-pub use conjecture::{PictureError, conjecture_page};
+pub use conjecture::conjecture_page;
+pub use figures::PictureError;
 pub use formula::{Form, Language, expression, formula};
 pub use heat::heat_map;
 pub use markdown::{END, START, markdown, with_verdict_table};

@@ -15,8 +15,9 @@ use super::baseline::Baseline;
 use super::record::DegreeFinding;
 
 use picture::Cell;
-pub use picture::PictureError;
-pub(super) use picture::failed;
+pub(super) use picture::function;
+
+use super::figures::PictureError;
 
 /// The degrees of the page.
 const DEGREES: std::ops::RangeInclusive<usize> = 1..=8;
@@ -221,7 +222,7 @@ fn uniform(page: &mut String, files: &mut Vec<(String, String)>) -> Result<(), P
         .collect();
     let file = "conjecture-uniform.svg".to_owned();
     let title = "uniform knots: two local maxima (red) or one, by r";
-    files.push((file.clone(), picture::partition(title, &rows, 32.0)?));
+    files.push((file.clone(), picture::partition(title, &rows, 5)?));
     let _ = writeln!(page, "\n![{title}]({file})\n\n{ENDS}\n");
     for (k, partition) in &partitions {
         for end in partition.ends() {
@@ -293,7 +294,7 @@ mod tests {
         let Example { basis, i } = on_gaps(&[2, 1, 1, 0], (3, 5)).unwrap();
         let svg = picture::function("title", &basis, i).unwrap();
         assert!(
-            svg.starts_with("<svg") && svg.contains("title") && svg.matches("<circle").count() == 6,
+            svg.starts_with("<svg") && svg.contains("title") && svg.matches("<circle").count() == 8,
             "{svg}"
         );
         assert_eq!(picture::function("title", &basis, i), Ok(svg));
