@@ -8,7 +8,8 @@ use serde::Serialize;
 
 use crate::claims::{Claim, claims};
 use crate::report::{
-    Baseline, Difference, Drift, PageSource, Report, conjecture_page, markdown, page, with_verdict_table,
+    Baseline, Difference, Drift, PageSource, Report, conjecture_page, figures, markdown, page,
+    with_verdict_table,
 };
 
 use super::error::CliError;
@@ -105,6 +106,10 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
             vec![(JSON.to_owned(), json + "\n"), (MARKDOWN.to_owned(), markdown(&outcome.report))];
         // The page on the conjecture is about claims that have to be there.
         let pictures = if partial { Vec::new() } else { conjecture_page(&found)? };
+        let mut shown = pictures.clone();
+        for figure in figures::all().iter().filter(|figure| figure.number.is_some()) {
+            shown.push((figure.file(), figure.svg()?));
+        }
         let name = match &args.baseline {
             Some(path) => path.display().to_string(),
             None => "the recorded verdicts".to_owned(),
@@ -112,7 +117,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         let certificates = certificates_from(folder);
         let source = PageSource {
             compared: (!args.record).then_some((name.as_str(), outcome.differences.as_slice())),
-            pictures: &pictures,
+            pictures: &shown,
             certificates: certificates.as_deref(),
         };
         files.push((PAGE.to_owned(), page(&outcome.report, &source)?));

@@ -58,6 +58,12 @@ pub fn figure(name: &str) -> Option<&'static Figure> {
 }
 
 impl Figure {
+    /// The name of the SVG file.
+    #[must_use]
+    pub fn file(&self) -> String {
+        format!("{}.svg", self.name)
+    }
+
     /// The figure as SVG: one file without references to others, the same bytes every time.
     ///
     /// # Errors

@@ -1,6 +1,7 @@
 //! What the page shows of one claim.
 
 use super::super::Report;
+use super::super::figures::all;
 use super::super::record::{Finding, Grounds, Record, Stated};
 use super::working::{Setting, Working, workings};
 use super::{PageSource, formula};
@@ -108,7 +109,7 @@ pub(super) struct Figure<'a> {
     pub(super) svg: &'a str,
 }
 
-/// Which picture belongs to which claim; every one is shown once.
+/// Which picture of the page on the conjecture belongs to which claim. These and the [figures](all) are shown once each.
 const FIGURES: &[(&str, &str, &str)] = &[
     (
         "Conj3.1.strong.continuous",
@@ -140,7 +141,13 @@ fn figures<'a>(claim: &str, pictures: &'a [(String, String)]) -> Vec<Figure<'a>>
         let (_, svg) = pictures.iter().find(|(name, _)| of == claim && name == file)?;
         Some(Figure { caption, svg })
     };
-    FIGURES.iter().filter_map(found).collect()
+    let numbered =
+        all().iter().filter(|figure| figure.number.is_some() && figure.claims.first() == Some(&claim));
+    let drawn = numbered.filter_map(|figure| {
+        let (_, svg) = pictures.iter().find(|(name, _)| *name == figure.file())?;
+        Some(Figure { caption: figure.title, svg })
+    });
+    FIGURES.iter().filter_map(found).chain(drawn).collect()
 }
 
 fn decided(grounds: &Grounds) -> String {
