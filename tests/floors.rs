@@ -68,7 +68,9 @@ fn source() -> PathBuf {
 
 fn files_below(path: &Path) -> Vec<PathBuf> {
     if path.is_file() {
-        return vec![path.to_owned()];
+        // A font or a template names no module.
+        let source = path.extension().is_some_and(|extension| extension == "rs");
+        return if source { vec![path.to_owned()] } else { Vec::new() };
     }
     let entries = fs::read_dir(path).expect("a source folder can be read");
     entries.flat_map(|entry| files_below(&entry.expect("so can its entries").path())).collect()
