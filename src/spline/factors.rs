@@ -136,8 +136,10 @@ impl<F: Clone> Factors<F> {
     /// rise_a and what else G_i^{d−1} is multiplied by on its way to G_i^d, a = i at place s, t_{i+d} at place w:
     /// L of the next knot and all from t_{i+1} to t_j.
     pub(super) fn for_own(&self, s: usize, w: usize) -> impl Iterator<Item = &F> {
-        std::iter::once(&self.rises[s])
-            .chain((0..s).map(move |s| &self.sums[row_start(self.degree, s) + w + 1]))
+        // From one row to the next a column moves by the length of the row.
+        let next =
+            |place: &mut usize, s: usize| self.sums.get(std::mem::replace(place, *place + self.degree - s));
+        std::iter::once(&self.rises[s]).chain((0..s).scan(w + 1, next))
     }
 
     /// fall_b and what else G_i^{d−1} is multiplied by on its way to G_{i−1}^d, b = i + d at place w, t_i at place s:
