@@ -8,11 +8,11 @@ use knotproof::report::figures::{all, figure, png};
 use serde_json::Value;
 
 fn svg(name: &str) -> String {
-    figure(name).unwrap().svg().unwrap()
+    figure(name).expect("a figure").svg().expect("it can be drawn")
 }
 
 fn program(arguments: &[&str]) -> std::process::Output {
-    Command::cargo_bin("knotproof").unwrap().args(arguments).output().unwrap()
+    Command::cargo_bin("knotproof").expect("it is built").args(arguments).output().expect("it runs")
 }
 
 #[test]
