@@ -29,6 +29,30 @@ pub enum Precision {
 /// How many points are worked on at once.
 const LANES: usize = 16;
 
+/// Runs a task on the machine with the method that the precision asks for, fast or accurate: each method is a type of
+/// its own, so that its loops are compiled for its degree.
+macro_rules! by_method {
+    ($basis:ident, $frame:ident, $precision:ident, |$method:ident| $task:expr) => {
+        by_method!(@ $basis, $frame, $precision, $method, $task, 1 2 3 4)
+    };
+    (@ $basis:ident, $frame:ident, $precision:ident, $method:ident, $task:expr, $($degree:literal)*) => {
+        match $basis.fast_degree($precision) {
+            $(Some($degree) => {
+                let $method = Fast::<F, $degree>($frame.ratio);
+                $basis.machine.run($task);
+            })*
+            Some(_) => {
+                let $method = Fast::<F, FAST_DEGREE>($frame.ratio);
+                $basis.machine.run($task);
+            }
+            None => {
+                let $method = Accurate::new($basis);
+                $basis.machine.run($task);
+            }
+        }
+    };
+}
+
 impl<F: Real> FloatBasis<F> {
     /// The values at points in any order: for each point the span, or `None` outside of [t_0, t_m], and k + 1 values as
     /// in [`Self::values`], one point after the other; limits are taken from the right.
@@ -67,19 +91,14 @@ impl<F: Real> FloatBasis<F> {
             }
             return Ok(());
         };
-        macro_rules! run {
-            ($method:expr) => {
-                self.machine.run(Scattered { basis: self, frame, method: $method, points, spans, values })
-            };
-        }
-        match self.fast_degree(precision) {
-            Some(1) => run!(Fast::<F, 1>(frame.ratio)),
-            Some(2) => run!(Fast::<F, 2>(frame.ratio)),
-            Some(3) => run!(Fast::<F, 3>(frame.ratio)),
-            Some(4) => run!(Fast::<F, 4>(frame.ratio)),
-            Some(_) => run!(Fast::<F, FAST_DEGREE>(frame.ratio)),
-            None => run!(Accurate::new(self)),
-        }
+        by_method!(self, frame, precision, |method| Scattered {
+            basis: self,
+            frame,
+            method,
+            points,
+            spans,
+            values
+        });
         Ok(())
     }
 
@@ -116,19 +135,14 @@ impl<F: Real> FloatBasis<F> {
             }
             return Ok(());
         };
-        macro_rules! run {
-            ($method:expr) => {
-                self.machine.run(OneSpan { basis: self, frame, method: $method, span, points, values })
-            };
-        }
-        match self.fast_degree(precision) {
-            Some(1) => run!(Fast::<F, 1>(frame.ratio)),
-            Some(2) => run!(Fast::<F, 2>(frame.ratio)),
-            Some(3) => run!(Fast::<F, 3>(frame.ratio)),
-            Some(4) => run!(Fast::<F, 4>(frame.ratio)),
-            Some(_) => run!(Fast::<F, FAST_DEGREE>(frame.ratio)),
-            None => run!(Accurate::new(self)),
-        }
+        by_method!(self, frame, precision, |method| OneSpan {
+            basis: self,
+            frame,
+            method,
+            span,
+            points,
+            values
+        });
         Ok(())
     }
 
