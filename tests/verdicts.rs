@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 use std::sync::LazyLock;
 
-use knotproof::claims::{Witness, claims};
+use knotproof::claims::{Source, Witness, claims};
 use knotproof::report::{Baseline, END, Finding, Record, Report, START, markdown, with_verdict_table};
 
 /// The claims of the paper and the questions, in the order in which the register lists them. Written down here once
@@ -56,7 +56,7 @@ fn every_claim_of_the_paper_is_in_the_register_once() {
 fn every_claim_has_a_statement_and_a_place_in_the_paper() {
     for claim in claims() {
         assert!(!claim.locator.is_empty() && !claim.printed.text().is_empty(), "{}", claim.id);
-        assert_eq!(claim.is_question(), claim.locator == "not in the paper", "{}", claim.id);
+        assert_eq!(claim.source() == Source::Question, claim.locator == "not in the paper", "{}", claim.id);
         if let Some(amended) = &claim.amended {
             assert_ne!(amended.text(), claim.printed.text(), "{}", claim.id);
         }

@@ -1,6 +1,7 @@
 //! What a claim says, and how it is judged.
 
 use super::case::{BasisCase, WeightCase};
+use super::cause::{Cause, Source};
 use super::illustrations::Illustration;
 use super::small_cases::Cases;
 use super::statement::{Fault, Sharpness, Statement, judge, judge_by_degree, sharpness};
@@ -14,6 +15,13 @@ pub enum Form {
     Basis(Statement<BasisCase>),
     /// About examples of the paper, given with it.
     Illustration(Statement<Illustration>, Vec<Illustration>),
+    /// Not a mathematical statement: what the paper says, and why nothing can be decided of it.
+    Vague {
+        /// The sentence.
+        text: &'static str,
+        /// Why it can't be judged.
+        reason: &'static str,
+    },
 }
 
 impl Form {
@@ -33,7 +41,14 @@ impl Form {
             Self::Weight(statement) => statement.text,
             Self::Basis(statement) => statement.text,
             Self::Illustration(statement, _) => statement.text,
+            Self::Vague { text, .. } => text,
         }
+    }
+
+    /// Does it speak of every knot vector or every weight, so that it can be judged on any one?
+    #[must_use]
+    pub fn is_general(&self) -> bool {
+        matches!(self, Self::Weight(_) | Self::Basis(_))
     }
 
     /// The hypotheses in words.
@@ -46,6 +61,7 @@ impl Form {
             Self::Weight(statement) => words(&statement.hypotheses),
             Self::Basis(statement) => words(&statement.hypotheses),
             Self::Illustration(statement, _) => words(&statement.hypotheses),
+            Self::Vague { .. } => Vec::new(),
         }
     }
 
@@ -58,6 +74,7 @@ impl Form {
             Self::Weight(statement) => judge(statement, &cases.weights),
             Self::Basis(statement) => judge(statement, &cases.bases),
             Self::Illustration(statement, examples) => judge(statement, examples),
+            Self::Vague { reason, .. } => Ok(Verdict::NotFormal((*reason).to_owned())),
         }
     }
 
@@ -80,6 +97,8 @@ pub struct Claim {
     pub printed: Form,
     /// The strongest true statement known instead, where the printed one fails.
     pub amended: Option<Form>,
+    /// Why the printed statement fails, where it does.
+    pub cause: Option<Cause>,
     /// How words were made into mathematics, where the paper leaves room.
     pub note: Option<&'static str>,
     /// Larger cases, for the verdicts by degree of this claim alone.
@@ -90,13 +109,20 @@ impl Claim {
     /// A claim as printed.
     #[must_use]
     pub fn new(id: &'static str, locator: &'static str, printed: Form) -> Self {
-        Self { id, locator, printed, amended: None, note: None, more_cases: None }
+        Self { id, locator, printed, amended: None, cause: None, note: None, more_cases: None }
     }
 
     /// With an amended statement.
     #[must_use]
     pub fn amended(mut self, form: Form) -> Self {
         self.amended = Some(form);
+        self
+    }
+
+    /// With the cause of its failure.
+    #[must_use]
+    pub fn fails_by(mut self, cause: Cause) -> Self {
+        self.cause = Some(cause);
         self
     }
 
@@ -137,13 +163,13 @@ impl Claim {
     /// Are there verdicts for single degrees?
     #[must_use]
     pub fn is_settled_by_degree(&self) -> bool {
-        self.is_question() || self.more_cases.is_some()
+        self.source() == Source::Question || self.more_cases.is_some()
     }
 
-    /// Is it a question of ours, and not a claim of the paper's?
+    /// Who says it.
     #[must_use]
-    pub fn is_question(&self) -> bool {
-        self.id.starts_with("X.")
+    pub fn source(&self) -> Source {
+        if self.id.starts_with("X.") { Source::Question } else { Source::Paper }
     }
 }
 

@@ -9,6 +9,7 @@
 
 mod basis;
 mod case;
+mod cause;
 mod claim;
 mod curve;
 mod drawn;
@@ -33,6 +34,7 @@ mod verdict;
 mod weight;
 
 pub use case::{BasisCase, Case, Origin, WeightCase};
+pub use cause::{Cause, Severity, Source};
 pub use claim::{Claim, Form, Judged};
 pub use formal::{Formal, formal, formal_for_degree, refutation};
 pub use hypothesis::{Hypothesis, WeightHypothesis};

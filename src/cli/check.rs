@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use crate::certificate::{Form as Of, certify_for_degree};
 use crate::claims::{
-    BasisCase, Claim, Fault, Form, Origin, Scope, Statement, Verdict, WeightCase, claims, judge,
+    BasisCase, Claim, Fault, Form, Origin, Scope, Source, Statement, Verdict, WeightCase, claims, judge,
 };
 use crate::report::Finding;
 use crate::spline::Basis;
@@ -109,14 +109,14 @@ fn choose(all: Vec<Claim>, names: &[String]) -> Result<Vec<Claim>, CliError> {
     for name in names {
         match all.iter().find(|claim| claim.id == name) {
             None => return Err(CliError::unknown_claim("--property", name, &ids)),
-            Some(Claim { printed: Form::Illustration(..), .. }) => {
+            Some(claim) if !claim.printed.is_general() => {
                 return Err(CliError::NotGeneral { claim: name.clone() });
             }
             Some(_) => {}
         }
     }
     let wanted = |claim: &Claim| match names {
-        [] => !claim.is_question() && !matches!(claim.printed, Form::Illustration(..)),
+        [] => claim.source() == Source::Paper && claim.printed.is_general(),
         names => names.iter().any(|name| name == claim.id),
     };
     Ok(all.into_iter().filter(wanted).collect())
@@ -158,6 +158,7 @@ impl UserCases {
             Form::Illustration(..) => {
                 Verdict::NotApplicable("the claim is about examples of the paper".into())
             }
+            Form::Vague { reason, .. } => Verdict::NotFormal((*reason).to_owned()),
         };
         // What is proved for every knot vector is proved for this one, and further.
         let certificate = match verdict {

@@ -1,0 +1,51 @@
+//! Who says a statement, and why a printed one fails.
+
+use serde::{Deserialize, Serialize};
+
+/// Who says it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Source {
+    /// The paper.
+    Paper,
+    /// A question that the paper does not ask and its users will: identifiers `X.…`.
+    Question,
+}
+
+/// How bad it is that a printed statement fails, mildest first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Severity {
+    /// An end point of an interval, or a bound of an index.
+    Slip,
+    /// A hypothesis is missing from the statement, whether or not it stands in the proof.
+    Hypothesis,
+    /// A reading of a picture, or of a vague word.
+    Reading,
+    /// The idea fails.
+    Serious,
+}
+
+/// What stands behind a refutation. Many statements fail by one cause.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Cause {
+    /// An interval is given with the wrong end points.
+    EndPoints,
+    /// φ is taken outside [a, b).
+    OutsideInterval,
+    /// An end knot occurs more than k + 1 times.
+    EndKnots,
+    /// A knot inside has a multiplicity greater than k.
+    InnerMultiplicity,
+    /// An index runs too far.
+    IndexRange,
+    /// A step of a proof is wrong, while the statement is true.
+    ProofStep,
+    /// A picture was read wrongly.
+    Picture,
+    /// The words allow more than one reading, and in one of them it fails.
+    VagueWords,
+    /// Conjecture 3.1 is false, and so are the classical properties that go with it.
+    Conjecture,
+}
