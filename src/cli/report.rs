@@ -12,6 +12,7 @@ use crate::report::{
     with_verdict_table,
 };
 
+use super::atomic::{Folder, write_atomically};
 use super::error::CliError;
 use super::exit::Exit;
 use super::file::read;
@@ -83,10 +84,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         recordable()?;
     }
     if let Some(folder) = &args.out {
-        fs::create_dir_all(folder).map_err(|error| unwritable("--out", folder, error))?;
-        writable("--out", &folder.join(JSON))?;
-        writable("--out", &folder.join(MARKDOWN))?;
-        writable("--out", &folder.join(PAGE))?;
+        Folder::try_out("--out", folder)?;
     }
 
     let progress = Progress::new(chosen.len() + 1);
@@ -122,9 +120,11 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         };
         files.push((PAGE.to_owned(), page(&outcome.report, &source)?));
         files.extend(pictures);
+        let folder = Folder::beside("--out", folder)?;
         for (name, text) in files {
-            write_file("--out", &folder.join(name), &text, &mut outcome.written)?;
+            outcome.written.push(folder.write(&name, text)?);
         }
+        folder.put_in_place()?;
     }
     output.result(&outcome)?;
     Ok(if outcome.differences.is_empty() { Exit::Holds } else { Exit::Refuted })
@@ -147,7 +147,13 @@ fn read_baseline(path: &Path) -> Result<Baseline, CliError> {
 
 /// The way from the folder to the certificates, if both are below the current folder.
 fn certificates_from(folder: &Path) -> Option<String> {
-    let (here, there) = (Path::new(".").canonicalize().ok()?, folder.canonicalize().ok()?);
+    let here = Path::new(".").canonicalize().ok()?;
+    // It need not be there yet; the folder around it is.
+    let there = folder.canonicalize().or_else(|_| {
+        let around = folder.parent().filter(|around| *around != Path::new("")).unwrap_or(Path::new("."));
+        Ok::<_, std::io::Error>(around.canonicalize()?.join(folder.file_name().unwrap_or_default()))
+    });
+    let there = there.ok()?;
     let depth = there.strip_prefix(&here).ok()?.components().count();
     Path::new(CERTIFICATES).is_dir().then(|| "../".repeat(depth) + CERTIFICATES)
 }
@@ -179,19 +185,13 @@ fn record(found: &Baseline, written: &mut Vec<PathBuf>) -> Result<(), CliError> 
     write_file("--record", Path::new(README), &readme, written)
 }
 
-/// Can the file be written? Makes it if it is not there, and changes nothing in it.
-fn writable(argument: &'static str, path: &Path) -> Result<(), CliError> {
-    let opened = fs::OpenOptions::new().create(true).append(true).open(path);
-    opened.map(drop).map_err(|error| unwritable(argument, path, error))
-}
-
 fn write_file(
     argument: &'static str,
     path: &Path,
     text: &str,
     written: &mut Vec<PathBuf>,
 ) -> Result<(), CliError> {
-    fs::write(path, text).map_err(|error| unwritable(argument, path, error))?;
+    write_atomically(argument, path, text)?;
     written.push(path.to_owned());
     Ok(())
 }
