@@ -101,7 +101,7 @@ fn completions_know_the_commands() {
     for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
         let script = text(&["completions", shell]);
         // Commands and options everywhere, and where the shell's script can offer them, names of claims and instances.
-        assert!(script.contains("formula") && script.contains("--alpha"), "{shell}");
+        assert!(script.contains("formula") && script.contains("points-file"), "{shell}");
         let offers = ["bash", "zsh", "fish"].contains(&shell);
         for name in ["Conj3.1.strong.continuous", "U12"] {
             assert_eq!(script.contains(name), offers, "{shell}: {name}");
