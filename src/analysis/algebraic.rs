@@ -37,8 +37,8 @@ pub fn settled(number: &mut (impl Enclosed + ?Sized), digits: usize) -> String {
             return decimal(&lo, digits);
         }
         if lo.is_positive() || hi.is_negative() {
-            // All but a number in the middle of two decimals has left it behind by now.
-            let close = (&hi - &lo) * integer(10).power(digits + 3) < lo.abs();
+            // Whatever is not in the middle of two decimals has left it behind by now, or is as good as there.
+            let close = (&hi - &lo) * integer(10).power(digits + 20) < lo.abs();
             if close && decimal(&lo, digits + 1) == decimal(&hi, digits + 1) {
                 return decimal(&lo, digits + 1);
             }
@@ -218,4 +218,88 @@ fn enclose_polynomial(
     let lower = value(&positive, lo).plus(&value(&negative, hi));
     let upper = value(&positive, hi).plus(&value(&negative, lo));
     (lower, upper)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::analysis::positive_roots;
+    use crate::scalar::{RationalFunction, parse_rational, rational};
+
+    /// f(√2), for a polynomial f.
+    fn at_root_of_two(f: &[BigRational]) -> Algebraic {
+        let two = Polynomial::new(rational(-2, 1), [0, 1].map(|c| rational(c, 1)));
+        let f = RationalFunction::from_polynomial(Polynomial::new(f[0].clone(), f[1..].iter().cloned()));
+        Algebraic::at(f, positive_roots(&two).remove(0))
+    }
+
+    #[test]
+    fn digits_are_settled_before_they_are_printed() {
+        let number = |scale: &str, shift: &str| {
+            at_root_of_two(&[parse_rational(shift).unwrap(), parse_rational(scale).unwrap()])
+        };
+        for (scale, shift, digits, expected) in [
+            ("1", "0", 1, "1"),
+            ("1", "0", 30, "1.41421356237309504880168872421"),
+            ("-1e-9", "0", 3, "-1.41e-9"),
+            // 10^-15·√2 above and below a number that the first digits can't tell it from, halfway between two decimals.
+            ("1e-15", "5/2", 1, "3"),
+            ("-1e-15", "5/2", 1, "2"),
+            ("1e-30", "1", 10, "1.000000000"),
+            ("-1e-30", "1", 10, "1.000000000"),
+            ("-1e-30", "1", 34, "0.9999999999999999999999999999985858"),
+        ] {
+            assert_eq!(settled(&mut number(scale, shift), digits), expected);
+        }
+    }
+
+    #[test]
+    fn a_number_halfway_between_two_decimals_gets_one_digit_more() {
+        // (√2)²/16 = 0.125.
+        let mut eighth = at_root_of_two(&[0, 0, 1].map(|c| rational(c, 16)));
+        assert_eq!(settled(&mut eighth, 2), "0.125");
+        assert_eq!(settled(&mut eighth, 5), "0.12500");
+        assert_eq!(settled(&mut Algebraic::from(rational(1, 8)), 2), "0.12");
+    }
+
+    #[test]
+    fn bounds_that_stay_settle_what_they_can() {
+        let text = |lo: &str, hi: &str| {
+            let [lo, hi] = [lo, hi].map(|x| parse_rational(x).unwrap());
+            settled(&mut Algebraic::between(lo, hi), 4)
+        };
+        assert_eq!(text("3.1412", "3.1431"), "3.14");
+        assert_eq!(text("0.12345", "0.98765"), "0.1234 to 0.9877");
+        assert_eq!(text("-1/3", "1/3"), "-0.3334 to 0.3334");
+        assert_eq!(text("1/3", "1/3"), "0.3333");
+    }
+
+    #[test]
+    fn a_number_that_is_0_ends_the_search_for_its_first_digit() {
+        // (√2)² − 2.
+        let text = settled(&mut at_root_of_two(&[-2, 0, 1].map(|c| rational(c, 1))), 3);
+        let (below, above) = text.split_once(" to ").unwrap();
+        assert!(below.starts_with('-') && !above.starts_with('-'), "{text}");
+    }
+
+    #[test]
+    fn neighbours_that_differ_look_different() {
+        let close = |shift: &str| at_root_of_two(&[parse_rational(shift).unwrap(), rational(1, 1)]);
+        let mut numbers = [close("0"), close("1e-25"), close("1e-25"), close("0")];
+        let texts = settled_apart(&mut numbers, 10, |at| at != 1);
+        assert!(texts[0] < texts[1] && texts[1] == texts[2] && texts[2] > texts[3], "{texts:?}");
+        let texts = settled_apart(&mut numbers, 10, |_| false);
+        assert!(texts.iter().all(|text| text == "1.414213562"), "{texts:?}");
+    }
+
+    #[test]
+    fn decimals_on_both_sides_of_a_number() {
+        let around = |number: &mut Algebraic| decimals_around(number, 3);
+        let decimals = |lo: i64, hi: i64| (rational(lo, 100), rational(hi, 100));
+        assert_eq!(around(&mut at_root_of_two(&[0, 1].map(|c| rational(c, 1)))), decimals(141, 142));
+        assert_eq!(around(&mut rational(5, 4).into()), decimals(125, 125));
+        assert_eq!(around(&mut rational(4, 3).into()), decimals(133, 134));
+        // (√2)²: 2, but that is not seen.
+        assert_eq!(around(&mut at_root_of_two(&[0, 0, 1].map(|c| rational(c, 1)))).1, rational(201, 100));
+    }
 }

@@ -184,10 +184,17 @@ fn audited(
 
 impl fmt::Display for Merged<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "{} shards cover the search: every position once, and as many cases as there are", self.files)?;
+        writeln!(
+            f,
+            "{} shards cover the search: every position once, and as many cases as there are",
+            self.files
+        )?;
         match &self.audited {
             None => {
-                writeln!(f, "Nothing was computed again (`--audit N` does): what each case came to is as the shards say")?;
+                writeln!(
+                    f,
+                    "Nothing was computed again (`--audit N` does): what each case came to is as the shards say"
+                )?;
             }
             Some(audited) => write!(f, "{audited}")?,
         }
@@ -202,10 +209,13 @@ impl fmt::Display for Audited {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { blocks, recomputed, not_recomputed, .. } = self;
         match self.seed {
-            Some(seed) => write!(f, "Computed again: {} of {blocks} blocks, drawn with seed {seed}", recomputed.len())?,
+            Some(seed) => {
+                write!(f, "Computed again: {} of {blocks} blocks, drawn with seed {seed}", recomputed.len())?
+            }
             None => write!(f, "Computed again: all {blocks} blocks")?,
         }
-        let places: Vec<_> = recomputed.iter().take(SHOWN).map(|[from, to]| format!("{from} to {to}")).collect();
+        let places: Vec<_> =
+            recomputed.iter().take(SHOWN).map(|[from, to]| format!("{from} to {to}")).collect();
         let more = if recomputed.len() > SHOWN { ", …" } else { "" };
         writeln!(f, " (positions {}{more})", places.join(", "))?;
         match not_recomputed {

@@ -71,7 +71,8 @@ impl Progress {
         let bar = std::io::stderr().is_terminal().then(|| bar(total, template));
         let told = Arc::clone(&shared);
         // Without a thread to spare the work goes on in silence.
-        let ticker = wanted.then(|| thread::Builder::new().spawn(move || told.tell(bar))).and_then(Result::ok);
+        let ticker =
+            wanted.then(|| thread::Builder::new().spawn(move || told.tell(bar))).and_then(Result::ok);
         Self { shared, ticker }
     }
 
@@ -121,10 +122,8 @@ impl Shared {
         loop {
             let state = self.state();
             let ended = |state: &mut State| !state.over;
-            let (state, _) = self
-                .over
-                .wait_timeout_while(state, pause, ended)
-                .unwrap_or_else(PoisonError::into_inner);
+            let (state, _) =
+                self.over.wait_timeout_while(state, pause, ended).unwrap_or_else(PoisonError::into_inner);
             if state.over {
                 break;
             }

@@ -76,7 +76,9 @@ pub enum Fault {
         alpha: String,
     },
     /// A finding that does not come from there.
-    #[error("it does not lead to the function with gaps {gaps}, α = {alpha}, which is said to be found at position {at}")]
+    #[error(
+        "it does not lead to the function with gaps {gaps}, α = {alpha}, which is said to be found at position {at}"
+    )]
     Invented {
         /// The gaps.
         gaps: String,
@@ -86,7 +88,9 @@ pub enum Fault {
         at: u64,
     },
     /// A finding with other numbers.
-    #[error("of the function with gaps {gaps}, α = {alpha}, the record is another one: its place, its number of cases, or its proof")]
+    #[error(
+        "of the function with gaps {gaps}, α = {alpha}, the record is another one: its place, its number of cases, or its proof"
+    )]
     Altered {
         /// The gaps.
         gaps: String,
@@ -142,8 +146,7 @@ pub fn audit<E: From<AuditError>>(
     let (mut whole, mut positions) = (Findings::default(), 0);
     for (number, recorded) in chosen.into_iter().map(|at| recorded[at]) {
         let range = part.blocks.positions(number, &part.range);
-        let mut again =
-            Part::of_range(part.search.clone(), Shard::WHOLE, part.cases.clone(), range.clone());
+        let mut again = Part::of_range(part.search.clone(), Shard::WHOLE, part.cases.clone(), range.clone());
         again.run(|again| look_in(positions + again.done()))?;
         positions += again.done();
         let found = again.blocks.iter().next().map(|(_, block)| block).unwrap_or_default();

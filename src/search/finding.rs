@@ -461,7 +461,9 @@ impl Finding {
             }
             (Goal::Equal, None) => None,
             (Goal::Several | Goal::Most, _) => Some(Self::of(candidate)),
-            (Goal::Deepest, _) => Dip::of(&candidate).map(|dip| Self { dip: Some(dip), ..Self::of(candidate) }),
+            (Goal::Deepest, _) => {
+                Dip::of(&candidate).map(|dip| Self { dip: Some(dip), ..Self::of(candidate) })
+            }
         };
         finding.filter(|finding| finding.maxima > 1).ok_or(FindingError::Refuted)
     }

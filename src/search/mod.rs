@@ -33,7 +33,9 @@ pub use decide::{Count, Means, local_maxima};
 pub use dip::Dip;
 pub use equal::{Crossing, Side};
 pub use exhaustive::Exhaustive;
-pub use finding::{DEEPEST_KEPT, EqualRecord, ExtremumRecord, Finding, FindingError, FindingRecord, Findings, Witness};
+pub use finding::{
+    DEEPEST_KEPT, EqualRecord, ExtremumRecord, Finding, FindingError, FindingRecord, Findings, Witness,
+};
 pub use merge::{MergeError, merge};
 pub use part::{Part, PartError, Tally};
 pub use random::Random;

@@ -85,7 +85,16 @@ impl Part {
     /// Any positions of a search, with nothing done.
     pub(super) fn of_range(search: Search, shard: Shard, cases: Cases, range: Range<u64>) -> Self {
         let (done, blocks) = (range.start, Blocks::new(cases.positions()));
-        Self { search, shard, cases, range, done, tally: Tally::default(), blocks, findings: Findings::default() }
+        Self {
+            search,
+            shard,
+            cases,
+            range,
+            done,
+            tally: Tally::default(),
+            blocks,
+            findings: Findings::default(),
+        }
     }
 
     /// What is searched.
@@ -207,7 +216,7 @@ struct Unit {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::search::{Goal, Sample, Space};
+    use crate::search::{DEEPEST_KEPT, Dip, Goal, Sample, Space};
 
     #[test]
     fn the_last_position_of_all_is_searched() {
@@ -216,5 +225,20 @@ mod tests {
         let mut part = Part::new(Search { degree: 1, find: Goal::Several, space }, shard).unwrap();
         part.run(|_| Ok::<(), ()>(())).unwrap();
         assert_eq!((part.range(), part.tally().cases()), (u64::MAX - 1..u64::MAX, 1));
+    }
+
+    /// Against all dips of all cases, in order.
+    #[test]
+    fn the_deepest_are_the_deepest_of_all() {
+        let space = Space::Random(Sample { count: 4000, seed: 1, spread: 9 });
+        let search = Search { degree: 3, find: Goal::Deepest, space };
+        let mut part = Part::new(search, Shard::WHOLE).unwrap();
+        part.run(|_| Ok::<(), ()>(())).unwrap();
+        let cases = part.cases.between(0..part.cases.positions());
+        let mut dips: Vec<_> = cases.filter_map(|(_, case)| Some((Dip::of(&case)?, case))).collect();
+        dips.sort_by(|(one, first), (other, second)| other.lo.cmp(&one.lo).then_with(|| first.cmp(second)));
+        assert!(dips.len() > DEEPEST_KEPT);
+        let expected = dips.iter().take(DEEPEST_KEPT).map(|(_, case)| case);
+        assert!(part.findings.iter().map(Finding::candidate).eq(expected));
     }
 }

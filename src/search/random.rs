@@ -140,4 +140,22 @@ mod tests {
         assert_eq!(new(1, 0), SpaceError::Spread(0));
         assert_eq!(new(1, 41), SpaceError::Spread(41));
     }
+
+    #[test]
+    fn given_indices_are_the_only_ones() {
+        let sample = |alpha: &[&str]| IndexSample {
+            alpha: alpha.iter().map(|&alpha| alpha.to_owned()).collect(),
+            count: 300,
+            seed: 1,
+            spread: 9,
+        };
+        let random = super::Random::with_indices(3, &sample(&["-4", "3/2", "inf"])).unwrap();
+        let met: std::collections::BTreeSet<_> =
+            random.between(0..300).map(|(_, case)| case.index().to_string()).collect();
+        // 3/2 by its conjugate.
+        assert!(met.iter().eq(["-1/2", "-4", "inf"]), "{met:?}");
+        for wrong in [&[][..], &["1/2"], &["x"], &["99999999999"]] {
+            assert_eq!(super::Random::with_indices(3, &sample(wrong)).unwrap_err(), SpaceError::Index);
+        }
+    }
 }

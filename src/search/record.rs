@@ -267,10 +267,12 @@ impl Part {
         match self.search.find {
             Goal::Several if led != several => Err("the cases of the findings do not add up to `several`"),
             _ if led > several => Err("the cases of the findings add up to more than `several`"),
-            Goal::Most | Goal::Deepest if led == 0 && several > 0 => {
-                Err("`several` is not 0, and there is no finding with the most local maxima or the deepest dip")
+            Goal::Most | Goal::Deepest if led == 0 && several > 0 => Err(
+                "`several` is not 0, and there is no finding with the most local maxima or the deepest dip",
+            ),
+            Goal::Deepest if self.findings.len() > DEEPEST_KEPT => {
+                Err("there are more findings than are kept")
             }
-            Goal::Deepest if self.findings.len() > DEEPEST_KEPT => Err("there are more findings than are kept"),
             _ => Ok(()),
         }
     }

@@ -112,7 +112,9 @@ pub enum SpaceError {
     #[error("a sample of 0 cases shows nothing: ask for 1 at least")]
     NoCase,
     /// An index that is none, or whose ratio is too long.
-    #[error("an α of a search is less than 0 or greater than 1, or inf, with a numerator and a denominator below 2^32")]
+    #[error(
+        "an α of a search is less than 0 or greater than 1, or inf, with a numerator and a denominator below 2^32"
+    )]
     Index,
     /// Gaps that do not fit.
     #[error("{0} is out of range: 1 to {WIDEST_SPREAD}")]

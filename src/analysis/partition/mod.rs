@@ -120,7 +120,11 @@ const DEPTH: u32 = 40;
 
 /// A cell or an end, in terms of the family's own t.
 enum Step {
-    Cell { from: BigRational, to: BigRational, local_maxima: Option<usize> },
+    Cell {
+        from: BigRational,
+        to: BigRational,
+        local_maxima: Option<usize>,
+    },
     End {
         lo: BigRational,
         hi: BigRational,
@@ -256,7 +260,13 @@ impl Partition {
                     Some(root) => parameter.number(root),
                     None => Algebraic::between(lo.clone(), hi.clone()),
                 };
-                self.ends.push(PartitionEnd { interval: (lo, hi), local_maxima, events, polynomials, number });
+                self.ends.push(PartitionEnd {
+                    interval: (lo, hi),
+                    local_maxima,
+                    events,
+                    polynomials,
+                    number,
+                });
             }
         }
     }

@@ -8,9 +8,7 @@ use std::{fs, io};
 
 use clap::ValueEnum;
 
-use crate::search::{
-    Goal, IndexSample, Limits, Part, PartError, Sample, Search, Shard, Space, SpaceError,
-};
+use crate::search::{Goal, IndexSample, Limits, Part, PartError, Sample, Search, Shard, Space, SpaceError};
 use crate::spline::Index;
 
 use super::atomic::write_atomically;
@@ -145,7 +143,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     let pool = pool.map_err(|error| CliError::Threads { reason: error.to_string() })?;
     let total = part.range().end - part.range().start;
     let progress = Progress::new(usize::try_from(total).unwrap_or(usize::MAX));
-    progress.reach(part.done(), "");
+    progress.reach(part.done(), &format!("{} found", part.findings().len()));
     let mut saved = Instant::now();
     pool.install(|| {
         part.run(|part| {

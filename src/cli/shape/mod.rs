@@ -131,7 +131,8 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     }
     let bases: Vec<Basis> = subject.cases.into_iter().map(|case| case.basis).collect();
     let mut functions = Vec::new();
-    let chosen = |basis: &Basis| Ok::<_, CliError>(args.function.chosen(basis)?.map_or(0..=basis.n(), |i| i..=i));
+    let chosen =
+        |basis: &Basis| Ok::<_, CliError>(args.function.chosen(basis)?.map_or(0..=basis.n(), |i| i..=i));
     let mut steps = 0;
     for basis in &bases {
         steps += chosen(basis)?.count();
