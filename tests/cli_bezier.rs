@@ -3,7 +3,6 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
 use std::io::Write;
-use std::time::{Duration, Instant};
 
 use assert_cmd::Command;
 use serde::Deserialize;
@@ -162,13 +161,11 @@ fn help_has_an_example() {
 }
 
 #[test]
-fn the_highest_degree_is_converted_in_time() {
+fn the_highest_degree_is_converted() {
     let knots = [vec!["0"; 11], vec!["1"], vec!["3"; 11]].concat().join(" ");
-    let start = Instant::now();
     let request = ["--degree", "10", "--knots", &knots, "--alpha", "-1/7"];
     let found = bezier(&[&request[..], &["--points", "0 1 4 2 8 5 7 1 3 9 6 2"]].concat());
     assert_eq!(found["pieces"].as_array().unwrap().len(), 2);
-    assert!(start.elapsed() < Duration::from_secs(30));
 }
 
 #[derive(Deserialize)]

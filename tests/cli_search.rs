@@ -4,12 +4,14 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
 use std::fs;
+use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
-use std::process::{Command as Process, Stdio};
+use std::process::{Child, Command as Process, Stdio};
 use std::thread::sleep;
 use std::time::Duration;
 
 use assert_cmd::Command;
+use knotproof::scalar::BigRational;
 use serde_json::Value;
 
 fn knotproof(arguments: &[&str]) -> Command {
@@ -56,6 +58,42 @@ fn path_in(folder: &tempfile::TempDir, name: &str) -> PathBuf {
 
 fn text(path: &Path) -> &str {
     path.to_str().unwrap()
+}
+
+/// A search in a process of its own, which says nothing.
+fn start(arguments: &[&str]) -> Child {
+    let mut process = Process::new(assert_cmd::cargo::cargo_bin("knotproof"));
+    process.args(["search", "--format", "json"]).args(arguments);
+    process.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap()
+}
+
+/// Waits until the process has come so far that something is there, or has ended: then it is never there.
+fn wait_for<T>(process: &mut Child, mut there: impl FnMut() -> Option<T>) -> Option<T> {
+    loop {
+        let ended = process.try_wait().unwrap().is_some();
+        let found = there();
+        if ended || found.is_some() {
+            return found;
+        }
+        sleep(Duration::from_millis(5));
+    }
+}
+
+/// SIGKILL.
+fn kill(mut process: Child) {
+    process.kill().unwrap();
+    process.wait().unwrap();
+}
+
+/// A file of a search with other lines, and a checksum that fits to them.
+fn forged(text: &str, change: impl FnOnce(&mut Vec<Value>)) -> String {
+    let mut records: Vec<Value> = text.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    change(&mut records);
+    let summary = records.last_mut().unwrap();
+    summary["checksum"] = "".into();
+    let content = records.iter().map(Value::to_string).collect::<Vec<_>>().join("\n");
+    let sum = crc32fast::hash(content.as_bytes());
+    content.replace("\"checksum\":\"\"", &format!("\"checksum\":\"{sum:08x}\"")) + "\n"
 }
 
 /// Degree 3 fails first with the gaps 2, 1, 1, 0 and α = −3/2: no other function up to size 8 has two maxima.
@@ -162,6 +200,8 @@ fn threads_have_no_influence() {
         &["--degree", "3", "--limit", "11"][..],
         &["--degree", "4", "--count", "5000", "--seed", "5"],
         &["--degree", "3", "--count", "5000", "--find", "most"],
+        &["--degree", "3", "--count", "5000", "--find", "deepest"],
+        &["--degree", "4", "--count", "3000", "--find", "deepest", "--alpha", "-1/2", "--alpha", "-1/7"],
     ] {
         let one = search(&[space, &["--threads", "1"]].concat());
         assert_eq!(search(&[space, &["--threads", "2"]].concat()), one);
@@ -181,6 +221,7 @@ fn shards_have_no_influence() {
         &["--degree", "3", "--limit", "11"][..],
         &["--degree", "3", "--count", "4001", "--seed", "9"],
         &["--degree", "3", "--limit", "9", "--find", "equal"],
+        &["--degree", "3", "--count", "4001", "--find", "deepest"],
     ] {
         let whole = search(space);
         let files: Vec<_> = (0..3).map(|i| path_in(&folder, &format!("{i}.jsonl"))).collect();
@@ -228,32 +269,25 @@ fn interruptions_have_no_influence() {
     let file = path_in(&folder, "state.jsonl");
     let space = ["--degree", "4", "--count", "30000", "--seed", "2"];
     let whole = search(&space);
-    let start = |arguments: &[&str]| {
-        let mut process = Process::new(assert_cmd::cargo::cargo_bin("knotproof"));
-        process.args(["search", "--format", "json"]).args(arguments);
-        process.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap()
-    };
-    let mut interrupted = 0;
-    for round in 0..5_u64 {
+    let mut reached = 0;
+    for round in 0..4_u64 {
         // The file is the state whether it is there already or not.
         let arguments = match round % 2 {
             0 => [&space[..], &["--checkpoint", text(&file)]].concat(),
             _ => vec!["--resume", text(&file)],
         };
         let mut process = start(&arguments);
-        while !file.exists() {
-            sleep(Duration::from_millis(5));
-        }
-        sleep(Duration::from_millis(300 + 700 * round));
-        // SIGKILL.
-        interrupted += usize::from(process.try_wait().unwrap().is_none());
-        process.kill().unwrap();
-        process.wait().unwrap();
-        let state = fs::read_to_string(&file).unwrap();
-        let (_, summary) = records(&state);
-        assert!(summary["done"].as_u64() <= summary["to"].as_u64());
+        // At the first state, and then each time as soon as the search has come further.
+        let further = |done: &u64| round == 0 || *done > reached;
+        let done = || {
+            let (_, summary) = records(&fs::read_to_string(&file).ok()?);
+            assert!(summary["done"].as_u64() <= summary["to"].as_u64());
+            summary["done"].as_u64().filter(further)
+        };
+        reached = wait_for(&mut process, done).expect("a state");
+        kill(process);
     }
-    assert!(interrupted > 0, "the search is too short for this test");
+    assert!(reached < 30_000, "the search is too short for this test");
     assert_eq!(search(&["--resume", text(&file)]), whole);
     assert_eq!(fs::read_to_string(&file).unwrap(), whole.0);
     // Once more: nothing is left to do, and the result is the same.
@@ -289,7 +323,9 @@ fn searches_that_cannot_be() {
             "--spread",
             &["99999999999 is out of range", "1 to 40"],
         ),
-        (&["--degree", "3", "--find", "none"], "--find", &["several, most, equal"]),
+        (&["--degree", "3", "--find", "none"], "--find", &["several, most, equal, deepest"]),
+        (&["--degree", "3", "--count", "9", "--alpha", "1/2"], "--alpha", &["1/2"]),
+        (&["--degree", "3", "--count", "9", "--alpha", "-1/99999999999"], "--alpha", &["below 2^32"]),
         (&["--degree", "3", "--threads", "0"], "--threads", &["1 thread at least"]),
         (&["--degree", "3", "--threads", "1025"], "--threads", &["1025 is too many", "at most 1024"]),
         (&["--degree", "3", "--shard", "3/3"], "--shard", &["no shard 3 of 3", "0 to 2"]),
@@ -335,6 +371,7 @@ fn checkpoints_of_something_else() {
         (&["--degree", "3", "--limit", "7", "--find", "most"], "--find differs"),
         (&["--degree", "3", "--limit", "7", "--shard", "0/2"], "--shard differs"),
         (&["--degree", "3", "--count", "7"], "--count differs"),
+        (&["--degree", "3", "--count", "7", "--alpha", "-1"], "--count differs"),
     ] {
         for option in ["--checkpoint", "--resume"] {
             let arguments = [&["search"], options, &[option, text(&file)]].concat();
@@ -354,8 +391,10 @@ fn checkpoints_of_something_else() {
     let middle = state.len() / 2;
     let mut flipped = state.clone().into_bytes();
     flipped[middle] ^= 1;
+    let others = forged(&state, |records| records.last_mut().unwrap()["decides"] = "0123456789abcdef".into());
     for (content, part) in [
         (other.as_bytes(), "version 0.0.1"),
+        (others.as_bytes(), "deciding sources are others (0123456789abcdef"),
         (&flipped, "damaged"),
         (&state.as_bytes()[..state.len() - 1], "damaged"),
         (&state.as_bytes()[..middle], "cut off"),
@@ -419,14 +458,9 @@ fn shards_that_do_not_make_up_a_search() {
     }
     // An unfinished shard: what a search has written before it was stopped.
     let state = path_in(&folder, "state.jsonl");
-    let mut process = Process::new(assert_cmd::cargo::cargo_bin("knotproof"));
-    process.args(["search", "--degree", "6", "--count", "1000000", "--checkpoint", text(&state)]);
-    let mut process = process.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
-    while !state.exists() {
-        sleep(Duration::from_millis(5));
-    }
-    process.kill().unwrap();
-    process.wait().unwrap();
+    let mut process = start(&["--degree", "6", "--count", "1000000", "--checkpoint", text(&state)]);
+    wait_for(&mut process, || state.exists().then_some(())).expect("a state");
+    kill(process);
     rejected(&["merge", text(&state)], "FILE", &[text(&state), "not finished", "--resume"]);
     // What is in the way of the result stays there.
     fs::write(&out, "mine").unwrap();
@@ -507,4 +541,248 @@ fn a_closed_pipe_is_no_error() {
     drop(process.stdout.take());
     let output = process.wait_with_output().unwrap();
     assert_eq!((output.status.code(), output.stderr.as_slice()), (Some(1), &b""[..]));
+}
+
+/// The dips of the findings are bounds of ten digits, one unit apart, and those of `deepest` fall.
+#[test]
+fn dips_are_enclosed_and_the_deepest_come_first() {
+    let number = |text: &Value| -> BigRational { text.as_str().unwrap().parse().unwrap() };
+    let dips = |findings: &[Value]| -> Vec<[BigRational; 2]> {
+        findings.iter().map(|f| [&f["witness"]["dip"][0], &f["witness"]["dip"][1]].map(number)).collect()
+    };
+    let (found, code) = search(&["--degree", "3", "--count", "3000", "--find", "deepest", "--seed", "1"]);
+    let (findings, _) = records(&found);
+    assert_eq!((code, findings.len()), (1, 10));
+    let deepest = dips(&findings);
+    assert!(deepest.windows(2).all(|pair| pair[0][0] >= pair[1][0]));
+    let billion = BigRational::from_integer(1_000_000_000.into());
+    for [lo, hi] in &deepest {
+        assert!(lo < hi && (hi - lo) * &billion <= *hi, "{lo} {hi}");
+    }
+    // The smallest function of degree 3 with two maxima.
+    let (found, _) = search(&["--degree", "3", "--limit", "8"]);
+    let [[lo, hi]] = &dips(&records(&found).0)[..] else { panic!("one finding") };
+    let computed: BigRational = SMALLEST_DIP.parse().unwrap();
+    assert!(*lo <= computed && computed <= *hi, "{lo} {hi}");
+}
+
+/// (0.6361607781784060467310688 − 285/448)/0.6361633978505121206080454, computed elsewhere in fractions.
+const SMALLEST_DIP: &str = "1004344040806172083/10000000000000000000000000";
+
+#[test]
+fn given_indices_are_the_only_ones() {
+    let space =
+        ["--degree", "3", "--count", "4000", "--alpha", "-1/7", "--alpha", "3/2", "--find", "deepest"];
+    let (findings, summary) = records(&search(&space).0);
+    assert!(!findings.is_empty());
+    // 3/2 by its conjugate.
+    assert!(findings.iter().all(|finding| ["-1/7", "-1/2"].contains(&finding["alpha"].as_str().unwrap())));
+    assert_eq!(summary["search"]["space"]["indices"]["alpha"], serde_json::json!(["-1/7", "3/2"]));
+}
+
+/// A summary with one more or less of something in the block of a position.
+fn in_block(records: &mut [Value], at: u64, name: &str, change: i64) {
+    let last = records.len() - 1;
+    let summary = &mut records[last];
+    let add = |number: &mut Value| *number = (number.as_i64().unwrap() + change).into();
+    let blocks = summary["blocks"].as_array_mut().unwrap();
+    let holds = |block: &&mut Value| block["from"].as_u64() <= Some(at) && Some(at) < block["to"].as_u64();
+    add(&mut blocks.iter_mut().find(holds).unwrap()[name]);
+    match name {
+        "several" => add(&mut summary["several"]),
+        _ => add(&mut summary["decided"][name]),
+    }
+}
+
+/// Whatever a shard says that is not so, with numbers that add up and a valid checksum: merged it is believed, and named
+/// as soon as its block is computed again.
+#[test]
+fn forged_shards_are_found_out() {
+    let folder = tempfile::tempdir().unwrap();
+    let space = ["--degree", "3", "--count", "1500", "--seed", "1"];
+    let shards: Vec<_> =
+        (0..2).map(|i| search(&[&space[..], &["--shard", &format!("{i}/2")]].concat()).0).collect();
+    let files: Vec<_> = (0..2).map(|i| path_in(&folder, &format!("{i}.jsonl"))).collect();
+    let out = path_in(&folder, "all.jsonl");
+    let merge = |options: &[&str]| -> (Value, i32) {
+        let files = files.iter().map(|file| text(file));
+        let arguments: Vec<_> =
+            ["merge", "--format", "json"].into_iter().chain(files).chain(options.iter().copied()).collect();
+        let output = knotproof(&arguments).output().unwrap();
+        let result = if output.stdout.is_empty() { output.stderr } else { output.stdout };
+        (serde_json::from_slice(&result).unwrap(), output.status.code().unwrap())
+    };
+    let write = |first: &str| {
+        fs::write(&files[0], first).unwrap();
+        fs::write(&files[1], &shards[1]).unwrap();
+    };
+    let (findings, _) = records(&shards[0]);
+    let gone = findings.iter().find(|finding| finding["cases"] == 1).unwrap().clone();
+    let at = gone["found_at"].as_u64().unwrap();
+    // Another function with two maxima, from a case that has two, and not that.
+    let invented = |records: &mut Vec<Value>| {
+        let (other, _) = search(&["--degree", "3", "--limit", "9"]);
+        let (mut others, _) = self::records(&other);
+        let known = |finding: &Value| records.iter().any(|record| record["gaps"] == finding["gaps"]);
+        let mut new = others.drain(..).find(|finding| !known(finding)).unwrap();
+        (new["found_at"], new["cases"]) = (at.into(), 1.into());
+        let place = records.iter().position(|record| record["found_at"] == at).unwrap();
+        records[place] = new;
+        let last = records.len() - 1;
+        let size = |r: &Value| -> (u64, Vec<u64>) {
+            let gaps: Vec<u64> =
+                r["gaps"].as_array().unwrap().iter().map(|g| g.as_str().unwrap().parse().unwrap()).collect();
+            let alpha = r["alpha"].as_str().unwrap();
+            let (p, q) = alpha.split_once('/').unwrap_or((alpha, "1"));
+            let height = p.trim_start_matches('-').parse::<u64>().unwrap().max(q.parse().unwrap());
+            (gaps.iter().sum::<u64>() + height, [vec![height], gaps].concat())
+        };
+        records[..last].sort_by_key(size);
+    };
+    type Forgery<'a> = (&'a str, Box<dyn Fn(&mut Vec<Value>) + 'a>);
+    let forgeries: Vec<Forgery<'_>> = vec![
+        (
+            "removed finding",
+            Box::new(|records: &mut Vec<Value>| {
+                records.retain(|record| record["found_at"] != at);
+                in_block(records, at, "several", -1);
+                let last = records.len() - 1;
+                records[last]["findings"] = last.into();
+            }),
+        ),
+        (
+            "all findings removed",
+            Box::new(|records: &mut Vec<Value>| {
+                records.drain(..records.len() - 1);
+                records[0]["findings"] = 0.into();
+                records[0]["several"] = 0.into();
+                records[0]["blocks"]
+                    .as_array_mut()
+                    .unwrap()
+                    .iter_mut()
+                    .for_each(|block| block["several"] = 0.into());
+            }),
+        ),
+        ("invented finding", Box::new(invented)),
+        (
+            "count",
+            Box::new(|records: &mut Vec<Value>| {
+                in_block(records, at, "exactly", 1);
+                in_block(records, at, "by_intervals", -1);
+            }),
+        ),
+        (
+            "digest",
+            Box::new(|records: &mut Vec<Value>| {
+                let last = records.len() - 1;
+                let block = &mut records[last]["blocks"][0];
+                let digest = u64::from_str_radix(block["digest"].as_str().unwrap(), 16).unwrap();
+                block["digest"] = format!("{:016x}", digest ^ 1).into();
+            }),
+        ),
+        (
+            "found later",
+            Box::new(|records: &mut Vec<Value>| {
+                let several: Vec<u64> =
+                    records.iter().filter_map(|r| r["found_at"].as_u64()).filter(|&p| p > at).collect();
+                let place = records.iter().position(|record| record["found_at"] == at).unwrap();
+                records[place]["found_at"] = several[0].into();
+            }),
+        ),
+        (
+            "cases",
+            Box::new(|records: &mut Vec<Value>| {
+                let place = records.iter().position(|record| record["found_at"] == at).unwrap();
+                let other =
+                    records.iter().position(|r| r["record"] == "finding" && r["found_at"] != at).unwrap();
+                records[place]["cases"] = 2.into();
+                let cases = records[other]["cases"].as_u64().unwrap();
+                records[other]["cases"] = (cases - 1).into();
+                if cases == 1 {
+                    records.remove(other);
+                    let last = records.len() - 1;
+                    records[last]["findings"] = last.into();
+                }
+            }),
+        ),
+    ];
+    // What is so passes every audit.
+    write(&shards[0]);
+    for audit in ["1", "3", "all", "1000"] {
+        let (merged, code) = merge(&["--audit", audit, "--seed", "5"]);
+        assert_eq!((code, &merged["audited"]["differences"]), (1, &serde_json::json!([])), "{merged}");
+        let again = merged["audited"]["recomputed"].as_array().unwrap().len() as u64;
+        let rest = merged["audited"]["not_recomputed"].as_u64().unwrap();
+        assert_eq!(again + rest, merged["audited"]["blocks"].as_u64().unwrap());
+    }
+    for (what, change) in forgeries {
+        write(&forged(&shards[0], |records| change(records)));
+        // Nobody looks.
+        let (merged, code) = merge(&[]);
+        assert_eq!(
+            (&merged["covered"], &merged["audited"], code),
+            (&true.into(), &Value::Null, 1),
+            "{what}: {merged}"
+        );
+        for audit in ["all", "1000"] {
+            let (merged, code) = merge(&["--audit", audit, "--out", text(&out)]);
+            let differences = merged["audited"]["differences"].as_array().unwrap();
+            assert!(code == 1 && !differences.is_empty() && merged["covered"] == false, "{what}: {merged}");
+            assert!(!out.exists());
+            let named = |d: &Value| d["files"].as_array().unwrap().contains(&text(&files[0]).into());
+            assert!(differences.iter().any(named), "{what}: {merged}");
+        }
+        // A block is found out if it is among those that are drawn, and only then.
+        let all = merge(&["--audit", "all"]).0;
+        let bad: Vec<_> =
+            all["audited"]["differences"].as_array().unwrap().iter().map(|d| d["from"].clone()).collect();
+        for seed in ["0", "1", "2", "3", "4"] {
+            let (merged, _) = merge(&["--audit", "2", "--seed", seed]);
+            let drawn = merged["audited"]["recomputed"].as_array().unwrap();
+            assert_eq!((drawn.len(), &merged["audited"]["seed"]), (2, &seed.parse::<u64>().unwrap().into()));
+            let met = what != "cases" && drawn.iter().any(|block| bad.contains(&block[0]));
+            let found = !merged["audited"]["differences"].as_array().unwrap().is_empty();
+            assert!(found || !met, "{what}, seed {seed}: {merged}");
+            assert_eq!(merged["covered"], Value::from(!found));
+        }
+        let shown =
+            knotproof(&["merge", text(&files[0]), text(&files[1]), "--audit", "all"]).assert().code(1);
+        let shown = String::from_utf8(shown.get_output().stdout.clone()).unwrap();
+        assert!(
+            shown.contains("are not what comes out of the search") && !shown.contains("Functions with"),
+            "{shown}"
+        );
+    }
+    // Another search under the same numbers: the cases of seed 2, said to be those of seed 1.
+    let other: Vec<_> = (0..2)
+        .map(|i| search(&["--degree", "3", "--count", "1500", "--seed", "2", "--shard", &format!("{i}/2")]).0)
+        .map(|text| {
+            forged(&text, |records| {
+                records.last_mut().unwrap()["search"]["space"]["random"]["seed"] = 1.into()
+            })
+        })
+        .collect();
+    fs::write(&files[0], &other[0]).unwrap();
+    fs::write(&files[1], &other[1]).unwrap();
+    let (merged, code) = merge(&["--audit", "1"]);
+    assert!(code == 2 || merged["covered"] == false, "{merged}");
+    rejected(&["merge", "--audit", "0", text(&files[0])], "--audit", &["0 blocks"]);
+    rejected(&["merge", "--audit", "some", text(&files[0])], "--audit", &["whole number"]);
+}
+
+/// Off a terminal a line comes now and then, and something moves inside a single decision that takes long.
+#[test]
+fn long_searches_say_so_in_a_log() {
+    let mut process = Process::new(assert_cmd::cargo::cargo_bin("knotproof"));
+    process.args(["search", "--degree", "16", "--count", "2", "--threads", "1"]);
+    process.env_remove("KNOTPROOF_PROGRESS");
+    let mut process = process.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
+    let mut lines = BufReader::new(process.stderr.take().unwrap()).lines().map(Result::unwrap);
+    let [first, second] = [lines.next(), lines.next()].map(|line| line.expect("a line"));
+    kill(process);
+    for line in [&first, &second] {
+        assert!(line.starts_with("progress: ") && line.contains(" of 2 done"), "{line}");
+        assert!(line.contains("inside") && line.contains("steps of it"), "{line}");
+    }
+    assert_ne!(first, second);
 }

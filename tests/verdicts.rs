@@ -235,6 +235,13 @@ fn every_question_is_settled_degree_by_degree() {
         let conjecture = record.id.starts_with("Conj3.1.") && record.id.ends_with(".continuous");
         if conjecture {
             assert_eq!(degrees, (1..=8).collect::<Vec<_>>(), "{}", record.id);
+            let statuses: Vec<_> = record.by_degree.iter().map(|of| of.finding.status.as_str()).collect();
+            assert_eq!(
+                (&statuses[..2], &statuses[2..]),
+                (&["proved"; 2][..], &["refuted"; 6][..]),
+                "{}",
+                record.id
+            );
         }
         if conjecture || record.id.starts_with("X.") {
             assert!(degrees.len() > 1 && degrees.is_sorted(), "{}: {degrees:?}", record.id);

@@ -2,7 +2,10 @@
 
 use num_rational::BigRational;
 
-use super::contenders::Height;
+use crate::scalar::{RationalAlgebra, RationalFunction, Ring, integer};
+
+use super::algebraic::Algebraic;
+use super::pieces::constant;
 use super::roots::IsolatedRoot;
 
 /// Maximum or minimum.
@@ -63,7 +66,7 @@ pub struct Extremum {
     /// (lo, hi) with lo ≤ value ≤ hi, equal if the value is known exactly, as at every rational place.
     pub value: (BigRational, BigRational),
     /// What the value is computed from.
-    pub(super) height: Height,
+    pub(super) height: Algebraic,
 }
 
 impl Extremum {
@@ -86,13 +89,39 @@ impl Extremum {
     /// ```
     pub fn refine_to(&mut self, width: &BigRational) {
         let Place::Irrational { lo, hi, root } = &mut self.place else { return };
-        // x = start + y·length on the span.
-        let length = (&*hi - &*lo) / (root.hi() - root.lo());
-        let start = &*lo - root.lo() * &length;
+        let (start, length) = span(lo, hi, root);
         root.refine_to(&(width / &length));
         (*lo, *hi) = (&start + root.lo() * &length, start + root.hi() * length);
-        self.value = self.height.enclosure_within(width);
+        self.value = self.height.bounds_within(width);
     }
+
+    /// The place as a number; of a plateau its first point.
+    #[must_use]
+    pub fn x(&self) -> Algebraic {
+        match &self.place {
+            Place::Point(x) | Place::Plateau { from: x, .. } => x.clone().into(),
+            Place::Irrational { lo, hi, root } => {
+                // x = start + y·length with y = u/(1 + u).
+                let (start, length) = span(lo, hi, root);
+                let u = RationalFunction::variable(&integer(1));
+                let share = u.over(&u.plus(&u.one()));
+                let x = share.map(|share| constant(start).plus(&share.times(&constant(length))));
+                x.map_or_else(|| unreachable!("1 + u is not 0"), |x| Algebraic::at(x, root.clone()))
+            }
+        }
+    }
+
+    /// The value as a number.
+    #[must_use]
+    pub fn height(&self) -> Algebraic {
+        self.height.clone()
+    }
+}
+
+/// (start, length) of the span with x = start + y·length in [lo, hi] for the y of a root.
+fn span(lo: &BigRational, hi: &BigRational, root: &IsolatedRoot) -> (BigRational, BigRational) {
+    let length = (hi - lo) / (root.hi() - root.lo());
+    (lo - root.lo() * &length, length)
 }
 
 /// A discontinuity.

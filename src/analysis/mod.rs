@@ -1,5 +1,6 @@
 //! Floor 3: from exact pieces to decisions about every x.
 
+mod algebraic;
 mod contenders;
 mod decision;
 mod extremum;
@@ -19,6 +20,7 @@ mod slopes;
 mod span_quotients;
 mod supremum;
 
+pub use algebraic::{Algebraic, Enclosed, decimals_around, settled, settled_apart};
 pub use decision::{
     Decision, PositivePoint, SignPattern, Zeros, always_nonnegative, always_positive, common_positive_roots,
     sign_pattern,

@@ -2,7 +2,7 @@
 
 use num_rational::BigRational;
 
-use crate::scalar::{ExactField, Polynomial, RationalAlgebra, RationalFunction, Ring};
+use crate::scalar::{ExactField, Polynomial, RationalAlgebra, RationalFunction, Ring, spend};
 use crate::spline::{Active, Basis, KnotVector, Span};
 
 use super::local_knots::SpanQuotient;
@@ -79,6 +79,7 @@ impl Pieces {
     #[must_use]
     pub fn of(basis: &Basis) -> Self {
         let on_span = |span| {
+            spend();
             let x = positive_coordinate(basis.knots(), span);
             let functions = span_quotients(basis, span).map(SpanQuotient::piece);
             SpanPieces { span, x, functions }

@@ -7,7 +7,8 @@ use num_rational::BigRational;
 
 use crate::scalar::{Polynomial, Ring, integer};
 
-use super::contenders::{Contender, Height, Role};
+use super::algebraic::{Algebraic, Enclosed};
+use super::contenders::{Contender, Role};
 use super::decision::sign_pattern;
 use super::extremum::{Extremum, ExtremumKind, Jump, Place};
 use super::pieces::Piece;
@@ -42,7 +43,7 @@ enum Run {
 struct Station {
     place: Place,
     at_knot: bool,
-    height: Height,
+    height: Algebraic,
     /// The limit from the left, where it is not the value.
     left_limit: Option<BigRational>,
     left: Ordering,
@@ -111,7 +112,7 @@ impl Profile {
                 left: before.before_end(),
                 right: integer(0).cmp(&limit),
                 left_limit: None,
-                height: Height::Exact(limit),
+                height: limit.into(),
             }),
         }
         profile
@@ -126,7 +127,7 @@ impl Profile {
             left: limit.cmp(&value).then(before.before_end()),
             right: after.after_start(),
             left_limit: (limit != value).then_some(limit),
-            height: Height::Exact(value),
+            height: value.into(),
         });
     }
 
@@ -134,13 +135,11 @@ impl Profile {
     pub(super) fn features(self) -> Features {
         let mut features = Features { extrema: Vec::new(), jumps: Vec::new(), contenders: Vec::new() };
         for (position, station) in self.stations.iter().enumerate() {
-            if let (Some(left), Height::Exact(right)) = (&station.left_limit, &station.height) {
+            if let (Some(left), Some(right)) = (&station.left_limit, station.height.exact()) {
                 let (left, right) = (left.clone(), right.clone());
                 let (at, _) = station.place.interval();
                 if left > right {
-                    features
-                        .contenders
-                        .push(Contender { height: Height::Exact(left.clone()), role: Role::Limit });
+                    features.contenders.push(Contender { height: left.clone().into(), role: Role::Limit });
                 }
                 features.jumps.push(Jump { at: at.clone(), left, right });
             }
@@ -192,7 +191,7 @@ fn kind(left: Ordering, right: Ordering) -> Option<ExtremumKind> {
 impl Features {
     fn extremum(&mut self, kind: ExtremumKind, place: Place, station: &Station, role: Role) {
         let mut height = station.height.clone();
-        let value = height.enclosure();
+        let value = height.bounds();
         if kind == ExtremumKind::Maximum {
             self.contenders.push(Contender { height: station.height.clone(), role });
         }
@@ -233,11 +232,11 @@ impl Segment {
         let (place, height) = match root.clone().rational() {
             Some(u) => {
                 let y = &u / (&u + integer(1));
-                (Place::Point(x(&y)), Height::Exact(finite(self.piece.evaluate(&u))))
+                (Place::Point(x(&y)), Algebraic::from(finite(self.piece.evaluate(&u))))
             }
             None => (
                 Place::Irrational { lo: x(root.lo()), hi: x(root.hi()), root: root.clone() },
-                Height::At(Box::new((self.piece.clone(), root))),
+                Algebraic::at(self.piece.clone(), root),
             ),
         };
         let (left, right) = (before.before_end(), after.after_start());

@@ -7,7 +7,7 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
-use crate::scalar::Polynomial;
+use crate::scalar::{Polynomial, spend};
 
 use super::integer_polynomial::IntegerPolynomial;
 use super::sign::Sign;
@@ -250,6 +250,7 @@ fn isolate(polynomial: &IntegerPolynomial) -> Vec<(BigRational, BigRational)> {
     let mut tasks = vec![Task::Search { coefficients, place: BigInt::zero(), depth: 0 }];
     let mut found = Vec::new();
     while let Some(task) = tasks.pop() {
+        spend();
         match task {
             Task::Exact { place, depth } => {
                 let y = dyadic(place, depth);

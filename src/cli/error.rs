@@ -12,7 +12,7 @@ use crate::claims::Fault;
 use crate::float::FloatError;
 use crate::report::{BaselineError, END, PageError, PictureError, ReportError, START};
 use crate::scalar::NumberError;
-use crate::search::{MergeError, PartError, RecordError};
+use crate::search::{AuditError, MergeError, PartError, RecordError};
 use crate::spline::{BasisError, CurveError, KnotError};
 
 use super::eval::PointError;
@@ -293,6 +293,9 @@ pub enum CliError {
     /// Shards that do not make up a search.
     #[error("FILE: {0}; nothing was written")]
     Merge(MergeError),
+    /// An audit of nothing.
+    #[error("--audit: {0}")]
+    Audit(AuditError),
     /// A number that is too small or too large.
     #[error("{argument}: {given} is not between {least} and {most}")]
     Limits {
@@ -395,6 +398,7 @@ impl CliError {
             | Self::OtherSearch { argument, .. } => Some(argument),
             Self::UnknownFigure { .. } => Some("NUMBER"),
             Self::Merge(_) => Some("FILE"),
+            Self::Audit(_) => Some("--audit"),
             Self::Threads { .. } => Some("--threads"),
             Self::Recorded(_)
             | Self::Conversion { .. }

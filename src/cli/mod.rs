@@ -62,6 +62,8 @@ struct Program {
 const EXAMPLE: &str = "\
 Numbers are exact: 3, -1/2, 0.4 (that is 2/5), 1e-3, 0x1.8p-3; an index can be inf.
 Exit codes: 0 everything asked holds, 1 something is refuted, 2 bad usage or input, 3 undecided, 4 internal error.
+Long work tells on standard error how far it is: a bar on a terminal, a line now and then elsewhere; with
+KNOTPROOF_PROGRESS=never in the environment it does not.
 
 Example:
   knotproof eval --instance U4 --alpha -1 --x 1/2

@@ -47,6 +47,44 @@ pub fn decimal(value: &BigRational, significant: usize) -> String {
     }
 }
 
+/// The digits that are settled when no more is known of a number than lo ≤ number ≤ hi: its [`decimal`] to
+/// `significant` digits, or to as many as all numbers of [lo, hi] have in common; `None` if that is not even one.
+///
+/// Rounding keeps the order, so what rounds alike at both ends rounds alike between them.
+///
+/// ```
+/// # use knotproof::scalar::{rational, settled_digits};
+/// let (lo, hi) = (rational(3141, 1000), rational(3143, 1000));
+/// assert_eq!(settled_digits(&lo, &hi, 10).as_deref(), Some("3.14"));
+/// assert_eq!(settled_digits(&lo, &rational(9, 1), 10), None);
+/// ```
+#[must_use]
+pub fn settled_digits(lo: &BigRational, hi: &BigRational, significant: usize) -> Option<String> {
+    (1..=significant.max(1)).rev().find_map(|digits| {
+        let text = decimal(lo, digits);
+        (text == decimal(hi, digits)).then_some(text)
+    })
+}
+
+/// The largest number with so many significant digits that is at most the value, and the smallest one that is at least
+/// it: the value twice, if it is such a number itself.
+///
+/// ```
+/// # use knotproof::scalar::{decimal_neighbours, rational};
+/// assert_eq!(decimal_neighbours(&rational(1, 3), 2), (rational(33, 100), rational(34, 100)));
+/// assert_eq!(decimal_neighbours(&rational(-1, 4), 2), (rational(-1, 4), rational(-1, 4)));
+/// ```
+#[must_use]
+pub fn decimal_neighbours(value: &BigRational, significant: usize) -> (BigRational, BigRational) {
+    if value.is_zero() {
+        return (value.clone(), value.clone());
+    }
+    let places = i64::try_from(significant.max(1)).unwrap_or(i64::MAX) - 1;
+    let unit = power_of_ten(decimal_exponent(value) - places);
+    let scaled = value / &unit;
+    (scaled.floor() * &unit, scaled.ceil() * unit)
+}
+
 /// e with 10^e ≤ |value| < 10^(e+1), for value ≠ 0.
 fn decimal_exponent(value: &BigRational) -> i64 {
     let magnitude = value.abs();

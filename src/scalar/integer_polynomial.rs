@@ -109,6 +109,7 @@ impl IntegerPolynomial {
         }
         let (mut a, mut b) = (long.clone(), short.clone());
         while let Some((_, _, remainder)) = pseudo_division(&a.coefficients, &b.coefficients) {
+            super::spend();
             (a, b) = (b, Self::primitive(remainder));
         }
         a.with_positive_leading()

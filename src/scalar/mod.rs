@@ -17,6 +17,7 @@ mod big_integer;
 mod big_rational;
 mod bivariate;
 mod decimal;
+mod effort;
 mod factors;
 mod fixed;
 mod float;
@@ -39,7 +40,9 @@ mod whole;
 mod words;
 
 pub(crate) use bivariate::{Bilinear, Bivariate};
-pub use decimal::decimal;
+pub use decimal::{decimal, decimal_neighbours, settled_digits};
+pub use effort::effort;
+pub(crate) use effort::spend;
 pub use fixed::{Fixed, Width};
 pub use float::{exact_value, ulp};
 pub(crate) use fraction::over_one_denominator;

@@ -325,6 +325,7 @@ impl Ring for Multivariate {
         Self { terms: merged(self.terms.iter().cloned(), negated) }
     }
     fn times(&self, rhs: &Self) -> Self {
+        super::spend();
         Self { terms: product(&self.terms, &rhs.terms) }
     }
     fn negate(&self) -> Self {

@@ -40,6 +40,7 @@ impl Cases {
         Ok(match &search.space {
             Space::Exhaustive(limits) => Self::Exhaustive(Exhaustive::new(degree, limits)?),
             Space::Random(sample) => Self::Random(Random::new(degree, sample)?),
+            Space::Indices(sample) => Self::Random(Random::with_indices(degree, sample)?),
         })
     }
 

@@ -4,7 +4,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 
 use crate::analysis::{Monotonicity, Route};
-use crate::scalar::Polynomial;
+use crate::scalar::{Polynomial, spend};
 
 use super::candidate::Candidate;
 
@@ -38,6 +38,7 @@ pub enum Means {
 /// ```
 #[must_use]
 pub fn local_maxima(candidate: &Candidate) -> Count {
+    spend();
     let function = Monotonicity::of(&candidate.local_knots());
     let by_intervals = function.spans().iter().all(|span| span.route != Route::Integers);
     let by = if by_intervals { Means::Intervals } else { Means::Exact };

@@ -1,6 +1,8 @@
 //! What a search has found: shrunk, each once, with a witness and the command that shows it.
 
+use std::cmp::Reverse;
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
@@ -9,8 +11,10 @@ use crate::analysis::ExtremumKind;
 use crate::scalar::{BigRational, parse_rational};
 use crate::spline::Index;
 
+use super::audit::Fault;
 use super::candidate::Candidate;
 use super::decide::local_maxima;
+use super::dip::Dip;
 use super::equal::{Crossing, Side};
 use super::extrema::turns;
 use super::shrink::{shrink, smaller_gaps};
@@ -26,13 +30,33 @@ pub struct Finding {
     candidate: Candidate,
     maxima: usize,
     crossing: Option<Crossing>,
+    /// Where findings are in the order of their dips, that.
+    dip: Option<Dip>,
 }
 
-/// Findings, each once, in the order of candidates. How it was put together does not matter: each operation is
+/// The order of findings, and what they are known by.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+struct Key {
+    /// The deepest dip comes first.
+    depth: Reverse<Option<BigRational>>,
+    candidate: Candidate,
+}
+
+/// What a case has to reach to be of interest beside the findings that are there.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Bar {
+    maxima: usize,
+    depth: Option<BigRational>,
+}
+
+/// How many of the deepest functions are kept.
+pub const DEEPEST_KEPT: usize = 10;
+
+/// Findings, each once, in the order of candidates, or of their dips if these are looked for. How it was put together does not matter: each operation is
 /// commutative and associative.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Findings {
-    entries: BTreeMap<Candidate, Entry>,
+    entries: BTreeMap<Key, Entry>,
 }
 
 /// A finding with its record, which takes longer to compute than everything else.
@@ -78,6 +102,8 @@ pub struct Witness {
     pub local_maxima: usize,
     /// From left to right.
     pub extrema: Vec<ExtremumRecord>,
+    /// Bounds of its [`Dip`], decimals of ten digits, equal if it is known exactly.
+    pub dip: [String; 2],
     /// For equal maxima: the proof that they exist at some index of an interval.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub equal: Option<EqualRecord>,
@@ -135,28 +161,27 @@ pub enum FindingError {
 }
 
 impl Finding {
-    /// What a case leads to, if it has what is looked for: shrunk as far as it goes. `at_least`: the least number of
-    /// local maxima that is of interest. It depends on the goal and the case only.
+    /// What a case leads to, if it has what is looked for, and reaches the bar: shrunk as far as it goes, but for the
+    /// deepest dips, where it is the case itself. It depends on the goal and the case only.
     #[must_use]
-    pub(super) fn from_case(
-        goal: Goal,
-        candidate: &Candidate,
-        maxima: usize,
-        at_least: usize,
-    ) -> Option<Self> {
-        if maxima < at_least.max(2) {
+    pub(super) fn from_case(goal: Goal, candidate: &Candidate, maxima: usize, bar: &Bar) -> Option<Self> {
+        if maxima < bar.maxima.max(2) {
             return None;
         }
         match goal {
             Goal::Several => Some(Self::of(shrink(candidate.clone(), |c| local_maxima(c).maxima > 1))),
             Goal::Most => Some(Self::of(shrink(candidate.clone(), |c| local_maxima(c).maxima == maxima))),
             Goal::Equal => Some(Self::of_crossing(shrunk_crossing(Crossing::near(candidate)?))),
+            Goal::Deepest => {
+                let dip = Dip::at_least(candidate, bar.depth.as_ref())?;
+                Some(Self { candidate: candidate.clone(), maxima, crossing: None, dip: Some(dip) })
+            }
         }
     }
 
     fn of(candidate: Candidate) -> Self {
         let maxima = local_maxima(&candidate).maxima;
-        Self { candidate, maxima, crossing: None }
+        Self { candidate, maxima, crossing: None, dip: None }
     }
 
     fn of_crossing(crossing: Crossing) -> Self {
@@ -175,12 +200,14 @@ impl Finding {
         self.maxima
     }
 
-    /// Equal maxima are the same finding if the gaps are: any α leads to the same place.
-    fn key(&self) -> Candidate {
-        match &self.crossing {
+    /// Equal maxima are the same finding if the gaps are: any α leads to the same place. Dips with the same ten digits
+    /// count as equally deep.
+    fn key(&self) -> Key {
+        let candidate = match &self.crossing {
             None => self.candidate.clone(),
             Some(_) => Candidate::assumed(self.candidate.gaps().to_vec(), (1, 1)),
-        }
+        };
+        Key { depth: Reverse(self.dip.as_ref().map(|dip| dip.lo.clone())), candidate }
     }
 
     fn record(&self, found_at: u64, cases: u64) -> FindingRecord {
@@ -194,6 +221,9 @@ impl Finding {
             interval: <[BigRational; 2]>::from(turn.interval()).map(|x| x.to_string()),
             at_knot: turn.at_knot(),
         });
+        let dip = self.dip.clone().or_else(|| Dip::of(candidate));
+        let Some(Dip { lo, hi }) = dip else { unreachable!("between two maxima is a minimum") };
+        let dip = [lo, hi].map(|bound| bound.to_string());
         let equal = self.crossing.as_ref().map(EqualRecord::of);
         let indices = match &equal {
             None => format!("--alpha {}", candidate.index()),
@@ -213,7 +243,7 @@ impl Finding {
             knots,
             alpha: candidate.index().to_string(),
             index: full.index,
-            witness: Witness { local_maxima: self.maxima, extrema: extrema.collect(), equal },
+            witness: Witness { local_maxima: self.maxima, extrema: extrema.collect(), dip, equal },
             found_at,
             cases,
         }
@@ -240,6 +270,13 @@ fn shrunk_crossing(mut crossing: Crossing) -> Crossing {
         crossing = smaller;
     }
     crossing
+}
+
+impl FindingRecord {
+    /// The gaps and α, to name it by.
+    fn place(&self) -> (String, String) {
+        (format!("({})", self.gaps.join(", ")), self.alpha.clone())
+    }
 }
 
 impl EqualRecord {
@@ -290,10 +327,27 @@ impl Findings {
         }
     }
 
-    /// Keeps those with the largest number of local maxima.
-    pub(super) fn keep_most(&mut self) {
-        let most = self.most_maxima();
-        self.entries.retain(|_, entry| entry.finding.maxima == most);
+    /// Keeps those that count: with the largest number of local maxima, or the deepest. What goes now would go later
+    /// as well, so it does not matter when that is done.
+    pub(super) fn keep(&mut self, goal: Goal) {
+        match goal {
+            Goal::Most => {
+                let most = self.most_maxima();
+                self.entries.retain(|_, entry| entry.finding.maxima == most);
+            }
+            Goal::Deepest => while self.entries.len() > DEEPEST_KEPT && self.entries.pop_last().is_some() {},
+            Goal::Several | Goal::Equal => {}
+        }
+    }
+
+    /// What a case has to reach, or [`keep`](Self::keep) would drop it.
+    pub(super) fn bar(&self, goal: Goal) -> Bar {
+        let last = self.entries.last_key_value().filter(|_| self.entries.len() >= DEEPEST_KEPT);
+        match goal {
+            Goal::Most => Bar { maxima: self.most_maxima(), depth: None },
+            Goal::Deepest => Bar { maxima: 0, depth: last.and_then(|(key, _)| key.depth.0.clone()) },
+            Goal::Several | Goal::Equal => Bar::default(),
+        }
     }
 
     /// The largest number of local maxima of a finding; 0 if there is none.
@@ -314,14 +368,53 @@ impl Findings {
         self.entries.is_empty()
     }
 
-    /// The findings, smallest first.
+    /// The findings, smallest first, or deepest first.
     pub fn iter(&self) -> impl Iterator<Item = &Finding> {
         self.entries.values().map(|entry| &entry.finding)
     }
 
-    /// Their records, smallest first.
+    /// Their records, in the same order.
     pub fn records(&self) -> impl Iterator<Item = &FindingRecord> {
         self.entries.values().map(|entry| &entry.record)
+    }
+
+    /// What is wrong with these findings, if those of the cases at some positions are `again`.
+    pub(super) fn faults(&self, again: &Self, goal: Goal, positions: &Range<u64>) -> Vec<Fault> {
+        // Whatever counts among all has to be here already.
+        let mut joined = self.clone();
+        joined.merge(again.clone());
+        joined.keep(goal);
+        let counts = again.entries.iter().filter(|(key, _)| joined.entries.contains_key(key));
+        let missing = counts.filter_map(|(key, found)| match self.entries.get(key) {
+            None => {
+                let (gaps, alpha) = found.record.place();
+                Some(Fault::Missing { gaps, alpha })
+            }
+            Some(own) => {
+                let earlier = found.record.found_at < own.record.found_at;
+                let more = found.record.cases > own.record.cases;
+                let (gaps, alpha) = own.record.place();
+                (earlier || more || found.finding.rank() < own.finding.rank())
+                    .then_some(Fault::Altered { gaps, alpha })
+            }
+        });
+        let said = self.entries.iter().filter(|(_, own)| positions.contains(&own.record.found_at));
+        let invented = said.filter_map(|(key, own)| {
+            let at = own.record.found_at;
+            let found = again.entries.get(key).is_some_and(|found| found.record.found_at == at);
+            let (gaps, alpha) = own.record.place();
+            (!found).then_some(Fault::Invented { gaps, alpha, at })
+        });
+        missing.chain(invented).collect()
+    }
+
+    /// The records that are not the same in `all`, which has the same findings.
+    pub(super) fn altered<'a>(&'a self, all: &'a Self) -> impl Iterator<Item = Fault> + 'a {
+        let differs = |(key, own): &(&Key, &Entry)| all.entries.get(key).is_none_or(|found| found != *own);
+        self.entries.iter().filter(differs).map(|(_, own)| {
+            let (gaps, alpha) = own.record.place();
+            Fault::Altered { gaps, alpha }
+        })
     }
 
     /// Adds a finding from a file, after computing all of it again.
@@ -368,6 +461,9 @@ impl Finding {
             }
             (Goal::Equal, None) => None,
             (Goal::Several | Goal::Most, _) => Some(Self::of(candidate)),
+            (Goal::Deepest, _) => {
+                Dip::of(&candidate).map(|dip| Self { dip: Some(dip), ..Self::of(candidate) })
+            }
         };
         finding.filter(|finding| finding.maxima > 1).ok_or(FindingError::Refuted)
     }

@@ -4,10 +4,10 @@ use std::ops::Range;
 
 use thiserror::Error;
 
+use super::block::Blocks;
 use super::finding::Findings;
 use super::part::{Part, Tally};
 use super::shard::Shard;
-use super::space::Goal;
 
 /// Why parts do not make up a search. Parts are called by the names that were given.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -106,8 +106,11 @@ pub fn merge(parts: Vec<(String, Part)>) -> Result<Part, MergeError> {
     if reached != whole {
         return Err(MergeError::Gap { from: reached, to: whole, positions: whole });
     }
-    let mut tally = Tally::default();
-    parts.iter().for_each(|(_, part)| tally.add(part.tally));
+    let (mut tally, mut blocks) = (Tally::default(), Blocks::new(whole));
+    for (_, part) in &parts {
+        tally.add(part.tally);
+        blocks.merge(&part.blocks);
+    }
     if tally.cases() != cases.count() {
         return Err(MergeError::Count { found: tally.cases(), expected: cases.count() });
     }
@@ -115,16 +118,14 @@ pub fn merge(parts: Vec<(String, Part)>) -> Result<Part, MergeError> {
     for (_, part) in parts {
         findings.merge(part.findings);
     }
-    if search.find == Goal::Most {
-        findings.keep_most();
-    }
-    Ok(Part { search, shard: Shard::WHOLE, cases, range: 0..whole, done: whole, tally, findings })
+    findings.keep(search.find);
+    Ok(Part { search, shard: Shard::WHOLE, cases, range: 0..whole, done: whole, tally, blocks, findings })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::search::{Limits, Sample, Search, Space};
+    use crate::search::{Goal, Limits, Sample, Search, Space};
 
     fn shards(find: Goal, space: &Space, of: usize) -> Vec<(String, Part)> {
         let search = Search { degree: 3, find, space: space.clone() };
@@ -138,7 +139,7 @@ mod tests {
 
     #[test]
     fn merged_shards_are_the_whole_search() {
-        for find in [Goal::Several, Goal::Most, Goal::Equal] {
+        for find in [Goal::Several, Goal::Most, Goal::Equal, Goal::Deepest] {
             for space in [
                 Space::Exhaustive(Limits { size: 8, gap: None, height: None }),
                 Space::Random(Sample { count: 330, seed: 3, spread: 9 }),

@@ -5,10 +5,13 @@
 //! runs in parallel, is written to text and read back at any time, and [`merge`]d with the others. Nothing but the
 //! search itself has an influence on the result, to the byte.
 
+mod audit;
+mod block;
 mod candidate;
 mod cases;
 mod compositions;
 mod decide;
+mod dip;
 mod equal;
 mod exhaustive;
 mod extrema;
@@ -21,13 +24,18 @@ mod shard;
 mod shrink;
 mod space;
 
+pub use audit::{Audit, AuditError, Difference, Draw, Fault, audit};
+pub use block::{Block, BlockRecord};
 pub use candidate::{Candidate, CandidateError, FullKnots};
 pub use cases::Cases;
 pub use compositions::Compositions;
 pub use decide::{Count, Means, local_maxima};
+pub use dip::Dip;
 pub use equal::{Crossing, Side};
 pub use exhaustive::Exhaustive;
-pub use finding::{EqualRecord, ExtremumRecord, Finding, FindingError, FindingRecord, Findings, Witness};
+pub use finding::{
+    DEEPEST_KEPT, EqualRecord, ExtremumRecord, Finding, FindingError, FindingRecord, Findings, Witness,
+};
 pub use merge::{MergeError, merge};
 pub use part::{Part, PartError, Tally};
 pub use random::Random;
@@ -35,5 +43,5 @@ pub use record::{Decided, RecordError, SummaryRecord};
 pub use shard::{Shard, ShardError};
 pub use shrink::{shrink, smaller};
 pub use space::{
-    Goal, HIGHEST_DEGREE, LARGEST_SIZE, Limits, Sample, Search, Space, SpaceError, WIDEST_SPREAD,
+    Goal, HIGHEST_DEGREE, IndexSample, LARGEST_SIZE, Limits, Sample, Search, Space, SpaceError, WIDEST_SPREAD,
 };

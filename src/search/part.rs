@@ -1,14 +1,16 @@
 //! How far a search, or a shard of it, has come, and what it has found.
 
 use std::ops::Range;
+use std::time::{Duration, Instant};
 
 use rayon::prelude::*;
 
+use super::block::{Block, Blocks};
 use super::cases::Cases;
-use super::decide::{Means, local_maxima};
-use super::finding::{Finding, Findings};
+use super::decide::local_maxima;
+use super::finding::{Bar, Finding, Findings};
 use super::shard::{Shard, ShardError};
-use super::space::{Goal, Search, SpaceError};
+use super::space::{Search, SpaceError};
 
 /// A shard of a search, or the whole of it, up to some position.
 ///
@@ -23,6 +25,7 @@ pub struct Part {
     /// The positions from the start of the range up to this one are done.
     pub(super) done: u64,
     pub(super) tally: Tally,
+    pub(super) blocks: Blocks,
     pub(super) findings: Findings,
 }
 
@@ -37,9 +40,11 @@ pub struct Tally {
     pub several: u64,
 }
 
-/// Positions in a unit of work, and units between two looks at what has been done.
-const UNIT: u64 = 64;
-const BATCH: u64 = 64;
+/// The most positions between two looks at what has been done, and the units of work into which they are cut.
+const BATCH: u64 = 4096;
+const UNITS: u64 = 64;
+/// How long a batch should take: where cases are slow it is made shorter, down to one case for each thread.
+const PAUSE: Duration = Duration::from_millis(200);
 
 impl Tally {
     /// All of them.
@@ -74,8 +79,22 @@ impl Part {
     pub fn new(search: Search, shard: Shard) -> Result<Self, PartError> {
         let cases = Cases::of(&search)?;
         let range = shard.range(cases.positions())?;
-        let done = range.start;
-        Ok(Self { search, shard, cases, range, done, tally: Tally::default(), findings: Findings::default() })
+        Ok(Self::of_range(search, shard, cases, range))
+    }
+
+    /// Any positions of a search, with nothing done.
+    pub(super) fn of_range(search: Search, shard: Shard, cases: Cases, range: Range<u64>) -> Self {
+        let (done, blocks) = (range.start, Blocks::new(cases.positions()));
+        Self {
+            search,
+            shard,
+            cases,
+            range,
+            done,
+            tally: Tally::default(),
+            blocks,
+            findings: Findings::default(),
+        }
     }
 
     /// What is searched.
@@ -126,7 +145,7 @@ impl Part {
         &self.findings
     }
 
-    /// Works on from where it is, and looks in after every few thousand positions.
+    /// Works on from where it is, and looks in after every few thousand positions, or sooner where they are slow.
     ///
     /// # Errors
     /// What the look-in returns, which stops the work; the part can be continued.
@@ -143,42 +162,42 @@ impl Part {
     /// # Ok::<(), knotproof::search::PartError>(())
     /// ```
     pub fn run<E>(&mut self, mut look_in: impl FnMut(&Self) -> Result<(), E>) -> Result<(), E> {
+        let threads = rayon::current_num_threads() as u64;
+        let mut batch = threads;
         while !self.is_complete() {
-            let end = self.range.end.min(self.done.saturating_add(UNIT * BATCH));
-            let starts: Vec<u64> = (self.done..end).step_by(usize::try_from(UNIT).unwrap_or(1)).collect();
-            // Of the largest number of maxima: what has fewer than some finding is none.
-            let at_least = match self.search.find {
-                Goal::Most => self.findings.most_maxima(),
-                Goal::Several | Goal::Equal => 0,
-            };
-            let unit = |start: &u64| self.unit(*start..end.min(start.saturating_add(UNIT)), at_least);
-            let units: Vec<Unit> = starts.par_iter().map(unit).collect();
+            let begun = Instant::now();
+            let end = self.range.end.min(self.done.saturating_add(batch));
+            let bar = self.findings.bar(self.search.find);
+            let pieces = self.blocks.pieces(self.done..end, batch / UNITS);
+            let units: Vec<Unit> = pieces.into_par_iter().map(|range| self.unit(range, &bar)).collect();
             for unit in units {
-                self.tally.add(unit.tally);
+                self.tally.add(unit.block.tally);
+                self.blocks.add(unit.number, unit.block);
                 for (position, finding) in &unit.findings {
                     self.findings.add(finding, *position);
                 }
             }
-            if self.search.find == Goal::Most {
-                self.findings.keep_most();
-            }
+            self.findings.keep(self.search.find);
             self.done = end;
             look_in(self)?;
+            // How far a batch goes has no influence on what comes out.
+            batch = match begun.elapsed() {
+                short if short < PAUSE / 2 => (batch * 2).min(BATCH.max(threads)),
+                long if long > PAUSE * 2 => (batch / 2).max(threads),
+                _ => batch,
+            };
         }
         Ok(())
     }
 
-    fn unit(&self, range: Range<u64>, at_least: usize) -> Unit {
-        let mut unit = Unit::default();
+    fn unit(&self, range: Range<u64>, bar: &Bar) -> Unit {
+        let mut unit =
+            Unit { number: self.blocks.number(range.start), block: Block::default(), findings: Vec::new() };
         for (position, candidate) in self.cases.between(range) {
             let count = local_maxima(&candidate);
-            match count.by {
-                Means::Intervals => unit.tally.by_intervals += 1,
-                Means::Exact => unit.tally.exactly += 1,
-            }
+            unit.block.count(position, &candidate, count);
             if count.maxima > 1 {
-                unit.tally.several += 1;
-                let finding = Finding::from_case(self.search.find, &candidate, count.maxima, at_least);
+                let finding = Finding::from_case(self.search.find, &candidate, count.maxima, bar);
                 unit.findings.extend(finding.map(|finding| (position, finding)));
             }
         }
@@ -186,17 +205,18 @@ impl Part {
     }
 }
 
-/// What came of some positions.
-#[derive(Debug, Default)]
+/// What came of some positions of a block.
+#[derive(Debug)]
 struct Unit {
-    tally: Tally,
+    number: u64,
+    block: Block,
     findings: Vec<(u64, Finding)>,
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::search::{Sample, Space};
+    use crate::search::{DEEPEST_KEPT, Dip, Goal, Sample, Space};
 
     #[test]
     fn the_last_position_of_all_is_searched() {
@@ -205,5 +225,20 @@ mod tests {
         let mut part = Part::new(Search { degree: 1, find: Goal::Several, space }, shard).unwrap();
         part.run(|_| Ok::<(), ()>(())).unwrap();
         assert_eq!((part.range(), part.tally().cases()), (u64::MAX - 1..u64::MAX, 1));
+    }
+
+    /// Against all dips of all cases, in order.
+    #[test]
+    fn the_deepest_are_the_deepest_of_all() {
+        let space = Space::Random(Sample { count: 4000, seed: 1, spread: 9 });
+        let search = Search { degree: 3, find: Goal::Deepest, space };
+        let mut part = Part::new(search, Shard::WHOLE).unwrap();
+        part.run(|_| Ok::<(), ()>(())).unwrap();
+        let cases = part.cases.between(0..part.cases.positions());
+        let mut dips: Vec<_> = cases.filter_map(|(_, case)| Some((Dip::of(&case)?, case))).collect();
+        dips.sort_by(|(one, first), (other, second)| other.lo.cmp(&one.lo).then_with(|| first.cmp(second)));
+        assert!(dips.len() > DEEPEST_KEPT);
+        let expected = dips.iter().take(DEEPEST_KEPT).map(|(_, case)| case);
+        assert!(part.findings.iter().map(Finding::candidate).eq(expected));
     }
 }

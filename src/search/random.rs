@@ -6,18 +6,22 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 
 use super::candidate::{Candidate, is_continuous};
-use super::space::{Sample, SpaceError, WIDEST_SPREAD};
+use super::space::{IndexSample, Sample, SpaceError, WIDEST_SPREAD};
+use crate::spline::Index;
 
 /// A random sample of one degree.
 ///
 /// A gap is 0 with probability 1/8, and otherwise m·2^e with m from 256 to 511 and e from 0 to spread − 1, all equally
 /// likely: so gaps differ by factors up to 2^spread, spread evenly over the logarithms. The ratio is m·2^e/2^h, with
 /// h = 8 + ⌊spread/2⌋, so log-spread around 1. Gaps of a function that jumps are drawn again. What is
-/// drawn for case c of a seed is the stream c of ChaCha8 with that seed; the case is the normal form.
+/// drawn for case c of a seed is the stream c of ChaCha8 with that seed; the case is the normal form. Where indices are
+/// given, each ratio is one of theirs, all equally likely.
 #[derive(Debug, Clone)]
 pub struct Random {
     degree: usize,
     sample: Sample,
+    /// (p, q) for the indices that are given, if any are.
+    ratios: Vec<(u64, u64)>,
 }
 
 impl Random {
@@ -32,7 +36,23 @@ impl Random {
         if sample.spread == 0 || sample.spread > WIDEST_SPREAD {
             return Err(SpaceError::Spread(sample.spread));
         }
-        Ok(Self { degree, sample: sample.clone() })
+        Ok(Self { degree, sample: sample.clone(), ratios: Vec::new() })
+    }
+
+    /// The same with one of some indices in each case.
+    ///
+    /// # Errors
+    /// [`SpaceError`], as for [`new`](Self::new), and for an index that is none.
+    pub(super) fn with_indices(degree: usize, sample: &IndexSample) -> Result<Self, SpaceError> {
+        let &IndexSample { ref alpha, count, seed, spread } = sample;
+        let mut random = Self::new(degree, &Sample { count, seed, spread })?;
+        let ratio = |alpha: &String| -> Option<(u64, u64)> {
+            let index: Index = alpha.parse().ok()?;
+            let short = |n: &num_bigint::BigInt| u32::try_from(n).ok().map(u64::from);
+            Some((short(index.ratio().numer())?, short(index.ratio().denom())?))
+        };
+        random.ratios = alpha.iter().map(ratio).collect::<Option<_>>().ok_or(SpaceError::Index)?;
+        if random.ratios.is_empty() { Err(SpaceError::Index) } else { Ok(random) }
     }
 
     /// The number of cases, and of positions.
@@ -56,9 +76,12 @@ impl Random {
                 *gap = if bits.is_multiple_of(8) { 0 } else { self.spread_number(bits >> 3) };
             }
         }
-        let p = self.spread_number(source.next_u64() >> 3);
-        let q = 1 << (8 + self.sample.spread / 2);
-        match Candidate::new(gaps, (p, q)) {
+        let bits = source.next_u64() >> 3;
+        let ratio = match self.ratios.as_slice() {
+            [] => (self.spread_number(bits), 1 << (8 + self.sample.spread / 2)),
+            given => given[usize::try_from(bits % given.len() as u64).unwrap_or(0)],
+        };
+        match Candidate::new(gaps, ratio) {
             Ok(candidate) => candidate.normal_form(),
             Err(_) => unreachable!("at most 17 gaps and a ratio below 2^49"),
         }
@@ -116,5 +139,23 @@ mod tests {
         assert_eq!(new(0, 9), SpaceError::NoCase);
         assert_eq!(new(1, 0), SpaceError::Spread(0));
         assert_eq!(new(1, 41), SpaceError::Spread(41));
+    }
+
+    #[test]
+    fn given_indices_are_the_only_ones() {
+        let sample = |alpha: &[&str]| IndexSample {
+            alpha: alpha.iter().map(|&alpha| alpha.to_owned()).collect(),
+            count: 300,
+            seed: 1,
+            spread: 9,
+        };
+        let random = super::Random::with_indices(3, &sample(&["-4", "3/2", "inf"])).unwrap();
+        let met: std::collections::BTreeSet<_> =
+            random.between(0..300).map(|(_, case)| case.index().to_string()).collect();
+        // 3/2 by its conjugate.
+        assert!(met.iter().eq(["-1/2", "-4", "inf"]), "{met:?}");
+        for wrong in [&[][..], &["1/2"], &["x"], &["99999999999"]] {
+            assert_eq!(super::Random::with_indices(3, &sample(wrong)).unwrap_err(), SpaceError::Index);
+        }
     }
 }

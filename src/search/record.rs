@@ -3,14 +3,17 @@
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
+use super::block::BlockRecord;
 use super::decide::local_maxima;
-use super::finding::{FindingError, FindingRecord, SCHEMA};
+use super::finding::{DEEPEST_KEPT, FindingError, FindingRecord, SCHEMA};
 use super::part::{Part, PartError, Tally};
 use super::shard::{Shard, ShardError};
 use super::space::{Goal, Search};
 
 /// The version that results carry: another one may draw or order cases differently.
 const VERSION: &str = env!("CARGO_PKG_VERSION");
+/// A digest of the sources of everything that decides a case: of two programs with the same one the same comes out.
+const DECIDES: &str = env!("KNOTPROOF_DECIDES");
 const SUMMARY: &str = "summary";
 
 /// The last line: what was searched, how far, and a checksum of it all.
@@ -23,6 +26,8 @@ pub struct SummaryRecord {
     pub record: String,
     /// The version of the program.
     pub version: String,
+    /// A digest of the sources that decide, of the program that wrote this.
+    pub decides: String,
     /// What is looked for, and where.
     pub search: Search,
     /// The number of positions of the whole space.
@@ -46,6 +51,9 @@ pub struct SummaryRecord {
     pub several: u64,
     /// The number of findings.
     pub findings: usize,
+    /// What came of each block of positions; only in a text.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub blocks: Vec<BlockRecord>,
     /// CRC-32 of the text with nothing between the quotes of the checksum, in 8 hexadecimal digits; only in a text.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub checksum: Option<String>,
@@ -77,6 +85,12 @@ pub enum RecordError {
         "it was written by version {0}, and this is version {VERSION}: search again, or use that version"
     )]
     Version(String),
+    /// The same version, built from other sources.
+    #[error(
+        "it was written by a program whose deciding sources are others ({0}, and here {DECIDES}): search again, or use \
+         that program"
+    )]
+    Decides(String),
     /// A line is no finding.
     #[error("line {line}: {error}: the file is damaged")]
     Line {
@@ -106,6 +120,7 @@ pub enum RecordError {
 struct Origin {
     schema: String,
     version: Option<String>,
+    decides: Option<String>,
 }
 
 impl Part {
@@ -121,6 +136,7 @@ impl Part {
             text.push('\n');
         }
         let mut summary = self.summary();
+        summary.blocks = self.blocks.records(&(self.range.start..self.done));
         summary.checksum = Some(String::new());
         let line = serde_json::to_string(&summary)?;
         summary.checksum = Some(format!("{:08x}", crc32fast::hash((text.clone() + &line).as_bytes())));
@@ -129,7 +145,7 @@ impl Part {
         Ok(text)
     }
 
-    /// The last line, without its checksum.
+    /// The last line, without its blocks and its checksum.
     #[must_use]
     pub fn summary(&self) -> SummaryRecord {
         let Tally { by_intervals, exactly, several } = self.tally;
@@ -137,6 +153,7 @@ impl Part {
             schema: SCHEMA.to_owned(),
             record: SUMMARY.to_owned(),
             version: VERSION.to_owned(),
+            decides: DECIDES.to_owned(),
             search: self.search.clone(),
             positions: self.cases.positions(),
             count: self.cases.count(),
@@ -148,6 +165,7 @@ impl Part {
             decided: Decided { by_intervals, exactly },
             several,
             findings: self.findings.len(),
+            blocks: Vec::new(),
             checksum: None,
         }
     }
@@ -168,6 +186,9 @@ impl Part {
         if let Some(version) = origin.version.filter(|version| version != VERSION) {
             return Err(RecordError::Version(version));
         }
+        if let Some(decides) = origin.decides.filter(|decides| decides != DECIDES) {
+            return Err(RecordError::Decides(decides));
+        }
         let summary: SummaryRecord = serde_json::from_str(last).map_err(no_summary)?;
         let shard = match &summary.shard {
             None => Ok(Shard::WHOLE),
@@ -181,6 +202,8 @@ impl Part {
         let Decided { by_intervals, exactly } = summary.decided;
         part.tally = Tally { by_intervals, exactly, several: summary.several };
         part.check_tally().map_err(RecordError::Damaged)?;
+        let done = part.range.start..part.done;
+        part.blocks.read(&summary.blocks, &done, part.tally).map_err(RecordError::Damaged)?;
         for (line, text) in (1..).zip(lines) {
             let record: FindingRecord =
                 serde_json::from_str(text).map_err(|error| RecordError::Line { line, error })?;
@@ -221,10 +244,15 @@ impl Part {
         let at = record.found_at;
         let case = (self.range.start..self.done).contains(&at);
         let case = case.then(|| self.cases.between(at..at.saturating_add(1)).next()).flatten();
-        let maxima = case.map_or(0, |(_, case)| local_maxima(&case).maxima);
+        let Some((_, case)) = case else { return Err(FindingError::Place) };
+        let maxima = local_maxima(&case).maxima;
         let leads = match self.search.find {
             Goal::Several | Goal::Equal => maxima > 1,
             Goal::Most => maxima == record.witness.local_maxima,
+            Goal::Deepest => {
+                let gaps = case.gaps().iter().map(ToString::to_string);
+                gaps.eq(record.gaps.iter().cloned()) && case.index().to_string() == record.alpha
+            }
         };
         if !leads {
             return Err(FindingError::Place);
@@ -239,8 +267,11 @@ impl Part {
         match self.search.find {
             Goal::Several if led != several => Err("the cases of the findings do not add up to `several`"),
             _ if led > several => Err("the cases of the findings add up to more than `several`"),
-            Goal::Most if led == 0 && several > 0 => {
-                Err("`several` is not 0, and there is no finding with the most local maxima")
+            Goal::Most | Goal::Deepest if led == 0 && several > 0 => Err(
+                "`several` is not 0, and there is no finding with the most local maxima or the deepest dip",
+            ),
+            Goal::Deepest if self.findings.len() > DEEPEST_KEPT => {
+                Err("there are more findings than are kept")
             }
             _ => Ok(()),
         }
@@ -261,7 +292,7 @@ mod tests {
 
     #[test]
     fn what_is_written_is_read_back() {
-        for find in [Goal::Several, Goal::Most, Goal::Equal] {
+        for find in [Goal::Several, Goal::Most, Goal::Equal, Goal::Deepest] {
             let part = part(find, 8);
             let text = part.to_text().unwrap();
             assert_eq!(text.lines().count(), part.findings().len() + 1);

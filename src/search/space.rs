@@ -25,6 +25,8 @@ pub enum Goal {
     Most,
     /// Two equal largest maxima: counterexamples to `Conj3.1.weak.continuous`.
     Equal,
+    /// The functions that fall deepest between two maxima: the first few by their [`Dip`](super::Dip).
+    Deepest,
 }
 
 /// The candidates among which it is looked for.
@@ -35,6 +37,8 @@ pub enum Space {
     Exhaustive(Limits),
     /// A random sample.
     Random(Sample),
+    /// A random sample of the gaps, with indices that are given.
+    Indices(IndexSample),
 }
 
 /// Limits on normal forms.
@@ -55,6 +59,20 @@ pub struct Limits {
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Sample {
+    /// The number of cases.
+    pub count: u64,
+    /// The seed.
+    pub seed: u64,
+    /// Gaps differ by factors up to 2^spread.
+    pub spread: u64,
+}
+
+/// A random sample in which α is one of a list.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct IndexSample {
+    /// The indices, each as likely as the others.
+    pub alpha: Vec<String>,
     /// The number of cases.
     pub count: u64,
     /// The seed.
@@ -93,6 +111,11 @@ pub enum SpaceError {
     /// A sample of nothing.
     #[error("a sample of 0 cases shows nothing: ask for 1 at least")]
     NoCase,
+    /// An index that is none, or whose ratio is too long.
+    #[error(
+        "an α of a search is less than 0 or greater than 1, or inf, with a numerator and a denominator below 2^32"
+    )]
+    Index,
     /// Gaps that do not fit.
     #[error("{0} is out of range: 1 to {WIDEST_SPREAD}")]
     Spread(u64),

@@ -15,9 +15,11 @@ use thiserror::Error;
 use crate::scalar::{Polynomial, Ring, integer, rationals_between};
 use crate::spline::{Basis, Index, KnotVector};
 
+use super::algebraic::Algebraic;
+use super::integer_polynomial::IntegerPolynomial;
 use super::local_knots::LocalKnots;
 use super::pieces::Pieces;
-use super::roots::roots_of;
+use super::roots::{IsolatedRoot, roots_of};
 use super::shape::Shape;
 use family::Family;
 use parameter::Parameter;
@@ -81,6 +83,15 @@ pub struct PartitionEnd {
     /// one of them, which has the end as its only root in the interval. For two that meet, the coefficients of
     /// u⁰, u¹, … of N: there N = ∂N/∂u = 0 at some u > 0.
     pub polynomials: Vec<Vec<BigInt>>,
+    number: Algebraic,
+}
+
+impl PartitionEnd {
+    /// The end as a number: of one where two critical points meet no more is known than the interval.
+    #[must_use]
+    pub fn number(&self) -> Algebraic {
+        self.number.clone()
+    }
 }
 
 /// Why a knot cannot be the parameter.
@@ -109,8 +120,18 @@ const DEPTH: u32 = 40;
 
 /// A cell or an end, in terms of the family's own t.
 enum Step {
-    Cell { from: BigRational, to: BigRational, local_maxima: Option<usize> },
-    End { lo: BigRational, hi: BigRational, local_maxima: usize, events: Vec<(usize, PartitionEvent)> },
+    Cell {
+        from: BigRational,
+        to: BigRational,
+        local_maxima: Option<usize>,
+    },
+    End {
+        lo: BigRational,
+        hi: BigRational,
+        root: Option<IsolatedRoot>,
+        local_maxima: usize,
+        events: Vec<(usize, PartitionEvent)>,
+    },
 }
 
 impl Partition {
@@ -224,7 +245,7 @@ impl Partition {
                     _ => self.cells.push(PartitionCell { from, to, local_maxima }),
                 }
             }
-            Step::End { lo, hi, local_maxima, events } => {
+            Step::End { lo, hi, root, local_maxima, events } => {
                 let (lo, Some(hi)) = parameter.interval(&lo, &hi) else { return };
                 // An end between two parts of the family belongs to both.
                 if self.ends.last().is_some_and(|last| last.interval == (lo.clone(), hi.clone())) {
@@ -235,7 +256,17 @@ impl Partition {
                     if *parameter == Parameter::Reciprocal { event.reversed() } else { event }
                 };
                 let events = events.into_iter().map(|(span, event)| (knot(span), turned(event))).collect();
-                self.ends.push(PartitionEnd { interval: (lo, hi), local_maxima, events, polynomials });
+                let number = match root {
+                    Some(root) => parameter.number(root),
+                    None => Algebraic::between(lo.clone(), hi.clone()),
+                };
+                self.ends.push(PartitionEnd {
+                    interval: (lo, hi),
+                    local_maxima,
+                    events,
+                    polynomials,
+                    number,
+                });
             }
         }
     }
@@ -313,7 +344,8 @@ fn steps(family: &Family, closed_at_one: bool, parameter: &Parameter, width: &Bi
             !width.is_positive() || parameter.distance(lo, hi) <= *width
         });
         steps.push(Step::Cell { from, to: lo.clone(), local_maxima: Some(below) });
-        steps.push(Step::End { lo, hi: hi.clone(), local_maxima, events });
+        let root = family.edge(&events).and_then(|edge| irrational_root(edge, &lo, &hi));
+        steps.push(Step::End { lo, hi: hi.clone(), root, local_maxima, events });
         steps.push(Step::Cell { from: hi, to, local_maxima: Some(above) });
     }
     steps.retain(|step| !matches!(step, Step::Cell { from, to, .. } if from == to));
@@ -356,4 +388,21 @@ fn isolated(
         if still_below { lo = middle } else { hi = middle }
     }
     (lo, hi)
+}
+
+/// The root of a polynomial between two rational numbers, if it is irrational.
+fn irrational_root(edge: IntegerPolynomial, lo: &BigRational, hi: &BigRational) -> Option<IsolatedRoot> {
+    let irrational = |root: &IsolatedRoot| root.clone().rational().is_none();
+    roots_of(edge).into_iter().filter(irrational).find_map(|mut root| {
+        loop {
+            let (from, to) = root.interval();
+            if *lo <= from && to <= *hi {
+                return Some(root);
+            }
+            if to < *lo || *hi < from {
+                return None;
+            }
+            root.refine();
+        }
+    })
 }

@@ -5,7 +5,10 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::Signed;
 
-use crate::scalar::{Polynomial, Ring};
+use crate::analysis::algebraic::Algebraic;
+use crate::analysis::pieces::constant;
+use crate::analysis::roots::IsolatedRoot;
+use crate::scalar::{Polynomial, RationalAlgebra, RationalFunction, Ring, integer};
 
 /// The parameter x that t stands for.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,6 +29,22 @@ impl Parameter {
             Self::Reciprocal => (hi.recip(), (!lo.is_zero()).then(|| lo.recip())),
             Self::Affine { start, length } => (start + lo * length, Some(start + hi * length)),
         }
+    }
+
+    /// x for an irrational t > 0.
+    pub(super) fn number(&self, t: IsolatedRoot) -> Algebraic {
+        let variable = || RationalFunction::variable(&integer(1));
+        let function = match self {
+            Self::Identity => variable(),
+            Self::Reciprocal => match variable().reciprocal() {
+                Some(reciprocal) => reciprocal,
+                None => unreachable!("the variable is not 0"),
+            },
+            Self::Affine { start, length } => {
+                constant(start.clone()).plus(&variable().times(&constant(length.clone())))
+            }
+        };
+        Algebraic::at(function, t)
     }
 
     /// The length of that interval, for lo > 0.

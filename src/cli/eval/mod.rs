@@ -21,6 +21,7 @@ use super::exact::Exact;
 use super::exit::Exit;
 use super::instance::{FunctionArgs, InstanceArgs, whole_number};
 use super::output::Output;
+use super::progress::Progress;
 
 pub use line::PointError;
 use point::{PointValues, Request};
@@ -146,7 +147,11 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     let index = args.function.chosen(&case.basis)?;
     let request = Request { basis: &case.basis, curve: case.curve.as_ref(), index, order: args.derivatives };
     if let Some(x) = &args.x {
-        output.result(&evaluate(&request, x, args.side, label))?;
+        let progress = Progress::new(1);
+        progress.step(&format!("at {x}"));
+        let evaluation = evaluate(&request, x, args.side, label);
+        drop(progress);
+        output.result(&evaluation)?;
     }
     if let Some(path) = &args.points_file {
         stream::evaluate_file(path, &request, args.side, output)?;

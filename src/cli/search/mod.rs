@@ -8,7 +8,8 @@ use std::{fs, io};
 
 use clap::ValueEnum;
 
-use crate::search::{Goal, Limits, Part, PartError, Sample, Search, Shard, Space, SpaceError};
+use crate::search::{Goal, IndexSample, Limits, Part, PartError, Sample, Search, Shard, Space, SpaceError};
+use crate::spline::Index;
 
 use super::atomic::write_atomically;
 use super::error::CliError;
@@ -29,6 +30,10 @@ pub(super) use text::Summary;
 ///
 /// Findings are shrunk as far as they go, and each is listed once, with the command that shows it again. The result depends on what is
 /// searched only, not on threads, shards or interruptions.
+///
+/// Each finding has its dip. At a local minimum m, with L and R the largest values to its left and to its right, the function falls by
+/// min(L, R) − m; the dip is the largest of these falls as a share of the largest value of all. `--find deepest` keeps the ten functions
+/// with the deepest dips, deepest first, as they are, unshrunk; of equal ones, to ten digits, the smaller functions.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLE, verbatim_doc_comment)]
 pub(super) struct Args {
@@ -56,6 +61,9 @@ pub(super) struct Args {
     /// Random gaps differ by factors up to 2^B, spread evenly over the logarithms, and so does the slope ratio; 9 if not given.
     #[arg(long, value_name = "B", value_parser = number, allow_hyphen_values = true)]
     spread: Option<u64>,
+    /// Random cases have this α; may be repeated, and each case has one of them. α and its conjugate 1 − α stand for each other.
+    #[arg(long, value_name = "A", allow_hyphen_values = true, requires = "count")]
+    alpha: Vec<Index>,
     /// Only part I of N, I from 0. `knotproof merge` puts the parts together.
     #[arg(long, value_name = "I/N", allow_hyphen_values = true)]
     shard: Option<String>,
@@ -76,9 +84,12 @@ Examples:
   knotproof search --degree 3
   knotproof search --degree 4 --limit 14 --limit-height 3 --format json
   knotproof search --degree 5 --find most --count 100000 --seed 1
-  knotproof search --degree 3 --find equal --limit 12 --shard 0/4 --checkpoint shard-0.jsonl
-  knotproof search --resume shard-0.jsonl
-With --format json each finding is one line, and the last line says what was searched.
+  knotproof search --degree 3 --find deepest --count 20000 --alpha -4 --alpha -1/2 --alpha -1/7
+  knotproof search --degree 3 --find equal --limit 12 --shard 0/4 --checkpoint equal-0.jsonl
+  knotproof search --resume equal-0.jsonl
+With --format json each finding is one line: `witness.dip` has bounds of its dip, decimals of ten digits. The last line says what was
+searched: `decides` is a digest of the sources that decide, and `blocks` says for each block of positions how many cases there were,
+with a digest of all of them, so that `knotproof merge --audit` can compare them with a second run.
 Exit code 1: something was found; 0: nothing.";
 
 /// What to look for.
@@ -90,6 +101,8 @@ enum Find {
     Most,
     /// Functions whose two largest maxima are equal for some α of an interval.
     Equal,
+    /// The ten functions that fall deepest between two maxima.
+    Deepest,
 }
 
 impl From<Find> for Goal {
@@ -98,6 +111,7 @@ impl From<Find> for Goal {
             Find::Several => Self::Several,
             Find::Most => Self::Most,
             Find::Equal => Self::Equal,
+            Find::Deepest => Self::Deepest,
         }
     }
 }
@@ -129,7 +143,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     let pool = pool.map_err(|error| CliError::Threads { reason: error.to_string() })?;
     let total = part.range().end - part.range().start;
     let progress = Progress::new(usize::try_from(total).unwrap_or(usize::MAX));
-    progress.reach(part.done(), "");
+    progress.reach(part.done(), &format!("{} found", part.findings().len()));
     let mut saved = Instant::now();
     pool.install(|| {
         part.run(|part| {
@@ -218,8 +232,11 @@ impl Args {
         let degree = self.degree.ok_or(CliError::Needed { argument: "--degree", purpose })?;
         let space = match self.count {
             Some(count) => {
-                let spread = self.spread.unwrap_or(DEFAULT_SPREAD);
-                Space::Random(Sample { count, seed: self.seed.unwrap_or(0), spread })
+                let (seed, spread) = (self.seed.unwrap_or(0), self.spread.unwrap_or(DEFAULT_SPREAD));
+                match self.alpha.as_slice() {
+                    [] => Space::Random(Sample { count, seed, spread }),
+                    given => Space::Indices(IndexSample { alpha: names(given), count, seed, spread }),
+                }
             }
             None if self.seed.is_some() || self.spread.is_some() => {
                 let purpose = "a seed and a spread are for random cases; say how many, such as --count 10000";
@@ -237,9 +254,12 @@ impl Args {
     /// The first option that asks for something else than what a file has.
     fn differs(&self, found: &Part, shard: Option<Shard>) -> Option<&'static str> {
         let search = found.search();
-        let (limits, sample) = match &search.space {
-            Space::Exhaustive(limits) => (Some(limits), None),
-            Space::Random(sample) => (None, Some(sample)),
+        let (limits, sample, alpha) = match &search.space {
+            Space::Exhaustive(limits) => (Some(limits), None, &[][..]),
+            Space::Random(sample) => (None, Some((sample.count, sample.seed, sample.spread)), &[][..]),
+            Space::Indices(sample) => {
+                (None, Some((sample.count, sample.seed, sample.spread)), sample.alpha.as_slice())
+            }
         };
         let differ = |given: Option<u64>, found: Option<u64>| given.is_some() && given != found;
         let options = [
@@ -248,9 +268,10 @@ impl Args {
             ("--limit", differ(self.limit, limits.map(|limits| limits.size))),
             ("--limit-gap", differ(self.limit_gap, limits.and_then(|limits| limits.gap))),
             ("--limit-height", differ(self.limit_height, limits.and_then(|limits| limits.height))),
-            ("--count", differ(self.count, sample.map(|sample| sample.count))),
-            ("--seed", differ(self.seed, sample.map(|sample| sample.seed))),
-            ("--spread", differ(self.spread, sample.map(|sample| sample.spread))),
+            ("--count", differ(self.count, sample.map(|(count, _, _)| count))),
+            ("--seed", differ(self.seed, sample.map(|(_, seed, _)| seed))),
+            ("--spread", differ(self.spread, sample.map(|(_, _, spread)| spread))),
+            ("--alpha", !self.alpha.is_empty() && names(&self.alpha) != alpha),
             ("--shard", shard.is_some_and(|shard| shard != found.shard())),
         ];
         options.into_iter().find(|(_, differs)| *differs).map(|(option, _)| option)
@@ -269,12 +290,21 @@ fn blame(error: PartError) -> CliError {
         PartError::Space(SpaceError::NoHeight) => "--limit-height",
         PartError::Space(SpaceError::NoCase) => "--count",
         PartError::Space(SpaceError::Spread(_)) => "--spread",
+        PartError::Space(SpaceError::Index) => "--alpha",
     };
     CliError::Search { argument, error }
 }
 
+/// The indices as they stand in a result: in order, each once.
+fn names(indices: &[Index]) -> Vec<String> {
+    let mut indices: Vec<_> = indices.iter().collect();
+    indices.sort_by(|a, b| a.ratio().cmp(b.ratio()));
+    indices.dedup();
+    indices.into_iter().map(ToString::to_string).collect()
+}
+
 /// A whole number ≥ 0, also on machines that count to less.
-fn number(text: &str) -> Result<u64, WholeNumberError> {
+pub(super) fn number(text: &str) -> Result<u64, WholeNumberError> {
     let number = whole_number(text)?;
     u64::try_from(number).map_err(|_| WholeNumberError::TooLarge)
 }

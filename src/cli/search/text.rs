@@ -4,6 +4,7 @@ use std::fmt;
 
 use anstyle::Style;
 
+use crate::scalar::{parse_rational, settled_digits};
 use crate::search::{FindingRecord, Goal, Part, Space};
 
 use super::super::table::plain;
@@ -34,21 +35,25 @@ impl fmt::Display for Summary<'_> {
             Goal::Most if findings.is_empty() => "more than one local maximum".to_owned(),
             Goal::Most => format!("{} local maxima, the most of all", findings.most_maxima()),
             Goal::Equal => "two equal largest maxima for some α".to_owned(),
+            Goal::Deepest if findings.is_empty() => "more than one local maximum".to_owned(),
+            Goal::Deepest => "the deepest dips between two maxima".to_owned(),
         };
         if findings.is_empty() {
             return write!(f, "\nNone has {what}.");
         }
         writeln!(
             f,
-            "\n{HEADING}Functions with {what}: {}{HEADING:#}, shrunk, smallest first",
-            findings.len()
+            "\n{HEADING}Functions with {what}: {}{HEADING:#}, {}",
+            findings.len(),
+            if search.find == Goal::Deepest { "deepest first" } else { "shrunk, smallest first" }
         )?;
-        let mut table = plain(["gaps", "α", "maxima", "cases"].map(str::to_owned).to_vec());
+        let mut table = plain(["gaps", "α", "maxima", "dip ≈", "cases"].map(str::to_owned).to_vec());
         for record in findings.records() {
             table.add_row([
                 record.gaps.join(" "),
                 alpha(record),
                 record.witness.local_maxima.to_string(),
+                dip(record),
                 record.cases.to_string(),
             ]);
         }
@@ -56,6 +61,13 @@ impl fmt::Display for Summary<'_> {
         writeln!(f, "\n{HEADING}To see them{HEADING:#}")?;
         findings.records().try_for_each(|record| writeln!(f, "{}", record.reproduce))
     }
+}
+
+/// The dip to as many digits as its bounds settle, up to five.
+fn dip(record: &FindingRecord) -> String {
+    let [lo, hi] = record.witness.dip.each_ref().map(|bound| parse_rational(bound));
+    let both = lo.ok().zip(hi.ok());
+    both.and_then(|(lo, hi)| settled_digits(&lo, &hi, 5)).unwrap_or_else(|| record.witness.dip.join(" to "))
 }
 
 fn alpha(record: &FindingRecord) -> String {
@@ -76,6 +88,13 @@ fn space(space: &Space) -> String {
             }
             text
         }
+        Space::Indices(sample) => format!(
+            "{} random functions with α = {}, seed {}, gaps spread over factors up to 2^{}",
+            sample.count,
+            sample.alpha.join(" or "),
+            sample.seed,
+            sample.spread
+        ),
         Space::Random(sample) => format!(
             "{} random functions, seed {}, gaps and ratios spread over factors up to 2^{}",
             sample.count, sample.seed, sample.spread

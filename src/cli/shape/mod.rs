@@ -3,12 +3,15 @@
 mod partition;
 mod text;
 
+use std::ops::RangeInclusive;
+
 use num_rational::BigRational;
 use num_traits::Signed;
 use serde::Serialize;
 
 use crate::analysis::{
     Extremum, ExtremumKind, Jump, KnotSlopes, Pieces, Place, Shape as FunctionShape, knot_slopes,
+    settled_apart,
 };
 use crate::scalar::parse_rational;
 use crate::spline::Basis;
@@ -89,6 +92,10 @@ struct Turn {
     /// Is the whole interval a maximal interval of constancy?
     plateau: bool,
     value: [Exact; 2],
+    #[serde(skip)]
+    x_decimal: String,
+    #[serde(skip)]
+    value_decimal: String,
 }
 
 /// A discontinuity.
@@ -124,10 +131,15 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     }
     let bases: Vec<Basis> = subject.cases.into_iter().map(|case| case.basis).collect();
     let mut functions = Vec::new();
-    let progress = Progress::new(bases.len());
+    let chosen =
+        |basis: &Basis| Ok::<_, CliError>(args.function.chosen(basis)?.map_or(0..=basis.n(), |i| i..=i));
+    let mut steps = 0;
     for basis in &bases {
-        progress.step(&format!("α = {}", basis.index()));
-        functions.extend(shapes(basis, args.function.chosen(basis)?, &args.width));
+        steps += chosen(basis)?.count();
+    }
+    let progress = Progress::new(steps);
+    for basis in &bases {
+        functions.extend(shapes(basis, chosen(basis)?, &args.width, &progress));
     }
     drop(progress);
     let Some(first) = bases.first() else { unreachable!("an instance has an index") };
@@ -142,12 +154,17 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     Ok(if all_strong { Exit::Holds } else { Exit::Refuted })
 }
 
-/// The shape of the one function asked for, or of each.
-fn shapes(basis: &Basis, index: Option<usize>, width: &BigRational) -> Vec<Function> {
+/// The shapes of the functions asked for.
+fn shapes(
+    basis: &Basis,
+    chosen: RangeInclusive<usize>,
+    width: &BigRational,
+    progress: &Progress,
+) -> Vec<Function> {
     let pieces = Pieces::of(basis);
-    let chosen = index.map_or(0..=basis.n(), |i| i..=i);
     chosen
         .map(|i| {
+            progress.step(&format!("G_{i}, α = {}", basis.index()));
             let mut shape = FunctionShape::of(basis, &pieces, i);
             shape.refine_to(width);
             Function::new(basis, i, &shape)
@@ -166,15 +183,35 @@ impl Function {
             local_minima: shape.local_minima().count(),
             strong: shape.strong(),
             weak: shape.weak(),
-            extrema: shape.extrema().iter().map(Turn::from).collect(),
+            extrema: Turn::all(shape),
             jumps: shape.jumps().iter().map(Step::from).collect(),
             slopes: knot_slopes(basis, index).into_iter().map(Slopes::from).collect(),
         }
     }
 }
 
-impl From<&Extremum> for Turn {
-    fn from(extremum: &Extremum) -> Self {
+/// Significant digits of a decimal.
+const DIGITS: usize = 10;
+
+impl Turn {
+    /// The extrema, with decimals that tell neighbours apart.
+    fn all(shape: &FunctionShape) -> Vec<Self> {
+        let extrema = shape.extrema();
+        let mut places: Vec<_> = extrema.iter().map(Extremum::x).collect();
+        let mut values: Vec<_> = extrema.iter().map(Extremum::height).collect();
+        // Between a maximum and a minimum the function falls or rises, unless it jumps.
+        let turns_back = |at: usize| {
+            let [(_, from), (to, _)] = [&extrema[at], &extrema[at + 1]].map(|turn| turn.place.interval());
+            let jumps = shape.jumps().iter().any(|jump| *from <= jump.at && jump.at <= *to);
+            extrema[at].kind != extrema[at + 1].kind && !jumps
+        };
+        let places = settled_apart(&mut places, DIGITS, |_| true);
+        let values = settled_apart(&mut values, DIGITS, turns_back);
+        let decimals = places.into_iter().zip(values);
+        extrema.iter().zip(decimals).map(|(extremum, decimals)| Self::new(extremum, decimals)).collect()
+    }
+
+    fn new(extremum: &Extremum, (x_decimal, value_decimal): (String, String)) -> Self {
         let (lo, hi) = extremum.place.interval();
         let (least, most) = &extremum.value;
         Self {
@@ -186,6 +223,8 @@ impl From<&Extremum> for Turn {
             at_knot: extremum.at_knot,
             plateau: matches!(extremum.place, Place::Plateau { .. }),
             value: [least, most].map(|value| Exact(value.clone())),
+            x_decimal,
+            value_decimal,
         }
     }
 }

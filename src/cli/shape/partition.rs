@@ -5,8 +5,8 @@ use std::fmt;
 use anstyle::Style;
 use serde::Serialize;
 
-use crate::analysis::{Partition, PartitionCell, PartitionEnd, PartitionEvent};
-use crate::scalar::decimal;
+use crate::analysis::{Partition, PartitionCell, PartitionEnd, PartitionEvent, settled};
+use crate::scalar::{decimal, parse_rational};
 use crate::spline::Basis;
 
 use super::super::error::CliError;
@@ -15,7 +15,7 @@ use super::super::exit::Exit;
 use super::super::instance::Subject;
 use super::super::output::Output;
 use super::super::progress::Progress;
-use super::{Args, exact};
+use super::{Args, DIGITS, exact};
 
 /// The result: its fields are the JSON.
 #[derive(Debug, Serialize)]
@@ -72,6 +72,8 @@ struct End {
     /// For two that meet: N as a list of such polynomials, the coefficients of u⁰, u¹, …; there N = ∂N/∂u = 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     double_root_of: Option<Vec<Vec<String>>>,
+    #[serde(skip)]
+    decimal: String,
 }
 
 /// Where on a span [t_span, t_{span+1}) a critical point is.
@@ -168,13 +170,12 @@ impl From<&PartitionEnd> for End {
             events: end.events.iter().map(event).collect(),
             polynomial: if fold { None } else { polynomials.pop() },
             double_root_of: fold.then_some(polynomials),
+            decimal: settled(&mut end.number(), DIGITS),
         }
     }
 }
 
 const HEADING: Style = Style::new().bold();
-/// Significant digits of an approximation.
-const DIGITS: usize = 10;
 
 impl fmt::Display for Partitions {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -202,15 +203,15 @@ impl fmt::Display for Function {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for cell in &self.cells {
             let (Bounds::Ratio([from, to]) | Bounds::Knot([from, to])) = &cell.bounds;
-            let near =
-                |bound: &Option<Exact>| bound.as_ref().map_or("∞".to_owned(), |x| decimal(&x.0, DIGITS));
             match cell.local_maxima {
                 Some(1) => write!(f, "1 local maximum ")?,
                 Some(maxima) => write!(f, "{maxima} local maxima ")?,
                 None => write!(f, "undecided ")?,
             }
-            writeln!(f, "between {} and {}", near(from), near(to))?;
-            for end in self.ends.iter().filter(|end| Some(&end.interval[0]) == to.as_ref()) {
+            let before = self.ends.iter().find(|end| Some(&end.interval[1]) == from.as_ref());
+            let after = self.ends.iter().find(|end| Some(&end.interval[0]) == to.as_ref());
+            writeln!(f, "between {} and {}", near(from, before), near(to, after))?;
+            if let Some(end) = after {
                 let [lo, hi] = &end.interval;
                 if lo == hi {
                     write!(f, "  at {lo}: ")?;
@@ -229,5 +230,17 @@ impl fmt::Display for Function {
             }
         }
         Ok(())
+    }
+}
+
+/// A bound of a cell: the end of the partition that is there, or a rational number, or ∞.
+fn near(bound: &Option<Exact>, end: Option<&End>) -> String {
+    match (bound, end) {
+        (_, Some(end)) if end.interval[0] != end.interval[1] => format!("≈ {}", end.decimal),
+        (None, _) => "∞".to_owned(),
+        (Some(Exact(x)), _) => {
+            let text = decimal(x, DIGITS);
+            if parse_rational(&text).as_ref() == Ok(x) { text } else { format!("≈ {text}") }
+        }
     }
 }

@@ -4,15 +4,11 @@ use std::fmt;
 
 use anstyle::Style;
 
-use crate::scalar::decimal;
-
 use super::super::exact::Exact;
 use super::super::table::plain;
 use super::{Function, Shapes};
 
 const HEADING: Style = Style::new().bold();
-/// Significant digits of an approximation.
-const DIGITS: usize = 10;
 
 impl fmt::Display for Shapes {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -44,8 +40,7 @@ impl fmt::Display for Function {
                 (false, false) => "",
             };
             let place = if lo == hi { lo.to_string() } else { format!("[{lo}, {hi}]") };
-            let [value, _] = &turn.value;
-            extrema.add_row([turn.kind, &place, &near(lo), &near(value), at]);
+            extrema.add_row([turn.kind, &place, &turn.x_decimal, &turn.value_decimal, at]);
         }
         if !self.extrema.is_empty() {
             writeln!(f, "{}", extrema.trim_fmt())?;
@@ -60,10 +55,6 @@ impl fmt::Display for Function {
         }
         writeln!(f, "{}", slopes.trim_fmt())
     }
-}
-
-fn near(x: &Exact) -> String {
-    decimal(&x.0, DIGITS)
 }
 
 fn tuple(numbers: &[Exact]) -> String {

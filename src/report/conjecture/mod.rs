@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 
 use rayon::prelude::*;
 
-use crate::analysis::{Partition, PartitionCell, PartitionEnd};
+use crate::analysis::{Partition, PartitionCell, PartitionEnd, settled};
 use crate::claims::Witness;
 use crate::scalar::{BigRational, decimal, integer, parse_rational, rational};
 use crate::spline::{Basis, Index, KnotVector};
@@ -206,11 +206,11 @@ fn uniform(page: &mut String, files: &mut Vec<(String, String)>) -> Result<(), P
         (2..=*DEGREES.end()).collect::<Vec<_>>().into_par_iter().filter_map(of_degree).collect();
     let _ = writeln!(
         page,
-        "| k | two local maxima for r in | at the ends of these intervals | else |\n|---|---|---|---|"
+        "| k | two local maxima for r in (rounded) | at the ends of these intervals | else |\n|---|---|---|---|"
     );
     for (k, partition) in &partitions {
-        let cells: Vec<_> =
-            partition.cells().iter().filter(|cell| cell.local_maxima == Some(2)).map(interval).collect();
+        let two = partition.cells().iter().filter(|cell| cell.local_maxima == Some(2));
+        let cells: Vec<_> = two.map(|cell| interval(partition, cell)).collect();
         let [at_ends, elsewhere] =
             [numbers(partition.ends().iter().map(|end| Some(end.local_maxima))), numbers(others(partition))];
         let cells = if cells.is_empty() { "nowhere".to_owned() } else { cells.join(", ") };
@@ -249,9 +249,17 @@ fn numbers(list: impl Iterator<Item = Option<usize>>) -> String {
     different.into_iter().map(word).collect::<Vec<_>>().join(" or ")
 }
 
-fn interval(cell: &PartitionCell) -> String {
-    let to = cell.to.as_ref().map_or_else(|| "∞".to_owned(), |to| decimal(to, 6));
-    format!("({}, {to})", decimal(&cell.from, 6))
+/// A cell by its ends, which are no rational numbers as a rule.
+fn interval(partition: &Partition, cell: &PartitionCell) -> String {
+    const DIGITS: usize = 6;
+    let end = |at: &dyn Fn(&PartitionEnd) -> bool| {
+        let end = partition.ends().iter().find(|end| at(end));
+        end.map(|end| settled(&mut end.number(), DIGITS))
+    };
+    let from = end(&|end| end.interval.1 == cell.from).unwrap_or_else(|| decimal(&cell.from, DIGITS));
+    let to = end(&|end| Some(&end.interval.0) == cell.to.as_ref());
+    let bound = || cell.to.as_ref().map_or_else(|| "∞".to_owned(), |to| decimal(to, DIGITS));
+    format!("({from}, {})", to.unwrap_or_else(bound))
 }
 
 fn drawn(cell: &PartitionCell) -> Option<Cell> {
