@@ -24,7 +24,8 @@ const IDS: &[&str] = &[
     "Ill5.7.shift", "Rem5.2", "Ill5.8.symmetry", "Ill5.8.double", "Ill5.8.fig29", "Ill5.8.multiplicity",
     "proof.T3.5.2.cover", "proof.P4.1.1.iff", "proof.P3.2.induction", "X.G1", "X.variation",
     "X.totalpositivity", "X.linear", "X.nested", "X.derivative", "X.nurbs", "X.maxima", "X.maxima.spans",
-    "X.maxima.most", "X.maxima.classical",
+    "X.maxima.most", "X.maxima.classical", "X.close", "X.order", "X.limit", "X.limit.trace", "X.limit.arc",
+    "X.approximation", "X.elevation", "X.condition", "X.weights",
 ];
 
 /// Judging everything takes most of a minute: the tests here share one run.

@@ -7,19 +7,23 @@
 //!
 //! One file for each part of the paper holds the conclusions and the claims made of them.
 
+mod approximation;
 mod basis;
 mod case;
 mod cause;
 mod claim;
+mod closeness;
 mod curve;
 mod drawn;
 mod formal;
+mod free_weights;
 mod hypothesis;
 mod illustrated_bases;
 mod illustrated_curves;
 mod illustrations;
 mod independence;
 mod instances;
+mod limits;
 mod maximum;
 mod questions;
 mod reflection;

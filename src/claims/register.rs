@@ -18,6 +18,10 @@ pub fn claims() -> Vec<Claim> {
         super::steps::claims(),
         super::questions::claims(),
         super::two_maxima::claims(),
+        super::closeness::claims(),
+        super::limits::claims(),
+        super::approximation::claims(),
+        super::free_weights::claims(),
     ]
     .into_iter()
     .flatten()

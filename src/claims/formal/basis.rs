@@ -24,7 +24,7 @@ pub(super) const AT_LAST_KNOT: &str = "(section (each q 1 k) (window A (- 0 (+ k
     (section (window A (- 0 k) (each s (- 0 k) -1 any) some (each s 1 k 0) (each s 1 k any)) (goals \
     (= (G 0 k (to A 0)) 1)))";
 
-const POSITIVE_INSIDE: &str = "(section (window A (- 0 k) (each s (- 0 k) -1 any) some (each s 1 k any)) (goals \
+pub(super) const POSITIVE_INSIDE: &str = "(section (window A (- 0 k) (each s (- 0 k) -1 any) some (each s 1 k any)) (goals \
     (each i (- 0 k) 0 (> (G i k (in A 0)) 0))))";
 
 /// At a knot t_0 of multiplicity q inside of the support.

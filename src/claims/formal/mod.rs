@@ -7,6 +7,8 @@
 
 use std::ops::RangeInclusive;
 
+mod action;
+mod approximation;
 mod basis;
 mod curve;
 mod derivatives;
@@ -75,6 +77,8 @@ pub fn formal(claim: &str, amended: bool) -> Option<Formal> {
         effect::formal,
         questions::formal_for_all,
         two_maxima::formal_for_all,
+        action::formal_for_all,
+        approximation::formal_for_all,
     ];
     parts.iter().find_map(|part| part(claim, amended))
 }
@@ -82,7 +86,13 @@ pub fn formal(claim: &str, amended: bool) -> Option<Formal> {
 /// What is to be proved of a claim for one degree; `None` if that is not stated formally.
 #[must_use]
 pub fn formal_for_degree(claim: &str, degree: usize) -> Option<Formal> {
-    let parts = [questions::formal, maximum::formal_for_degree, two_maxima::formal];
+    let parts = [
+        questions::formal,
+        maximum::formal_for_degree,
+        two_maxima::formal,
+        action::formal,
+        approximation::formal,
+    ];
     parts.iter().find_map(|part| part(claim, degree))
 }
 

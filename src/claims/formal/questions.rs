@@ -56,7 +56,7 @@ fn minors_2() -> String {
 }
 
 /// On one span every weight is a quotient of polynomials of degree 1 in u, the denominator with positive coefficients.
-const LINEAR_FACTORS: &str = "(section (window A (- 0 k) (each s (- 0 k) -1 any) some (each s 1 k any)) (goals (each d 1 k (each i (- 1 d) 0 \
+pub(super) const LINEAR_FACTORS: &str = "(section (window A (- 0 k) (each s (- 0 k) -1 any) some (each s 1 k any)) (goals (each d 1 k (each i (- 1 d) 0 \
     (= (* (w i d (in A 0)) (+ (* r (- (t A 0) (t A i))) (- (t A (+ i d)) (t A 0)) (* u (+ (* r (- (t A 1) (t A i))) (- (t A (+ i d)) (t A 1)))))) \
     (* r (+ (- (t A 0) (t A i)) (* u (- (t A 1) (t A i)))))) \
     (> (+ (* r (- (t A 0) (t A i))) (- (t A (+ i d)) (t A 0))) 0) (> (+ (* r (- (t A 1) (t A i))) (- (t A (+ i d)) (t A 1))) 0)))))";

@@ -8,7 +8,7 @@ use super::super::conjecture;
 use super::canvas::{PictureError, failed};
 use super::curve::Panels;
 use super::weight::Weights;
-use super::{basis, curve, slopes, weight};
+use super::{basis, curve, limit, slopes, weight};
 
 /// A figure: its name, what it shows, and the claims that it belongs to.
 #[derive(Debug)]
@@ -33,6 +33,8 @@ enum Subject {
     Curves(&'static [&'static str], Panels, bool),
     /// D⁺ − D⁻ at the knots of an instance.
     Slopes(&'static str),
+    /// The traces of an instance as α → 0⁻ and α → 1⁺.
+    Limit(&'static str),
     /// One function: degree, knots, α, i.
     Function(usize, &'static str, &'static str, usize),
 }
@@ -78,6 +80,7 @@ impl Figure {
             }
             Subject::Curves(names, panels, hull) => curve::svg(self.title, names, panels, hull),
             Subject::Slopes(name) => slopes::svg(self.title, name),
+            Subject::Limit(name) => limit::svg(self.title, name),
             Subject::Function(degree, knots, alpha, i) => {
                 let knots: Vec<_> =
                     knots.split(' ').map(parse_rational).collect::<Result<_, _>>().map_err(failed)?;
@@ -201,5 +204,11 @@ const FIGURES: &[Figure] = &[
         "G_2, k = 3, U = (0, 0, 0, 0, 1, 2, 4, 4), α = 5/2: two local maxima",
         &["Conj3.1.strong", "Conj3.1.strong.continuous"],
         Subject::Function(3, "0 0 0 0 1 2 4 4", "5/2", 2),
+    ),
+    ours(
+        "trace-limit",
+        "C5 as α → 0 and as α → 1: the trace tends to a polygon and an arc",
+        &["X.limit", "X.limit.trace", "X.limit.arc"],
+        Subject::Limit("C5"),
     ),
 ];

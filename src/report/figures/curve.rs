@@ -158,7 +158,7 @@ fn conjugate_pen(j: usize) -> Pen {
     Pen { dash: if j == 0 { Dash::Solid } else { Dash::Long }, ..Pen::nth(j) }
 }
 
-fn control_polygon(panel: &Panel<'_>, points: &[Point]) -> Drawn {
+pub(super) fn control_polygon(panel: &Panel<'_>, points: &[Point]) -> Drawn {
     let corners: Vec<_> = points.iter().map(planar).collect();
     panel.line(&corners, Pen::thin(BEHIND, Dash::Short))?;
     for corner in &corners {

@@ -9,6 +9,7 @@ pub(super) mod canvas;
 mod catalogue;
 mod curve;
 mod layout;
+mod limit;
 mod notation;
 mod png;
 pub(super) mod sample;
