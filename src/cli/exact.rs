@@ -12,6 +12,8 @@ use serde_json::Value;
 use crate::scalar::parse_rational;
 use crate::spline::Index;
 
+use super::notation::{Notation, nearest};
+
 /// A rational number: written as a string in lowest terms, read from a string or from a JSON number, which
 /// counts with all its digits (0.4 is 2/5).
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -25,7 +27,10 @@ impl fmt::Display for Exact {
 
 impl Serialize for Exact {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_str(&self.0)
+        match Notation::in_force() {
+            Notation::Float if nearest(&self.0).is_finite() => serializer.serialize_f64(nearest(&self.0)),
+            notation => serializer.collect_str(&notation.number(&self.0)),
+        }
     }
 }
 
@@ -47,6 +52,14 @@ impl JsonSchema for Exact {
             "type": ["number", "string"],
         })
     }
+}
+
+/// Numbers that were given, or that enclose another: exactly, whatever the notation of results.
+///
+/// # Errors
+/// Those of the serializer.
+pub(super) fn as_given<S: Serializer>(numbers: &impl Serialize, serializer: S) -> Result<S::Ok, S::Error> {
+    Notation::Exact.during(|| numbers.serialize(serializer))
 }
 
 /// One index or several: a number or `"inf"`, or a list of those.

@@ -6,9 +6,11 @@ use std::panic::PanicHookInfo;
 
 use anstyle::{AnsiColor, Style};
 use clap::ValueEnum;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::error::CliError;
+use super::notation::Notation;
 
 /// How results and errors are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
@@ -27,6 +29,23 @@ pub enum Format {
 #[derive(Debug, Clone, Copy)]
 pub struct Output {
     format: Format,
+    notation: Notation,
+}
+
+/// A result with what made it.
+#[derive(Serialize, JsonSchema)]
+pub(super) struct Stamped<T> {
+    #[serde(flatten)]
+    result: T,
+    /// The version of the program.
+    version: &'static str,
+}
+
+impl<T> Stamped<T> {
+    /// By this version.
+    pub(super) fn new(result: T) -> Self {
+        Self { result, version: env!("CARGO_PKG_VERSION") }
+    }
 }
 
 /// An error under `--format json`.
@@ -47,7 +66,12 @@ impl Output {
     /// Output in the given format.
     #[must_use]
     pub fn new(format: Format) -> Self {
-        Self { format }
+        Self { format, notation: Notation::Exact }
+    }
+
+    /// The same, with numbers in a notation.
+    pub(super) fn in_notation(self, notation: Notation) -> Self {
+        Self { notation, ..self }
     }
 
     /// The format asked for.
@@ -61,10 +85,10 @@ impl Output {
     /// # Errors
     /// [`CliError::Output`] if standard output takes no more, for any reason but a closed pipe.
     pub fn result<T: fmt::Display + Serialize>(&self, result: &T) -> Result<(), CliError> {
-        match self.format {
+        self.notation.during(|| match self.format {
             Format::Text => write(&result.to_string()),
-            Format::Json => self.json(result),
-        }
+            Format::Json => self.json(&Stamped::new(result)),
+        })
     }
 
     /// Writes a result that is JSON in either format.

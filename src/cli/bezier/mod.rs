@@ -9,9 +9,10 @@ use crate::analysis::RationalBezier;
 use crate::spline::{Curve, Point};
 
 use super::error::CliError;
-use super::exact::Exact;
+use super::exact::{Exact, as_given};
 use super::exit::Exit;
 use super::instance::InstanceArgs;
+use super::notation::NotationArgs;
 use super::output::Output;
 use super::progress::Progress;
 
@@ -24,6 +25,8 @@ use super::progress::Progress;
 pub(super) struct Args {
     #[command(flatten)]
     instance: InstanceArgs,
+    #[command(flatten)]
+    notation: NotationArgs,
 }
 
 const EXAMPLE: &str = r#"Examples:
@@ -39,6 +42,7 @@ const DEGREE_LIMIT: usize = 10;
 struct Conversion {
     schema: &'static str,
     degree: usize,
+    #[serde(serialize_with = "as_given")]
     knots: Vec<Exact>,
     alpha: String,
     dimension: usize,
@@ -64,6 +68,7 @@ struct Piece {
 
 /// Converts, checks and prints.
 pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
+    let output = output.in_notation(args.notation.notation()?);
     let subject = args.instance.resolve()?;
     let label = subject.label.clone();
     let case = subject.only_case()?;

@@ -5,15 +5,12 @@ use std::fmt;
 use anstyle::Style;
 use comfy_table::Table;
 
-use crate::scalar::decimal;
-
 use super::super::exact::Exact;
+use super::super::notation::Notation;
 use super::super::table::{plain, right_aligned};
 use super::{Conversion, Piece};
 
 const HEADING: Style = Style::new().bold();
-/// Significant digits of an approximation.
-const DIGITS: usize = 10;
 
 impl fmt::Display for Conversion {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -46,14 +43,15 @@ impl fmt::Display for Conversion {
 impl Piece {
     /// One row a control point: its weight and its coordinates, exact and approximately.
     fn table(&self) -> Table {
+        let notation = Notation::in_force();
         let mut table = plain(["m", "weight", "≈", "point", "≈"].map(str::to_owned).to_vec());
         for (m, (weight, point)) in self.weights.iter().zip(&self.points).enumerate() {
-            let decimals: Vec<_> = point.iter().map(|Exact(c)| decimal(c, DIGITS)).collect();
+            let decimals: Vec<_> = point.iter().map(|Exact(c)| notation.approximation(c)).collect();
             let decimals = format!("({})", decimals.join(", "));
             table.add_row([
                 m.to_string(),
                 weight.to_string(),
-                decimal(&weight.0, DIGITS),
+                notation.approximation(&weight.0),
                 tuple(point),
                 decimals,
             ]);

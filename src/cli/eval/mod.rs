@@ -17,9 +17,10 @@ use crate::scalar::parse_rational;
 use crate::spline::{Curve, Evaluator, Side};
 
 use super::error::CliError;
-use super::exact::Exact;
+use super::exact::{Exact, as_given};
 use super::exit::Exit;
 use super::instance::{FunctionArgs, InstanceArgs, whole_number};
+use super::notation::NotationArgs;
 use super::output::Output;
 use super::progress::Progress;
 
@@ -55,6 +56,8 @@ pub(super) struct Args {
     /// The highest derivative, at most 50.
     #[arg(long, value_name = "D", value_parser = whole_number, allow_hyphen_values = true, default_value = "0")]
     derivatives: usize,
+    #[command(flatten)]
+    notation: NotationArgs,
 }
 
 const EXAMPLE: &str = r#"Examples:
@@ -116,6 +119,7 @@ impl fmt::Display for OneSide {
 struct Evaluation {
     schema: &'static str,
     degree: usize,
+    #[serde(serialize_with = "as_given")]
     knots: Vec<Exact>,
     alpha: String,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -141,6 +145,8 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     if args.derivatives > DERIVATIVES_LIMIT {
         return Err(CliError::Derivatives { order: args.derivatives, limit: DERIVATIVES_LIMIT });
     }
+    let notation = args.notation.notation()?;
+    let output = output.in_notation(notation);
     let subject = args.instance.resolve()?;
     let label = subject.label.clone();
     let case = subject.only_case()?;
@@ -154,7 +160,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         output.result(&evaluation)?;
     }
     if let Some(path) = &args.points_file {
-        stream::evaluate_file(path, &request, args.side, output)?;
+        stream::evaluate_file(path, &request, args.side, notation, &output)?;
     }
     Ok(Exit::Holds)
 }

@@ -9,8 +9,9 @@ use serde::Serialize;
 use crate::spline::Evaluator;
 
 use super::super::error::CliError;
-use super::super::exact::Exact;
-use super::super::output::{Format, Output};
+use super::super::exact::{Exact, as_given};
+use super::super::notation::Notation;
+use super::super::output::{Format, Output, Stamped};
 use super::super::progress::Progress;
 use super::input::PointFile;
 use super::point::{PointValues, Request};
@@ -24,6 +25,7 @@ const PAUSE: Duration = Duration::from_millis(100);
 struct Head {
     schema: &'static str,
     degree: usize,
+    #[serde(serialize_with = "as_given")]
     knots: Vec<Exact>,
     alpha: String,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -39,6 +41,7 @@ pub(super) fn evaluate_file(
     path: &Path,
     request: &Request<'_>,
     side: OneSide,
+    notation: Notation,
     output: &Output,
 ) -> Result<(), CliError> {
     let mut file = PointFile::open(path)?;
@@ -46,7 +49,7 @@ pub(super) fn evaluate_file(
     // On one terminal the bar and the results would be in each other's way.
     let progress = (!io::stdout().is_terminal()).then(|| Progress::of_bytes(file.length()));
     let mut shown = Instant::now();
-    output.stream(|to| {
+    let write = |to: &mut dyn Write| {
         while let Some(point) = file.next()? {
             let values = request.at(&mut evaluator, point.x, point.side.unwrap_or(side));
             // Not before: an error in the first line leaves nothing on standard output.
@@ -64,7 +67,8 @@ pub(super) fn evaluate_file(
             }
         }
         Ok(())
-    })
+    };
+    notation.during(|| output.stream(write))
 }
 
 fn write_json(
@@ -77,7 +81,7 @@ fn write_json(
         let basis = request.basis;
         let (knots, alpha) = (exact(basis.knots().knots()), basis.index().to_string());
         let head = Head { schema: SCHEMA, degree: basis.degree(), knots, alpha, index: request.index };
-        write_line(to, &head)?;
+        write_line(to, &Stamped::new(head))?;
     }
     write_line(to, values)
 }
@@ -93,10 +97,11 @@ fn write_csv(to: &mut dyn Write, request: &Request<'_>, values: &PointValues, fi
         writeln!(to, "{}", columns(request).join(","))?;
     }
     let side = values.side;
-    write!(to, "{},{side}", values.x)?;
+    let notation = Notation::in_force();
+    write!(to, "{},{side}", notation.number(&values.x.0))?;
     let curve = values.curve.iter().chain(&values.curve_derivatives);
     for value in std::iter::once(&values.values).chain(&values.derivatives).chain(curve).flatten() {
-        write!(to, ",{value}")?;
+        write!(to, ",{}", notation.number(&value.0))?;
     }
     to.write_all(b"\n")
 }

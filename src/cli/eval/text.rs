@@ -5,15 +5,12 @@ use std::fmt;
 use anstyle::Style;
 use comfy_table::Table;
 
-use crate::scalar::decimal;
-
 use super::super::exact::Exact;
+use super::super::notation::Notation;
 use super::super::table::{plain, right_aligned};
 use super::{Evaluation, Level, OneSide};
 
 const HEADING: Style = Style::new().bold();
-/// Significant digits of an approximation.
-const DIGITS: usize = 10;
 
 impl fmt::Display for Evaluation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -70,7 +67,12 @@ impl Evaluation {
         let mut table = plain(["i", "support", heading, "≈"].map(str::to_owned).to_vec());
         for (i, value) in (self.index.unwrap_or(0)..).zip(values) {
             let support = format!("[{}, {}]", self.knots[i], self.knots[i + self.degree + 1]);
-            table.add_row([i.to_string(), support, value.to_string(), decimal(&value.0, DIGITS)]);
+            table.add_row([
+                i.to_string(),
+                support,
+                value.to_string(),
+                Notation::in_force().approximation(&value.0),
+            ]);
         }
         right_aligned(&mut table, 0);
         table
@@ -83,7 +85,7 @@ impl Evaluation {
             std::iter::once(curve).chain(self.at.curve_derivatives.iter().map(Vec::as_slice)).enumerate()
         {
             let name = if order == 0 { "G(x)".to_owned() } else { derivative("G", order) };
-            let decimals = coordinates.iter().map(|c| decimal(&c.0, DIGITS)).collect();
+            let decimals = coordinates.iter().map(|c| Notation::in_force().approximation(&c.0)).collect();
             table.add_row([name, point(coordinates), tuple(decimals)]);
         }
         table

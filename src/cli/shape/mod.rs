@@ -11,15 +11,15 @@ use serde::Serialize;
 
 use crate::analysis::{
     Extremum, ExtremumKind, Jump, KnotSlopes, Pieces, Place, Shape as FunctionShape, knot_slopes,
-    settled_apart,
 };
 use crate::scalar::parse_rational;
 use crate::spline::Basis;
 
 use super::error::CliError;
-use super::exact::Exact;
+use super::exact::{Exact, as_given};
 use super::exit::Exit;
 use super::instance::{FunctionArgs, InstanceArgs, whole_number};
+use super::notation::{Decimal, Notation, NotationArgs};
 use super::output::Output;
 use super::progress::Progress;
 
@@ -41,6 +41,8 @@ pub(super) struct Args {
     /// The knot t_J moves between its two neighbours: all its places, by the number of local maxima.
     #[arg(long, value_name = "J", value_parser = whole_number, allow_hyphen_values = true)]
     free_knot: Option<usize>,
+    #[command(flatten)]
+    notation: NotationArgs,
 }
 
 const EXAMPLE: &str = r#"With --alpha all: every slope ratio r = α/(α − 1) in (0, ∞), by the number of local maxima; with --free-knot J, every
@@ -61,6 +63,7 @@ Examples:
 struct Shapes {
     schema: &'static str,
     degree: usize,
+    #[serde(serialize_with = "as_given")]
     knots: Vec<Exact>,
     functions: Vec<Function>,
     #[serde(skip)]
@@ -87,15 +90,17 @@ struct Function {
 #[derive(Debug, Serialize)]
 struct Turn {
     kind: &'static str,
+    #[serde(serialize_with = "as_given")]
     interval: [Exact; 2],
+    /// Settled digits of the place.
+    x: Decimal,
     at_knot: bool,
     /// Is the whole interval a maximal interval of constancy?
     plateau: bool,
+    #[serde(serialize_with = "as_given")]
     value: [Exact; 2],
-    #[serde(skip)]
-    x_decimal: String,
-    #[serde(skip)]
-    value_decimal: String,
+    /// Settled digits of the value there.
+    height: Decimal,
 }
 
 /// A discontinuity.
@@ -119,15 +124,17 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     if !args.width.is_positive() {
         return Err(CliError::Width(args.width.clone()));
     }
+    let notation = args.notation.notation()?;
+    let output = &output.in_notation(notation);
     if let Some(every_index) = args.instance.every_index() {
         return match args.free_knot {
-            None => partition::by_ratio(args, every_index.resolve()?, output),
+            None => partition::by_ratio(args, every_index.resolve()?, notation, output),
             Some(_) => Err(CliError::TwoParameters),
         };
     }
     let subject = args.instance.resolve()?;
     if let Some(knot) = args.free_knot {
-        return partition::by_knot(args, subject, knot, output);
+        return partition::by_knot(args, subject, knot, notation, output);
     }
     let bases: Vec<Basis> = subject.cases.into_iter().map(|case| case.basis).collect();
     let mut functions = Vec::new();
@@ -139,7 +146,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     }
     let progress = Progress::new(steps);
     for basis in &bases {
-        functions.extend(shapes(basis, chosen(basis)?, &args.width, &progress));
+        functions.extend(shapes(basis, chosen(basis)?, &args.width, notation, &progress));
     }
     drop(progress);
     let Some(first) = bases.first() else { unreachable!("an instance has an index") };
@@ -159,6 +166,7 @@ fn shapes(
     basis: &Basis,
     chosen: RangeInclusive<usize>,
     width: &BigRational,
+    notation: Notation,
     progress: &Progress,
 ) -> Vec<Function> {
     let pieces = Pieces::of(basis);
@@ -167,13 +175,13 @@ fn shapes(
             progress.step(&format!("G_{i}, α = {}", basis.index()));
             let mut shape = FunctionShape::of(basis, &pieces, i);
             shape.refine_to(width);
-            Function::new(basis, i, &shape)
+            Function::new(basis, i, &shape, notation)
         })
         .collect()
 }
 
 impl Function {
-    fn new(basis: &Basis, index: usize, shape: &FunctionShape) -> Self {
+    fn new(basis: &Basis, index: usize, shape: &FunctionShape, notation: Notation) -> Self {
         let (from, to) = basis.support(index);
         Self {
             index,
@@ -183,19 +191,16 @@ impl Function {
             local_minima: shape.local_minima().count(),
             strong: shape.strong(),
             weak: shape.weak(),
-            extrema: Turn::all(shape),
+            extrema: Turn::all(shape, notation),
             jumps: shape.jumps().iter().map(Step::from).collect(),
             slopes: knot_slopes(basis, index).into_iter().map(Slopes::from).collect(),
         }
     }
 }
 
-/// Significant digits of a decimal.
-const DIGITS: usize = 10;
-
 impl Turn {
     /// The extrema, with decimals that tell neighbours apart.
-    fn all(shape: &FunctionShape) -> Vec<Self> {
+    fn all(shape: &FunctionShape, notation: Notation) -> Vec<Self> {
         let extrema = shape.extrema();
         let mut places: Vec<_> = extrema.iter().map(Extremum::x).collect();
         let mut values: Vec<_> = extrema.iter().map(Extremum::height).collect();
@@ -205,13 +210,13 @@ impl Turn {
             let jumps = shape.jumps().iter().any(|jump| *from <= jump.at && jump.at <= *to);
             extrema[at].kind != extrema[at + 1].kind && !jumps
         };
-        let places = settled_apart(&mut places, DIGITS, |_| true);
-        let values = settled_apart(&mut values, DIGITS, turns_back);
+        let places = notation.settled_apart(&mut places, |_| true);
+        let values = notation.settled_apart(&mut values, turns_back);
         let decimals = places.into_iter().zip(values);
         extrema.iter().zip(decimals).map(|(extremum, decimals)| Self::new(extremum, decimals)).collect()
     }
 
-    fn new(extremum: &Extremum, (x_decimal, value_decimal): (String, String)) -> Self {
+    fn new(extremum: &Extremum, (x, height): (Decimal, Decimal)) -> Self {
         let (lo, hi) = extremum.place.interval();
         let (least, most) = &extremum.value;
         Self {
@@ -223,8 +228,8 @@ impl Turn {
             at_knot: extremum.at_knot,
             plateau: matches!(extremum.place, Place::Plateau { .. }),
             value: [least, most].map(|value| Exact(value.clone())),
-            x_decimal,
-            value_decimal,
+            x,
+            height,
         }
     }
 }

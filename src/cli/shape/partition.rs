@@ -5,23 +5,25 @@ use std::fmt;
 use anstyle::Style;
 use serde::Serialize;
 
-use crate::analysis::{Partition, PartitionCell, PartitionEnd, PartitionEvent, settled};
-use crate::scalar::{decimal, parse_rational};
+use crate::analysis::{Partition, PartitionCell, PartitionEnd, PartitionEvent};
+use crate::scalar::parse_rational;
 use crate::spline::Basis;
 
 use super::super::error::CliError;
-use super::super::exact::Exact;
+use super::super::exact::{Exact, as_given};
 use super::super::exit::Exit;
 use super::super::instance::Subject;
+use super::super::notation::{Decimal, Notation};
 use super::super::output::Output;
 use super::super::progress::Progress;
-use super::{Args, DIGITS, exact};
+use super::{Args, exact};
 
 /// The result: its fields are the JSON.
 #[derive(Debug, Serialize)]
 struct Partitions {
     schema: &'static str,
     degree: usize,
+    #[serde(serialize_with = "as_given")]
     knots: Vec<Exact>,
     #[serde(skip_serializing_if = "Option::is_none")]
     free_knot: Option<usize>,
@@ -54,12 +56,13 @@ struct Cell {
 #[serde(rename_all = "lowercase")]
 enum Bounds {
     /// `null` for ∞.
-    Ratio([Option<Exact>; 2]),
-    Knot([Option<Exact>; 2]),
+    Ratio(#[serde(serialize_with = "as_given")] [Option<Exact>; 2]),
+    Knot(#[serde(serialize_with = "as_given")] [Option<Exact>; 2]),
 }
 
 #[derive(Debug, Serialize)]
 struct End {
+    #[serde(serialize_with = "as_given")]
     interval: [Exact; 2],
     local_maxima: usize,
     /// `knot` for critical points that pass one, `fold` for two that meet.
@@ -72,8 +75,8 @@ struct End {
     /// For two that meet: N as a list of such polynomials, the coefficients of u⁰, u¹, …; there N = ∂N/∂u = 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     double_root_of: Option<Vec<Vec<String>>>,
-    #[serde(skip)]
-    decimal: String,
+    /// Its settled digits.
+    at: Decimal,
 }
 
 /// Where on a span [t_span, t_{span+1}) a critical point is.
@@ -84,19 +87,32 @@ struct Event {
 }
 
 /// Every slope ratio.
-pub(super) fn by_ratio(args: &Args, subject: Subject, output: &Output) -> Result<Exit, CliError> {
-    print(args, subject, None, output, |basis, i| Ok(Partition::by_ratio(basis, i, &args.width)))
+pub(super) fn by_ratio(
+    args: &Args,
+    subject: Subject,
+    notation: Notation,
+    output: &Output,
+) -> Result<Exit, CliError> {
+    print(args, subject, (None, notation), output, |basis, i| Ok(Partition::by_ratio(basis, i, &args.width)))
 }
 
 /// Every place of one knot.
-pub(super) fn by_knot(args: &Args, subject: Subject, knot: usize, output: &Output) -> Result<Exit, CliError> {
-    print(args, subject, Some(knot), output, |basis, i| Ok(Partition::by_knot(basis, i, knot, &args.width)?))
+pub(super) fn by_knot(
+    args: &Args,
+    subject: Subject,
+    knot: usize,
+    notation: Notation,
+    output: &Output,
+) -> Result<Exit, CliError> {
+    print(args, subject, (Some(knot), notation), output, |basis, i| {
+        Ok(Partition::by_knot(basis, i, knot, &args.width)?)
+    })
 }
 
 fn print(
     args: &Args,
     subject: Subject,
-    free_knot: Option<usize>,
+    (free_knot, notation): (Option<usize>, Notation),
     output: &Output,
     partition: impl Fn(&Basis, usize) -> Result<Partition, CliError>,
 ) -> Result<Exit, CliError> {
@@ -107,7 +123,7 @@ fn print(
         let progress = Progress::new(chosen.clone().count());
         for i in chosen {
             progress.step(&format!("G_{i}"));
-            functions.push(Function::new(basis, i, free_knot, &partition(basis, i)?));
+            functions.push(Function::new(basis, i, (free_knot, notation), &partition(basis, i)?));
         }
     }
     let Some(first) = subject.cases.first() else { unreachable!("an instance has an index") };
@@ -131,7 +147,12 @@ fn print(
 }
 
 impl Function {
-    fn new(basis: &Basis, index: usize, free_knot: Option<usize>, partition: &Partition) -> Self {
+    fn new(
+        basis: &Basis,
+        index: usize,
+        (free_knot, notation): (Option<usize>, Notation),
+        partition: &Partition,
+    ) -> Self {
         let bounds = |range| if free_knot.is_some() { Bounds::Knot(range) } else { Bounds::Ratio(range) };
         let cell = |cell: &PartitionCell| Cell {
             bounds: bounds([Some(Exact(cell.from.clone())), cell.to.clone().map(Exact)]),
@@ -144,13 +165,13 @@ impl Function {
             alpha: free_knot.map(|_| basis.index().to_string()),
             strong: if several { Some(false) } else { partition.is_decided().then_some(true) },
             cells: partition.cells().iter().map(cell).collect(),
-            ends: partition.ends().iter().map(End::from).collect(),
+            ends: partition.ends().iter().map(|end| End::new(end, notation)).collect(),
         }
     }
 }
 
-impl From<&PartitionEnd> for End {
-    fn from(end: &PartitionEnd) -> Self {
+impl End {
+    fn new(end: &PartitionEnd, notation: Notation) -> Self {
         let (lo, hi) = &end.interval;
         let mut polynomials: Vec<Vec<String>> =
             end.polynomials.iter().map(|p| p.iter().map(ToString::to_string).collect()).collect();
@@ -170,7 +191,7 @@ impl From<&PartitionEnd> for End {
             events: end.events.iter().map(event).collect(),
             polynomial: if fold { None } else { polynomials.pop() },
             double_root_of: fold.then_some(polynomials),
-            decimal: settled(&mut end.number(), DIGITS),
+            at: notation.settled(&mut end.number()),
         }
     }
 }
@@ -236,10 +257,10 @@ impl fmt::Display for Function {
 /// A bound of a cell: the end of the partition that is there, or a rational number, or ∞.
 fn near(bound: &Option<Exact>, end: Option<&End>) -> String {
     match (bound, end) {
-        (_, Some(end)) if end.interval[0] != end.interval[1] => format!("≈ {}", end.decimal),
+        (_, Some(end)) if end.interval[0] != end.interval[1] => format!("≈ {}", end.at.0),
         (None, _) => "∞".to_owned(),
         (Some(Exact(x)), _) => {
-            let text = decimal(x, DIGITS);
+            let text = Notation::in_force().approximation(x);
             if parse_rational(&text).as_ref() == Ok(x) { text } else { format!("≈ {text}") }
         }
     }
