@@ -3,8 +3,8 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
 
-use knotproof::certificate::{Form, Sexp, Statement, certify_for_degree, prove};
-use knotproof::claims::{BasisCase, Cases, Claim, Form as ClaimForm, Verdict, claims, judge};
+use knotproof::certificate::{Certificate, Form, Sexp, Statement, certify, certify_for_degree, prove};
+use knotproof::claims::{Cases, Claim, Judged, Verdict, claims};
 use knotproof::scalar::{BigRational, integer, rational};
 use knotproof::spline::{Basis, Index, KnotVector, Side};
 
@@ -84,27 +84,48 @@ fn false_statements_have_no_proof() {
     }
 }
 
-/// On a few bases of each degree, so that every conclusion is run, and by which witness the two are refuted that are.
+/// The claim on the cases of degrees 1 to 3.
+fn judged(claim: &Claim) -> Judged {
+    let bases = Cases::all().bases.into_iter().filter(|case| (1..=3).contains(&case.k())).collect();
+    claim.judge(&Cases { bases, weights: Vec::new() }).unwrap()
+}
+
 #[test]
 fn the_engine_agrees() {
-    let cases: Vec<BasisCase> = Cases::all().bases.into_iter().filter(|case| case.k() <= 3).collect();
-    let judged = |form: &ClaimForm| match form {
-        ClaimForm::Basis(statement) => judge(statement, &cases).unwrap(),
-        _ => panic!("a statement about bases"),
-    };
     for id in IN_EVERY_DEGREE {
-        let verdict = judged(&claim(id).printed);
+        let verdict = judged(&claim(id)).printed;
         assert!(
             matches!(&verdict, Verdict::Proved { reach, .. } if reach.degrees == [1, 2, 3]),
             "{id}: {verdict:?}"
         );
     }
-    for (id, knots) in [("X.elevation", "(0, 0, 0, 1, 2, 2, 2)"), ("X.condition", "(0, 0, 0, 1, 1, 1)")] {
+}
+
+/// True for degree 1, and false from degree 2 on; with the smallest witness.
+#[test]
+fn what_fails_is_refuted_and_amended() {
+    for (id, knots, amended) in [
+        ("X.elevation", "(0, 0, 0, 1, 2, 2, 2)", vec![]),
+        ("X.condition", "(0, 0, 0, 1, 1, 1)", vec!["X.condition.amended"]),
+    ] {
         let claim = claim(id);
-        let Verdict::Refuted(witness) = judged(&claim.printed) else { panic!("{id}") };
+        let judged = judged(&claim);
+        let Verdict::Refuted(witness) = &judged.printed else { panic!("{id}") };
         assert!(witness.given.contains(&("U".into(), knots.into())), "{id}: {witness}");
-        let amended = judged(claim.amended.as_ref().unwrap());
-        assert!(matches!(amended, Verdict::Proved { .. }), "{id}: {amended:?}");
+        assert!(matches!(judged.amended, Some(Verdict::Proved { .. })), "{id}: {judged:?}");
+        assert_eq!(judged.sharpness, None, "{id}");
+        let by_degree: Vec<_> = judged.by_degree.iter().map(|(k, verdict)| (*k, verdict.status())).collect();
+        assert_eq!(by_degree, [(1, "proved"), (2, "refuted"), (3, "refuted")], "{id}");
+        let degrees = (1..=3).map(|k| format!("{id}.degree-{k}"));
+        let expected: Vec<_> = std::iter::once(format!("{id}.printed"))
+            .chain(amended.into_iter().map(str::to_owned))
+            .chain(degrees)
+            .collect();
+        let certificates = certify(&claim, &judged).unwrap();
+        assert_eq!(certificates.iter().map(Certificate::name).collect::<Vec<_>>(), expected);
+        for certificate in &certificates {
+            certificate.check().unwrap_or_else(|error| panic!("{error}"));
+        }
     }
 }
 

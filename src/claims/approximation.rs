@@ -43,7 +43,7 @@ fn order_one(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
 }
 
 /// Every knot once more.
-fn raised(knots: &KnotVector) -> KnotVector {
+pub(super) fn raised(knots: &KnotVector) -> KnotVector {
     knots.stop_knots().fold(knots.clone(), |raised, (t, _)| raised.with_knot(t))
 }
 
@@ -99,10 +99,10 @@ fn elevates_exactly(least: fn(k: usize) -> usize) -> impl Fn(&BasisCase, &mut Le
 }
 
 /// The coefficients of Chebyshev's polynomial T_k(2w − 1) in the Bernstein basis: (−1)^(k−i) C(2k, 2i)/C(k, i).
-fn chebyshev(k: usize) -> Vec<BigRational> {
+pub(super) fn chebyshev(k: usize) -> Vec<BigRational> {
     let coefficient = |i: usize| {
         let size = binomial(2 * k, 2 * i) / binomial(k, i);
-        if (k - i) % 2 == 0 { size } else { -size }
+        if (k - i).is_multiple_of(2) { size } else { -size }
     };
     (0..=k).map(coefficient).collect()
 }
@@ -150,6 +150,9 @@ fn well_conditioned(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
 /// 1; and Σ c_i G_i with Chebyshev's c_i is 1 at most, or less than that with c_i of which one is greater.
 fn condition_of_bernstein(greater: BigRational) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
     move |case, ledger| {
+        if !case.meets(&Bernstein) {
+            return Ok(());
+        }
         let (k, [a, b]) = (case.k(), [case.knots().first(), case.knots().last()]);
         for pieces in case.pieces().spans() {
             let (w, v) = weight(&pieces.x.embed(case.basis().index().ratio()), &pieces.x, a, b);
@@ -218,7 +221,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 "Without interior knots the condition number is that of the Bernstein basis of degree k, whatever α: its functions are the Bernstein polynomials in w, which maps [a, b] onto [0, 1]. So it is at least max C(2k, 2i)/C(k, i), 3 for k = 2, as T_k(2w − 1) shows.",
                 condition_of_bernstein(integer(1)),
             )
-            .given([Bernstein, DegreeAtLeast(1)]),
+            .given([Open, FirstSpan, LastSpan, DegreeAtLeast(1), InnerMultiplicityAtMostDegree]),
         ))
         .note("For k ≥ 2 and knots inside, no value and no bound is known here."),
     ]

@@ -25,8 +25,8 @@ pub(super) fn base_spans(case: &BasisCase) -> impl Iterator<Item = &SpanPieces> 
 /// same sum: so this is how far the two curves can be from each other at most, if neighbouring control points have
 /// a distance of 1 at most, and d_i = i attains it.
 pub(super) fn farthest(
-    above: impl Iterator<Item = Piece> + DoubleEndedIterator,
-    below: impl Iterator<Item = Piece> + DoubleEndedIterator,
+    above: impl DoubleEndedIterator<Item = Piece>,
+    below: impl DoubleEndedIterator<Item = Piece>,
     steps: usize,
     ledger: &mut Ledger,
 ) -> Option<Piece> {

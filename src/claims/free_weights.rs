@@ -3,7 +3,7 @@
 use num_bigint::BigInt;
 
 use crate::scalar::{Monomial, Multivariate, Ring};
-use crate::spline::{Active, Span, Weights, triangle};
+use crate::spline::{Active, Span, Triangle, Weights};
 
 use super::basis::name;
 use super::case::BasisCase;
@@ -12,10 +12,20 @@ use super::hypothesis::Hypothesis::DegreeAtLeast;
 use super::statement::Statement;
 use super::verdict::{Judgement, Ledger, Stop};
 
-/// Weights w_i^d on a span as variables; their complements are variables too, or 1 − w.
+/// The weights w_i^d of one degree on a span as variables; their complements are variables too, or 1 − w.
 struct Free {
     span: Span,
     related: bool,
+}
+
+/// Of the i-th function of a degree, its weight and the complement of that.
+const FUNCTION: usize = 0;
+const WEIGHT: usize = 1;
+const COMPLEMENT: usize = 2;
+
+/// i counts from the last function that lives on the span backwards.
+fn variable(i: usize, of: usize) -> Multivariate {
+    Multivariate::variable(3 * i + of)
 }
 
 impl Weights for Free {
@@ -25,42 +35,58 @@ impl Weights for Free {
         Multivariate::constant(1)
     }
 
-    fn pair(&self, i: usize, d: usize) -> (Multivariate, Multivariate) {
-        // Those of degree d belong to intervals that contain the span: i = j − d + 1, …, j.
-        let number = d * (d - 1) / 2 + self.span.index() - i;
-        let w = Multivariate::variable(2 * number);
-        let complement =
-            if self.related { self.one().minus(&w) } else { Multivariate::variable(2 * number + 1) };
+    fn pair(&self, i: usize, _: usize) -> (Multivariate, Multivariate) {
+        let from_last = self.span.index() - i;
+        let w = variable(from_last, WEIGHT);
+        let complement = if self.related { self.one().minus(&w) } else { variable(from_last, COMPLEMENT) };
         (w, complement)
     }
 }
 
-/// The functions that live on a span, as polynomials in free weights.
-fn free(case: &BasisCase, span: Span, related: bool) -> Result<Active<Multivariate>, Stop> {
-    let k = case.k();
-    // Two variables for each of the k(k + 1)/2 weights of a span.
-    if k * (k + 1) > Monomial::VARIABLES {
+/// For every degree from 1 to k: the functions of the degree before that live on a span, as variables, and those of the degree,
+/// as polynomials in these and in free weights.
+fn levels(
+    case: &BasisCase,
+    span: Span,
+    related: bool,
+) -> Result<Vec<(Active<Multivariate>, Active<Multivariate>)>, Stop> {
+    let (k, m) = (case.k(), case.knots().m());
+    if 3 * (k + 1) > Monomial::VARIABLES {
         return Err(Stop::Undecided(format!(
             "the polynomials have room for {} variables",
             Monomial::VARIABLES
         )));
     }
-    Ok(triangle(&Free { span, related }, span, k, case.knots().m()))
+    let one = Multivariate::constant(1);
+    let mut first = span.index();
+    let mut count = 1;
+    let mut levels = Vec::with_capacity(k);
+    for d in 1..=k {
+        let unknowns = (first..first + count).map(|i| variable(span.index() - i, FUNCTION)).collect();
+        let before = Active::new(first, unknowns);
+        let mut triangle = Triangle::starting_with(before.clone(), &one);
+        triangle.raise(&Free { span, related }, span, d, m);
+        let after = triangle.into_active();
+        (first, count) = (after.first(), after.values().len());
+        levels.push((before, after));
+    }
+    Ok(levels)
 }
 
-/// As polynomials in the weights and their complements, or in the weights alone, which is the false variant, all functions of a
-/// span have positive coefficients.
+/// As polynomials in the functions of the degree before, the weights and their complements, or without complements, which is the
+/// false variant, all functions of a span have positive coefficients: by induction they are positive.
 fn positive(related: bool) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
     move |case, ledger| {
         for pieces in case.pieces().spans() {
-            let functions = free(case, pieces.span, related)?;
-            for (i, g) in functions.iter() {
-                let positive = !g.is_zero() && g.terms().all(|(_, c)| *c > BigInt::ZERO);
-                if !ledger.count(usize::from(positive), 1) {
-                    let (start, end) = case.knots().ends(pieces.span);
-                    let at = [("i", i.to_string()), ("span", format!("[{start}, {end})"))];
-                    let claimed = format!("{} is a sum of products, without a minus", name(case.k(), i));
-                    return Err(case.refuted_at_large(at, claimed, "a product has a minus".into()));
+            for (d, (_, after)) in (1..).zip(levels(case, pieces.span, related)?) {
+                for (i, g) in after.iter() {
+                    let positive = !g.is_zero() && g.terms().all(|(_, c)| *c > BigInt::ZERO);
+                    if !ledger.count(usize::from(positive), 1) {
+                        let (start, end) = case.knots().ends(pieces.span);
+                        let at = [("i", i.to_string()), ("span", format!("[{start}, {end})"))];
+                        let claimed = format!("{} is a sum of products, without a minus", name(d, i));
+                        return Err(case.refuted_at_large(at, claimed, "a product has a minus".into()));
+                    }
                 }
             }
         }
@@ -68,25 +94,26 @@ fn positive(related: bool) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
     }
 }
 
-/// The sum of all functions is 1 as a polynomial in the weights, on [t_k, t_{n+1}], or `everywhere`, which is the false variant.
+/// The sum of the functions is the same for every degree, and so 1, as for degree 0: on [t_k, t_{n+1}], or `everywhere`, which is
+/// the false variant.
 fn sums_to_one(everywhere: bool) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
     move |case, ledger| {
-        let one = Multivariate::constant(1);
         let base = case.k()..=case.n();
+        let sum = |functions: &Active<Multivariate>| {
+            functions.values().iter().fold(Multivariate::constant(0), |sum, g| sum.plus(g))
+        };
         for pieces in case.pieces().spans() {
             if !everywhere && !base.contains(&pieces.span.index()) {
                 continue;
             }
-            let functions = free(case, pieces.span, true)?;
-            let sum = functions.values().iter().fold(one.zero(), |sum, g| sum.plus(g));
-            if !ledger.count(usize::from(sum == one), 1) {
-                let (start, end) = case.knots().ends(pieces.span);
-                let at = [("span", format!("[{start}, {end})"))];
-                return Err(case.refuted_at_large(
-                    at,
-                    "the sum is 1".into(),
-                    "it depends on the weights".into(),
-                ));
+            for (d, (before, after)) in (1..=case.k()).zip(levels(case, pieces.span, true)?) {
+                if !ledger.count(usize::from(sum(&before) == sum(&after)), 1) {
+                    let (start, end) = case.knots().ends(pieces.span);
+                    let at = [("span", format!("[{start}, {end})"))];
+                    let claimed =
+                        format!("the functions of degree {d} have the same sum as those of degree {}", d - 1);
+                    return Err(case.refuted_at_large(at, claimed, "it depends on the weights".into()));
+                }
             }
         }
         Ok(())
@@ -110,7 +137,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 .given([DegreeAtLeast(1)]),
             ),
         )
-        .note("The weights are taken as variables, and so are their complements: nothing else of φ is used but that both are positive inside of the interval, with sum 1."),
+        .note("By induction over the degree, with the functions of one degree, the weights and their complements as variables: nothing else of φ is used but that both are positive inside of the interval, with sum 1."),
     ]
 }
 

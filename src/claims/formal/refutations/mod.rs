@@ -1,5 +1,6 @@
 //! What refutes a claim, as goals about the witness that the engine found.
 
+mod approximation;
 mod basis;
 mod found;
 mod illustrations;
@@ -18,8 +19,13 @@ type Refuted = Option<(&'static str, String)>;
 pub(super) fn refutation(claim: &str, witness: &Witness) -> Option<Formal> {
     let found = Found::new(witness);
     let of_basis = |found| {
-        let parts =
-            [basis::refutation, maximum::refutation, illustrations::refutation, questions::refutation];
+        let parts = [
+            basis::refutation,
+            maximum::refutation,
+            illustrations::refutation,
+            questions::refutation,
+            approximation::refutation,
+        ];
         parts.iter().find_map(|part| part(claim, found))
     };
     // The witness of a claim about the weight alone has no basis.
