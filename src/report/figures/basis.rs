@@ -106,7 +106,9 @@ fn values(panel: &Panel<'_>, basis: &Basis, i: usize, shape: &Shape, pen: Pen) -
 fn top(shape: &Shape) -> Option<(f64, f64)> {
     let maxima = shape.local_maxima().map(|maximum| {
         let (lo, hi) = maximum.place.interval();
-        ((lo + hi) / integer(2), maximum.value.0.clone())
+        // Close enough to tell which of two is the higher.
+        let (height, _) = maximum.height().bounds_within(&rational(1, 1 << 60));
+        ((lo + hi) / integer(2), height)
     });
     let limits = shape.jumps().iter().map(|jump| (jump.at.clone(), jump.left.clone()));
     let higher = |a: &(BigRational, BigRational), b: &(BigRational, BigRational)| match a.1.cmp(&b.1) {
