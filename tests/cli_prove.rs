@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command as Process, Stdio};
 
 use assert_cmd::Command;
+use knotproof::certificate::Sexp;
 use knotproof::report::Baseline;
 use serde_json::{Value, json};
 
@@ -169,8 +170,8 @@ const SOME: [&str; 3] = ["P3.3.2.printed", "T3.5.1.printed", "X.nurbs.degree-2"]
 fn a_folder_of_certificates_is_checked_in_the_order_of_the_names() {
     let folder = copies(&SOME);
     let path = folder.path().to_str().unwrap();
-    let (code, found) = run(&["verify", path]);
-    assert_eq!((code, &found["schema"]), (0, &json!("knotproof.verify/1")));
+    let (code, found) = run(&["verify", "--claim", "P3.3.2", path]);
+    assert_eq!((code, &found["schema"], &found["missing"]), (0, &json!("knotproof.verify/1"), &json!([])));
     assert_eq!((&found["rejected"], &found["unknown"]), (&json!([]), &json!([])));
     let expected = json!([
         {"claim": "P3.3.2", "form": "printed", "verdict": "proved", "scope": "knots",
@@ -181,7 +182,7 @@ fn a_folder_of_certificates_is_checked_in_the_order_of_the_names() {
             "sections": 2, "steps": 12},
     ]);
     assert_eq!(found["checked"], expected);
-    let (code, found) = text(&["verify", path]);
+    let (code, found) = text(&["verify", "--claim", "P3.3.2", path]);
     assert_eq!(code, 0);
     assert!(found.lines().any(|row| words(row) == "X.nurbs degree 2 proved knots 2 12"), "{found}");
     assert!(found.ends_with("Accepted: 3; rejected: 0\n"), "{found}");
@@ -195,17 +196,58 @@ fn all_recorded_certificates_are_accepted_and_known() {
     let found: Value = serde_json::from_slice(&output.get_output().stdout).unwrap();
     assert_eq!(found["checked"].as_array().unwrap().len() * 2, names(&certs()).len());
     assert_eq!((&found["rejected"], &found["unknown"]), (&json!([]), &json!([])));
+    assert_eq!(found["missing"], json!([]));
 
     let elsewhere = tempfile::tempdir().unwrap();
     let message = refused(knotproof(&["verify"]).current_dir(elsewhere.path()), "PATH");
-    assert!(message.starts_with("PATH: cannot read proofs/certs: "), "{message}");
+    for part in ["no folder proofs/certs here", "knotproof prove --out DIR", "knotproof verify DIR"] {
+        assert!(message.contains(part), "{message}");
+    }
+}
+
+/// A folder is a set: whatever is recorded as certified has its certificate there.
+#[test]
+fn a_certificate_that_is_missing_in_a_folder_is_an_error() {
+    let folder = copies(&["P2.1.3.printed", "P2.1.3.amended", "T3.5.1.printed"]);
+    let path = folder.path().to_str().unwrap();
+    let missing = |arguments: &[&str]| {
+        let (code, found) = run(&[&["verify", path], arguments].concat());
+        assert_eq!((&found["rejected"], &found["unknown"]), (&json!([]), &json!([])), "{arguments:?}");
+        let names = found["missing"].as_array().unwrap().iter();
+        (code, names.map(|name| name.as_str().unwrap().to_owned()).collect::<Vec<_>>())
+    };
+    let recorded = names(&certs()).len() / 2;
+    let (code, found) = missing(&[]);
+    assert_eq!((code, found.len()), (1, recorded - 3));
+    // As `prove --claim` writes them.
+    assert_eq!(missing(&["--claim", "P2.1.3"]), (0, vec![]));
+    assert_eq!(missing(&["--claim", "P2.1.3", "--claim", "T3.5.1"]), (1, vec!["T3.5.1.amended".to_owned()]));
+    assert_eq!(missing(&["--foreign"]), (0, vec![]));
+    // The same statement in a file of another name is there; another statement in a file of this name is not.
+    for extension in ["statement", "proof"] {
+        let file = |name: &str| folder.path().join(format!("{name}.{extension}"));
+        fs::rename(file("P2.1.3.amended"), file("other")).unwrap();
+        fs::copy(file("T3.5.1.printed"), file("P2.1.3.printed")).unwrap();
+    }
+    assert_eq!(missing(&["--claim", "P2.1.3"]), (1, vec!["P2.1.3.printed".to_owned()]));
+    let (code, found) = text(&["verify", "--claim", "P2.1.3", path]);
+    assert_eq!(code, 1);
+    assert!(
+        found.contains("Missing, though the claim is recorded as certified: P2.1.3.printed\n"),
+        "{found}"
+    );
+    // Single files are no set.
+    let file = folder.path().join("other.statement");
+    assert_eq!(run(&["verify", file.to_str().unwrap()]).0, 0);
+    refused(&mut knotproof(&["verify", path, "--claim", "P2.1"]), "--claim");
 }
 
 #[test]
 fn single_files_and_folders_can_be_mixed() {
     let (folder, other) = (copies(&SOME[..1]), copies(&SOME));
     let file = other.path().join("T3.5.1.printed.statement");
-    let (code, found) = run(&["verify", file.to_str().unwrap(), folder.path().to_str().unwrap()]);
+    let paths = [file.to_str().unwrap(), folder.path().to_str().unwrap()];
+    let (code, found) = run(&["verify", "--claim", "P3.3.2", paths[0], paths[1]]);
     let claims: Vec<_> =
         found["checked"].as_array().unwrap().iter().map(|checked| &checked["claim"]).collect();
     assert_eq!((code, claims), (0, vec![&json!("T3.5.1"), &json!("P3.3.2")]));
@@ -258,7 +300,7 @@ fn a_false_statement_is_rejected() {
 
 /// What is proved need not be the claim: the program says whether it knows the statement.
 #[test]
-fn a_statement_that_is_true_and_not_the_program_s_is_accepted_as_unknown() {
+fn a_statement_that_is_true_and_not_the_program_s_is_an_error_unless_it_is_allowed() {
     let folder = copies(&SOME);
     let path = |name: &str| folder.path().join(name);
     // Another claim, another reading of it, other words, another reason; and a goal that says less.
@@ -278,11 +320,14 @@ fn a_statement_that_is_true_and_not_the_program_s_is_accepted_as_unknown() {
         edit(&path(&format!("Z{number}.statement")), part, instead);
     }
     let unknown: Vec<_> = (0..changes.len()).map(|number| path(&format!("Z{number}.statement"))).collect();
-    let (code, found) = run(&["verify", folder.path().to_str().unwrap()]);
+    let (code, found) = run(&["verify", "--foreign", folder.path().to_str().unwrap()]);
     assert_eq!((code, &found["rejected"], &found["unknown"]), (0, &json!([]), &json!(unknown)));
+    // One of them alone is enough.
+    assert_eq!(run(&["verify", unknown[0].to_str().unwrap()]).0, 1);
+    assert_eq!(run(&["verify", unknown[0].to_str().unwrap(), "--foreign"]).0, 0);
     assert_eq!(found["checked"].as_array().unwrap().len(), SOME.len() + changes.len(), "they are accepted");
     let (code, found) = text(&["verify", folder.path().to_str().unwrap()]);
-    assert_eq!(code, 0);
+    assert_eq!(code, 1);
     for path in unknown {
         let line =
             format!("Accepted, but not the program's own statement of the claim: {}\n", path.display());
@@ -297,8 +342,128 @@ fn a_statement_laid_out_in_another_way_is_known() {
     let path = folder.path().join("X.nurbs.degree-2.statement");
     let old = fs::read_to_string(&path).unwrap();
     fs::write(&path, old.replace("\n", "\r\n\t")).unwrap();
-    let (code, found) = run(&["verify", folder.path().to_str().unwrap()]);
+    let (code, found) = run(&["verify", path.to_str().unwrap()]);
     assert_eq!((code, &found["unknown"], &found["rejected"]), (0, &json!([]), &json!([])));
+}
+
+/// The program and the checker's own program give the same answer to whatever the bytes of a file are: accepted as the
+/// program's own statement, or rejected for the same reason, or not read at all.
+#[test]
+fn both_readers_agree_on_odd_bytes() {
+    let folder = tempfile::tempdir().unwrap();
+    let good = fs::read(certs().join("T3.5.1.printed.statement")).unwrap();
+    let text = String::from_utf8(good.clone()).unwrap();
+    let proof = fs::read(certs().join("T3.5.1.printed.proof")).unwrap();
+    let changed = |part: &str, instead: &str| {
+        assert!(text.contains(part), "{part}");
+        text.replacen(part, instead, 1).into_bytes()
+    };
+    let with = |before: &[u8], after: &[u8]| [before, &good, after].concat();
+    let nested = |depth: usize| ("(- ".repeat(depth) + "u" + &")".repeat(depth)).into_bytes();
+    let table: Vec<(&str, Vec<u8>, i32, &str)> = vec![
+        ("as it is", good.clone(), 0, ""),
+        ("CRLF", text.replace('\n', "\r\n").into_bytes(), 0, ""),
+        ("CR alone", text.replace('\n', "\r").into_bytes(), 0, ""),
+        ("tabs", text.replace(' ', "\t").replace("\t", " \t").into_bytes(), 1, "a string of visible"),
+        ("tabs between tokens", changed("(claim ", "(claim\t\t"), 0, ""),
+        ("line ends before and after", with(b"\n\r\n \t", b"\n\n \t\r"), 0, ""),
+        ("byte order mark", with(b"\xef\xbb\xbf", b""), 1, "no byte order mark"),
+        ("byte order mark inside", changed("(claim ", "(claim \u{feff} "), 1, "expected a string, a name or"),
+        ("byte order mark after", with(b"", b"\xef\xbb\xbf"), 1, "expected a string, a name or"),
+        ("UTF-16", [b"\xff\xfe(\0".as_slice()].concat(), 2, "byte 0 is not UTF-8 text"),
+        ("no UTF-8", with(b"", b"\xff"), 2, "is not UTF-8 text"),
+        ("a surrogate", with(b"", b"\xed\xa0\x80"), 2, "is not UTF-8 text"),
+        ("NUL after", with(b"", b"\0"), 1, "expected"),
+        ("NUL in a name", changed("printed", "pri\0nted"), 1, "expected"),
+        ("NUL in a text", changed("(because \"", "(because \"\0"), 1, "a string of visible"),
+        ("escape code", changed("(because \"", "(because \"\u{1b}[31m"), 1, "a string of visible"),
+        ("C1 control", changed("(because \"", "(because \"\u{9b}31m"), 1, "a string of visible"),
+        ("line end in a text", changed("(because \"", "(because \"\n"), 1, "a string of visible"),
+        ("right to left", changed("(because \"", "(because \"\u{202e}"), 1, "a string of visible"),
+        ("isolate", changed("(text \"", "(text \"\u{2067}"), 1, "a string of visible"),
+        ("no width", changed("(text \"", "(text \"\u{200b}"), 1, "a string of visible"),
+        ("line separator", changed("(text \"", "(text \"\u{2028}"), 1, "a string of visible"),
+        ("backslash", changed("(text \"", "(text \"\\"), 1, "a string of visible"),
+        ("look-alike", changed("\"T3.5.1\"", "\"\u{422}3.5.1\""), 1, "the name of a claim"),
+        ("claim in two lines", changed("\"T3.5.1\"", "\"T3.5.1\n\""), 1, "a string of visible"),
+        ("claim with more", changed("\"T3.5.1\"", "\"T3.5.1 (printed): proved\""), 1, "the name of a claim"),
+        ("wide space", changed("(claim ", "(claim\u{3000}"), 1, "expected"),
+        ("no-break space", changed("(claim ", "(claim\u{a0}"), 1, "expected"),
+        ("form feed", changed("(claim ", "(claim\u{c}"), 1, "expected"),
+        ("next line", changed("(claim ", "(claim\u{85}"), 1, "expected"),
+        ("comment", with(b"; a comment\n", b""), 1, "expected"),
+        ("comment after", with(b"", b"# a comment\n"), 1, "expected"),
+        ("two statements", with(&good, b""), 1, "expected one bracket"),
+        ("a bracket too many", with(b"", b")"), 1, "expected an opening bracket"),
+        ("a bracket too few", good[..good.len() - 3].to_vec(), 1, "expected a closing bracket"),
+        ("a quote open", with(b"", b"\""), 1, "a string of visible"),
+        ("no space before a string", changed("(claim \"", "(claim x\""), 1, "expected white space"),
+        ("no space between numbers", changed("(degrees 1)", "(degrees 1\"2\")"), 1, "expected white space"),
+        ("zeros", changed("(degrees 1)", "(degrees 01)"), 1, "expected a string, a name or"),
+        ("not in lowest terms", changed("(degrees 1)", "(degrees 2/2)"), 1, "expected a string, a name or"),
+        (
+            "a digit of another script",
+            changed("(degrees 1)", "(degrees \u{661})"),
+            1,
+            "expected a string, a name",
+        ),
+        ("minus sign", changed("(degrees 1)", "(degrees \u{2212}1)"), 1, "expected a string, a name or"),
+        (
+            "a long number",
+            changed("(degrees 1)", &format!("(degrees {})", "1".repeat(1_001))),
+            1,
+            "lowest terms",
+        ),
+        ("nothing", vec![], 1, "expected one bracket"),
+        ("white space", b" \r\n\t".to_vec(), 1, "expected one bracket"),
+        ("deep", nested(81), 1, "the nesting is beyond the limits"),
+        ("very deep", nested(200_000), 1, "the nesting is beyond the limits"),
+        ("open for ever", vec![b'('; 1_000_000], 1, "the nesting is beyond the limits"),
+        ("long", vec![b' '; 4_000_001], 2, "it is longer than 4000000 bytes"),
+    ];
+    let path = |name: &str, extension: &str| folder.path().join(format!("{name}.{extension}"));
+    for (name, bytes, code, reason) in &table {
+        fs::write(path(name, "statement"), bytes).unwrap();
+        fs::write(path(name, "proof"), &proof).unwrap();
+        let (statement, own) = (path(name, "statement"), Sexp::parse_all(&String::from_utf8_lossy(bytes)));
+        let read = knotproof_checker::read(&statement);
+        let found = match &read {
+            Err(error) => (2, error.to_string()),
+            Ok(text) => {
+                let checked = knotproof_checker::check(text, &String::from_utf8_lossy(&proof));
+                checked.map_or_else(|rejected| (1, rejected.to_string()), |_| (0, String::new()))
+            }
+        };
+        assert!(found.0 == *code && found.1.contains(reason), "{name}: {found:?}");
+        // What this package reads is read alike: a token that is none there is none here.
+        let of_tokens = reason.contains("name of a claim");
+        let one = own.is_ok_and(|items| items.len() == 1);
+        assert!(*code == 2 || one == (*code == 0 || of_tokens), "{name}");
+        let output = knotproof(&["verify", statement.to_str().unwrap()]).output().unwrap();
+        assert_eq!(output.status.code(), Some(*code), "{name}");
+        let said = [output.stdout, output.stderr].concat();
+        assert!(String::from_utf8(said).unwrap().contains(reason), "{name}");
+    }
+    // All in one call, on worker threads.
+    table.iter().filter(|row| row.2 == 2).for_each(|row| fs::remove_file(path(row.0, "statement")).unwrap());
+    let (code, found) = run(&["verify", "--foreign", folder.path().to_str().unwrap()]);
+    assert_eq!((code, &found["unknown"]), (1, &json!([])));
+    let count = |field: &str| found[field].as_array().unwrap().len();
+    let with_code = |code: i32| table.iter().filter(|row| row.2 == code).count();
+    assert_eq!((count("checked"), count("rejected")), (with_code(0), with_code(1)));
+}
+
+/// A name of a file can hold anything: what a terminal would obey is shown and not done.
+#[cfg(unix)]
+#[test]
+fn names_of_files_are_shown_and_not_obeyed() {
+    let folder = copies(&SOME[..1]);
+    let odd = folder.path().join("a\u{1b}[31m\nRejected: \u{202e}b.statement");
+    fs::write(&odd, "(").unwrap();
+    fs::write(odd.with_extension("proof"), "(").unwrap();
+    let (code, found) = text(&["verify", "--claim", "P3.3.2", folder.path().to_str().unwrap()]);
+    assert_eq!(code, 1);
+    assert!(found.contains(r"a\u{1b}[31m\nRejected: \u{202e}b.statement: statement: line 1: "), "{found}");
 }
 
 #[test]
@@ -354,6 +519,22 @@ fn nonsense_is_rejected() {
 }
 
 // explain
+
+/// Outside of a clone there are no files to cite, but a way to write them.
+#[test]
+fn a_certificate_that_is_not_here_is_not_cited_as_a_file() {
+    let elsewhere = tempfile::tempdir().unwrap();
+    let output = knotproof(&["explain", "T3.5.3"]).current_dir(elsewhere.path()).assert().code(0);
+    let found = String::from_utf8(output.get_output().stdout.clone()).unwrap();
+    assert!(!found.contains("proofs/certs"), "{found}");
+    for form in ["printed", "amended"] {
+        let line = format!(
+            "  certificate: T3.5.3.{form}, checked by engine, prover, checker; no file of it is here:\n"
+        );
+        assert!(found.contains(&line), "{found}");
+    }
+    assert_eq!(found.matches("    knotproof prove --claim T3.5.3 --out DIR writes it\n").count(), 2);
+}
 
 #[test]
 fn a_proved_claim_is_explained() {

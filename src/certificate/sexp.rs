@@ -19,6 +19,11 @@ pub enum Sexp {
     List(Vec<Sexp>),
 }
 
+/// Brackets may be nested so deep: whatever reads, prints or drops the items goes down by recursion.
+const DEPTH: usize = 80;
+/// Numbers of more characters are not read.
+const DIGITS: usize = 1_000;
+
 /// Why a text is not in this syntax.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum SyntaxError {
@@ -28,9 +33,18 @@ pub enum SyntaxError {
     /// A `)` without its `(`.
     #[error("a `)` too many")]
     Closing,
-    /// Neither a name nor a number nor a string.
+    /// Neither a name nor a number in lowest terms nor a string of visible characters.
     #[error("`{0}` is no token")]
     Token(String),
+    /// Two tokens that are not brackets, and nothing between them.
+    #[error("white space is missing before `{0}`")]
+    Space(String),
+    /// A byte order mark before the text.
+    #[error("a byte order mark stands before the text")]
+    Mark,
+    /// Brackets in brackets in brackets, too many.
+    #[error("the nesting is beyond the limits")]
+    Nesting,
     /// One item was expected.
     #[error("it has {0} items where one is expected")]
     Items(usize),
@@ -42,33 +56,38 @@ impl Sexp {
     /// # Errors
     /// [`SyntaxError`].
     pub fn parse_all(text: &str) -> Result<Vec<Self>, SyntaxError> {
+        if text.starts_with('\u{feff}') {
+            return Err(SyntaxError::Mark);
+        }
         let mut open: Vec<Vec<Self>> = vec![Vec::new()];
-        let mut rest = text.trim_start();
+        let mut rest = text.trim_start_matches(is_space);
         while let Some(first) = rest.chars().next() {
-            let after = &rest[first.len_utf8()..];
-            rest = match first {
+            let (item, after) = match first {
+                '(' if open.len() > DEPTH => return Err(SyntaxError::Nesting),
                 '(' => {
                     open.push(Vec::new());
-                    after
+                    rest = rest[1..].trim_start_matches(is_space);
+                    continue;
                 }
                 ')' => {
                     let list = open.pop().filter(|_| !open.is_empty()).ok_or(SyntaxError::Closing)?;
-                    push(&mut open, Self::List(list));
-                    after
+                    (Self::List(list), &rest[1..])
                 }
                 '"' => {
-                    let (text, after) = after.split_once('"').ok_or(SyntaxError::End)?;
-                    push(&mut open, Self::Text(text.to_owned()));
-                    after
+                    let (text, after) = rest[1..].split_once('"').ok_or(SyntaxError::End)?;
+                    (Self::quoted(text)?, after)
                 }
                 _ => {
-                    let end = rest.find(|c: char| c.is_whitespace() || matches!(c, '(' | ')' | '"'));
-                    let (token, after) = rest.split_at(end.unwrap_or(rest.len()));
-                    push(&mut open, Self::token(token)?);
-                    after
+                    let end = rest.find(|c| ends_token(c) || c == '"').unwrap_or(rest.len());
+                    let (token, after) = rest.split_at(end);
+                    (Self::token(token)?, after)
                 }
+            };
+            if first != ')' && !after.is_empty() && !after.starts_with(ends_token) {
+                return Err(SyntaxError::Space(after.chars().take(20).collect()));
             }
-            .trim_start();
+            push(&mut open, item);
+            rest = after.trim_start_matches(is_space);
         }
         match (open.pop(), open.is_empty()) {
             (Some(items), true) => Ok(items),
@@ -79,8 +98,13 @@ impl Sexp {
     fn token(token: &str) -> Result<Self, SyntaxError> {
         let digits = token.strip_prefix('-').unwrap_or(token);
         if digits.starts_with(|c: char| c.is_ascii_digit()) {
-            let number: Result<BigRational, _> = token.parse();
-            return number.map(Self::Number).map_err(|_| SyntaxError::Token(token.to_owned()));
+            let number = Some(token).filter(|token| token.split('/').all(|part| part.len() <= DIGITS));
+            let value = number.and_then(|token| token.parse::<BigRational>().ok());
+            // Another way to write it is none.
+            let value = value.filter(|value| value.to_string() == token);
+            return value
+                .map(Self::Number)
+                .ok_or_else(|| SyntaxError::Token(token.escape_debug().to_string()));
         }
         let is_name = token.starts_with(|c: char| c.is_ascii_alphabetic())
             && token.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '.' | '-'));
@@ -88,8 +112,16 @@ impl Sexp {
         if is_name || is_operator {
             Ok(Self::Name(token.to_owned()))
         } else {
-            Err(SyntaxError::Token(token.to_owned()))
+            Err(SyntaxError::Token(token.escape_debug().to_string()))
         }
+    }
+
+    fn quoted(text: &str) -> Result<Self, SyntaxError> {
+        let visible = |c: char| c == '\'' || c != '\\' && c.escape_debug().len() == 1;
+        if text.trim().is_empty() || !text.chars().all(visible) {
+            return Err(SyntaxError::Token(format!("\"{}\"", text.escape_debug())));
+        }
+        Ok(Self::Text(text.to_owned()))
     }
 
     /// A name.
@@ -118,6 +150,14 @@ impl Sexp {
             _ => None,
         }
     }
+}
+
+fn is_space(c: char) -> bool {
+    matches!(c, ' ' | '\t' | '\n' | '\r')
+}
+
+fn ends_token(c: char) -> bool {
+    is_space(c) || matches!(c, '(' | ')')
 }
 
 fn push(open: &mut [Vec<Sexp>], item: Sexp) {
@@ -204,9 +244,25 @@ mod tests {
             ("\"a", SyntaxError::End),
             ("a)", SyntaxError::Closing),
             ("1/0", SyntaxError::Token("1/0".into())),
+            ("2/4", SyntaxError::Token("2/4".into())),
+            ("-0", SyntaxError::Token("-0".into())),
+            ("1\"a\"", SyntaxError::Space("\"a\"".into())),
+            ("\"a\u{202e}b\"", SyntaxError::Token("\"a\\u{202e}b\"".into())),
+            ("\u{feff}a", SyntaxError::Mark),
             ("α", SyntaxError::Token("α".into())),
         ] {
             assert_eq!(Sexp::parse_all(bad), Err(error));
+        }
+    }
+
+    /// As deep as the checker reads and no deeper: dropping, comparing and printing are recursions too.
+    #[test]
+    fn brackets_are_nested_only_so_deep() {
+        let deep = |depth: usize| "(- ".repeat(depth) + "u" + &")".repeat(depth);
+        let deepest = Sexp::parse_all(&deep(DEPTH)).unwrap();
+        assert_eq!(deepest[0].to_string(), deep(DEPTH));
+        for depth in [DEPTH + 1, 1_000_000] {
+            assert_eq!(Sexp::parse_all(&deep(depth)), Err(SyntaxError::Nesting));
         }
     }
 }

@@ -1,6 +1,7 @@
 //! The command `explain`: one claim, its verdict, and why.
 
 use std::fmt;
+use std::path::Path;
 
 use serde::Serialize;
 
@@ -11,6 +12,7 @@ use super::error::CliError;
 use super::exit::Exit;
 use super::output::Output;
 use super::verdict::styled;
+use super::verify::RECORDED;
 
 /// Explains a claim: what it says, what is known of it, and the idea of the proof or the counterexample.
 #[derive(Debug, clap::Args)]
@@ -138,11 +140,17 @@ impl fmt::Display for Explanation {
                 writeln!(f, "  goals: {goals}")?;
             }
             if let Some(certificate) = &finding.certificate {
-                writeln!(
-                    f,
-                    "  certificate: proofs/certs/{certificate}.statement and .proof; checked by {}",
-                    finding.checked_by.join(", ")
-                )?;
+                let checked_by = finding.checked_by.join(", ");
+                if Path::new(RECORDED).join(format!("{certificate}.statement")).is_file() {
+                    let file = format!("{RECORDED}/{certificate}.statement");
+                    writeln!(f, "  certificate: {file} and .proof; checked by {checked_by}")?;
+                } else {
+                    writeln!(
+                        f,
+                        "  certificate: {certificate}, checked by {checked_by}; no file of it is here:"
+                    )?;
+                    writeln!(f, "    knotproof prove --claim {} --out DIR writes it", self.id)?;
+                }
             }
         }
         if let Some(note) = self.note {

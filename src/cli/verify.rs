@@ -7,30 +7,43 @@ use std::path::{Path, PathBuf};
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::certificate::{Certificate, CertificateError, Form, Sexp, statement};
+use crate::certificate::{Certificate, CertificateError, Form, ProofError, Sexp, statement};
 use crate::claims::claims;
 use crate::report::{Baseline, Finding};
 
 use super::error::CliError;
 use super::exit::Exit;
-use super::file::read;
 use super::output::Output;
+use super::report::choose;
 use super::table::{plain, right_aligned};
 
 /// Has certificates checked by the independent checker.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLE)]
 pub(super) struct Args {
-    /// Certificates: folders, or files NAME.statement with NAME.proof beside them.
-    #[arg(value_name = "PATH", default_value = "proofs/certs")]
+    /// Certificates: folders, or files NAME.statement with NAME.proof beside them; without any, the folder proofs/certs.
+    #[arg(value_name = "PATH")]
     paths: Vec<PathBuf>,
+    /// Asks only for the certificates of this claim, as `prove --claim` writes them; may be repeated.
+    #[arg(long, value_name = "CLAIM")]
+    claim: Vec<String>,
+    /// Accepts also statements that are not the program's own, and asks for none that is missing.
+    #[arg(long, conflicts_with = "claim")]
+    foreign: bool,
 }
 
 const EXAMPLE: &str = "\
+A folder is a whole set: it has a certificate for every claim that is recorded as certified, or for those named by
+--claim. Single files are only checked. The exit code is 1 if a certificate is rejected, if one is missing, or if what
+it proves is not the program's own statement of the claim (then it has to be read; --foreign allows it).
 Examples:
   knotproof verify
   knotproof verify proofs/certs/T3.5.2.printed.statement --format json
+  knotproof prove --claim T3.5.2 --out mine && knotproof verify --claim T3.5.2 mine
 The checker is a program of its own as well: cargo run --package knotproof-checker -- T.statement T.proof";
+
+/// Where the recorded certificates are, in a clone.
+pub(super) const RECORDED: &str = "proofs/certs";
 
 /// One certificate that was accepted.
 #[derive(Debug, Serialize)]
@@ -81,7 +94,7 @@ impl From<knotproof_checker::Checked> for Checked {
 /// One that was not.
 #[derive(Debug, Serialize)]
 struct Rejection {
-    file: PathBuf,
+    file: String,
     reason: String,
 }
 
@@ -92,41 +105,54 @@ struct Verified {
     checked: Vec<Checked>,
     rejected: Vec<Rejection>,
     /// Accepted, but not what the program says that the claim is in formal terms: the statement has to be read.
-    unknown: Vec<PathBuf>,
+    unknown: Vec<String>,
+    /// The recorded certificates that are asked for and that no file is.
+    missing: Vec<String>,
 }
 
 /// Checks and prints.
 pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
+    let chosen: Vec<_> = choose(claims(), &args.claim)?.iter().map(|claim| claim.id).collect();
+    let paths = if args.paths.is_empty() { vec![recorded()?] } else { args.paths.clone() };
     let mut files = Vec::new();
-    for path in &args.paths {
+    for path in &paths {
         files.extend(statements(path)?);
     }
     let read: Result<Vec<_>, CliError> = files
         .into_iter()
         .map(|path| {
-            let proof = read("PATH", &path.with_extension("proof"))?;
-            Ok((read("PATH", &path)?, proof, path))
+            let proof = read(&path.with_extension("proof"))?;
+            Ok((read(&path)?, proof, path))
         })
         .collect();
     let own = own_statements()?;
     let results: Vec<_> = read?
         .into_par_iter()
         .map(|(statement, proof, path)| {
-            let known =
-                Sexp::parse_all(&statement).is_ok_and(|items| own.iter().any(|own| items == [own.clone()]));
-            (knotproof_checker::check(&statement, &proof), known, path)
+            let items = Sexp::parse_all(&statement).unwrap_or_default();
+            let is_it =
+                |own: &Own| matches!(items.as_slice(), [item] if Some(item) == own.statement.as_ref());
+            let known = own.iter().position(is_it);
+            (knotproof_checker::check(&statement, &proof), known, path.to_string_lossy().into_owned())
         })
+        .collect();
+    let whole = paths.iter().any(|path| path.is_dir()) || !args.claim.is_empty();
+    let is_missing = |place: &usize| results.iter().all(|(_, known, _)| *known != Some(*place));
+    let missing = (0..own.len())
+        .filter(|place| whole && !args.foreign && chosen.contains(&own[*place].claim) && is_missing(place))
+        .map(|place| own[place].certificate.clone())
         .collect();
     let mut verified = Verified {
         schema: "knotproof.verify/1",
         checked: Vec::new(),
         rejected: Vec::new(),
         unknown: Vec::new(),
+        missing,
     };
     for (result, known, file) in results {
         match result {
             Ok(checked) => {
-                if !known {
+                if known.is_none() {
                     verified.unknown.push(file);
                 }
                 verified.checked.push(checked.into());
@@ -135,11 +161,38 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         }
     }
     output.result(&verified)?;
-    Ok(if verified.rejected.is_empty() { Exit::Holds } else { Exit::Refuted })
+    let own = verified.unknown.is_empty() || args.foreign;
+    let holds = verified.rejected.is_empty() && verified.missing.is_empty() && own;
+    Ok(if holds { Exit::Holds } else { Exit::Refuted })
+}
+
+/// The folder of the recorded certificates, if there is one here.
+fn recorded() -> Result<PathBuf, CliError> {
+    let purpose = "there is no folder proofs/certs here; write certificates with `knotproof prove --out DIR`, and check \
+                   them with `knotproof verify DIR`";
+    let path = PathBuf::from(RECORDED);
+    if path.is_dir() { Ok(path) } else { Err(CliError::Needed { argument: "PATH", purpose }) }
+}
+
+/// A file as the checker reads it.
+fn read(path: &Path) -> Result<String, CliError> {
+    knotproof_checker::read(path).map_err(|error| unreadable(path, error))
+}
+
+fn unreadable(path: &Path, error: std::io::Error) -> CliError {
+    CliError::File { argument: "PATH", action: "read", path: path.to_owned(), error }
+}
+
+/// What the program says in formal terms, for one recorded certificate.
+struct Own {
+    claim: &'static str,
+    certificate: String,
+    /// None that any file could have, if the program does not state it any more.
+    statement: Option<Sexp>,
 }
 
 /// What the recorded verdicts say in formal terms.
-fn own_statements() -> Result<Vec<Sexp>, CliError> {
+fn own_statements() -> Result<Vec<Own>, CliError> {
     let recorded = Baseline::recorded().map_err(CliError::Recorded)?;
     let mut all = Vec::new();
     for claim in claims() {
@@ -148,9 +201,13 @@ fn own_statements() -> Result<Vec<Sexp>, CliError> {
         findings.extend(entry.amended.iter().map(|finding| (Form::Amended, finding)));
         findings.extend(entry.by_degree.iter().map(|of| (Form::Degree(of.degree), &of.finding)));
         for (form, finding) in findings {
-            if let Ok(Some(statement)) = statement(&claim, form, finding.witness.as_ref()) {
-                all.push(statement.to_sexp());
-            }
+            let Some(certificate) = finding.certificate.clone() else { continue };
+            let stated = statement(&claim, form, finding.witness.as_ref()).map_err(|error| {
+                let (claim, error) = (claim.id.to_owned(), ProofError::from(error).into());
+                CertificateError { claim, form, error }
+            })?;
+            let statement = stated.map(|statement| statement.to_sexp());
+            all.push(Own { claim: claim.id, certificate, statement });
         }
     }
     Ok(all)
@@ -158,19 +215,16 @@ fn own_statements() -> Result<Vec<Sexp>, CliError> {
 
 /// The statements at a path, sorted by name.
 fn statements(path: &Path) -> Result<Vec<PathBuf>, CliError> {
-    let unreadable =
-        |error| CliError::File { argument: "PATH", action: "read", path: path.to_owned(), error };
+    let unreadable = |error| unreadable(path, error);
     if !fs::metadata(path).map_err(unreadable)?.is_dir() {
         if path.extension().is_none_or(|extension| extension != "statement") {
             return Err(CliError::NoCertificate { path: path.to_owned() });
         }
         return Ok(vec![path.to_owned()]);
     }
-    let mut files: Vec<PathBuf> = fs::read_dir(path)
-        .map_err(unreadable)?
-        .filter_map(|entry| entry.ok().map(|entry| entry.path()))
-        .filter(|file| file.extension().is_some_and(|extension| extension == "statement"))
-        .collect();
+    let entries = fs::read_dir(path).and_then(|entries| entries.collect::<Result<Vec<_>, _>>());
+    let mut files: Vec<PathBuf> = entries.map_err(unreadable)?.iter().map(fs::DirEntry::path).collect();
+    files.retain(|file| file.extension().is_some_and(|extension| extension == "statement"));
     files.sort();
     if files.is_empty() { Err(CliError::NoCertificate { path: path.to_owned() }) } else { Ok(files) }
 }
@@ -185,11 +239,23 @@ impl fmt::Display for Verified {
         right_aligned(&mut table, 5);
         writeln!(f, "{table}\n")?;
         for Rejection { file, reason } in &self.rejected {
-            writeln!(f, "Rejected: {}: {reason}", file.display())?;
+            writeln!(f, "Rejected: {}: {reason}", visible(file))?;
         }
         for file in &self.unknown {
-            writeln!(f, "Accepted, but not the program's own statement of the claim: {}", file.display())?;
+            writeln!(f, "Accepted, but not the program's own statement of the claim: {}", visible(file))?;
+        }
+        for name in &self.missing {
+            writeln!(f, "Missing, though the claim is recorded as certified: {name}")?;
         }
         write!(f, "Accepted: {}; rejected: {}", self.checked.len(), self.rejected.len())
     }
+}
+
+/// The name of a file, on one line and without anything that a terminal obeys.
+fn visible(name: &str) -> String {
+    let escaped = |c: char| match c {
+        '\'' | '"' | '\\' => c.to_string(),
+        _ => c.escape_debug().to_string(),
+    };
+    name.chars().map(escaped).collect()
 }

@@ -7,6 +7,11 @@ use crate::error::{Reason, Rejected, Result};
 use crate::rules::Context;
 use crate::section::Section;
 use crate::token::{Node, tree};
+use crate::work;
+
+/// So much work is done for one certificate, counted in products of two terms: about ten times what the longest of the
+/// program's certificates needs.
+pub const WORK: usize = 1_200_000_000;
 
 /// What was proved, all of it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -45,6 +50,15 @@ impl fmt::Display for Checked {
 /// If either text is not what the format describes, or if one goal or lemma is not proved: with the first place where
 /// that is so.
 pub fn check(statement: &str, proof: &str) -> std::result::Result<Checked, Rejected> {
+    check_within(WORK, statement, proof)
+}
+
+/// The same with another limit than [`WORK`].
+///
+/// # Errors
+/// As [`check`].
+pub fn check_within(work: usize, statement: &str, proof: &str) -> std::result::Result<Checked, Rejected> {
+    work::begin(work);
     let mut place = "statement".to_owned();
     run(statement, proof, &mut place).map_err(|reason| Rejected { place, reason })
 }
@@ -103,7 +117,7 @@ fn header<'n, 't>(node: &'n Node<'t>) -> Result<(Checked, &'n [Node<'t>])> {
         Err(_) => form.word(&["printed", "amended"], "printed, amended or (degree K)")?.to_owned(),
     };
     let checked = Checked {
-        claim: claim.text()?.to_owned(),
+        claim: claim.claim()?.to_owned(),
         form,
         verdict: verdict.word(&["proved", "refuted"], "proved or refuted")?.to_owned(),
         scope: scope.word(&["points", "instance", "alpha", "knots"], "a scope")?.to_owned(),

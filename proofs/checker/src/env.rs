@@ -8,11 +8,13 @@ use crate::error::{Reason, Result};
 use crate::fraction::Fraction;
 use crate::poly::Poly;
 use crate::token::{Kind, Node};
+use crate::work::{keep, spend};
 
 /// No integer of a certificate is larger: indices and degrees are small, and nothing can overflow.
 const LARGEST: i64 = 1_000_000;
-/// The sections of one degree run through their `each` so often at most.
-const STEPS: usize = 1_000_000;
+/// The steps of all `each` in the copies of a section for one degree, and the elements that they make, are so many at
+/// most.
+const STEPS: usize = 100_000;
 
 /// What a name stands for.
 #[derive(Clone)]
@@ -51,18 +53,25 @@ pub(crate) struct Env<'t> {
 }
 
 impl<'t> Env<'t> {
-    /// No name hides another. With other indices it may come back, but not as the name of something without.
+    /// No name hides another, nor what a gap is called. With other indices it may come back, but not as the name of something without.
     pub(crate) fn check_free(&self, name: &'t str, indices: &[i64]) -> Result<()> {
+        // Whoever looks a name up goes through those of the integers.
+        spend(1 + self.integers.len())?;
         let first = self.names.range((name, Vec::new())..).next().filter(|((known, _), _)| *known == name);
         let fits = first.is_none_or(|((_, first), _)| !first.is_empty() && !indices.is_empty());
         let again = self.names.contains_key(&(name, indices.to_vec()));
-        let free = fits && !again && self.integers.iter().all(|(known, _)| *known != name);
+        let word = matches!(name, "any" | "some");
+        let free = !word && fits && !again && self.integers.iter().all(|(known, _)| *known != name);
         if free { Ok(()) } else { Err(Reason::Taken(name.to_owned())) }
     }
 
     /// Another meaning than before, if there was one.
-    pub(crate) fn set(&mut self, name: &'t str, indices: Vec<i64>, is: Meaning) {
+    pub(crate) fn set(&mut self, name: &'t str, indices: Vec<i64>, is: Meaning) -> Result<()> {
+        if Rc::strong_count(&self.names) > 1 {
+            keep(self.names.len())?;
+        }
         Rc::make_mut(&mut self.names).insert((name, indices), is);
+        Ok(())
     }
 
     pub(crate) fn meaning(&self, name: &'t str, indices: Vec<i64>) -> Result<&Meaning> {
@@ -72,7 +81,7 @@ impl<'t> Env<'t> {
     pub(crate) fn value(&self, name: &'t str, indices: Vec<i64>) -> Result<Fraction> {
         match self.meaning(name, indices)? {
             Meaning::Variable(index) => Ok(Poly::variable(*index).into()),
-            Meaning::Value(value) => Ok(value.as_ref().clone()),
+            Meaning::Value(value) => spend(value.size()).map(|()| value.as_ref().clone()),
             Meaning::Window(_) => Err(Reason::Unknown(name.to_owned())),
         }
     }
@@ -86,6 +95,7 @@ impl<'t> Env<'t> {
     }
 
     pub(crate) fn integer(&self, node: &Node<'t>) -> Result<i64> {
+        spend(1 + self.integers.len())?;
         match &node.kind {
             Kind::Number(..) => return small(node.whole()?),
             Kind::Name(name) => {
@@ -112,13 +122,16 @@ impl<'t> Env<'t> {
     /// One integer more.
     pub(crate) fn with(&self, name: &'t str, value: i64) -> Result<Self> {
         self.check_free(name, &[])?;
-        self.steps.set(self.steps.get() + 1);
-        if self.steps.get() > STEPS {
-            return Err(Reason::Limits("the expansion"));
-        }
+        self.step(1)?;
         let mut env = self.clone();
         env.integers.push((name, value));
         Ok(env)
+    }
+
+    /// So many elements more in the copies of this section.
+    fn step(&self, count: usize) -> Result<()> {
+        self.steps.set(self.steps.get().saturating_add(count));
+        if self.steps.get() > STEPS { Err(Reason::Limits("the expansion")) } else { Ok(()) }
     }
 
     /// One integer more, once for every value in LO ≤ NAME ≤ HI.
@@ -134,7 +147,9 @@ impl<'t> Env<'t> {
             match item.headed("") {
                 Ok(("each", [name, low, high, inside @ ..])) if !inside.is_empty() => {
                     for env in self.each(name, low, high)? {
-                        found.extend(env.expand(inside)?);
+                        let inside = env.expand(inside)?;
+                        self.step(inside.len())?;
+                        found.extend(inside);
                     }
                 }
                 Ok(("each", _)) => return item.wrong("a name, two integers and what is repeated"),

@@ -33,6 +33,8 @@ pub enum Reason {
     Taken(String),
     #[error("{0} is not positive")]
     NotPositive(String),
+    #[error("r moves with u")]
+    Moving,
     #[error("a divisor without a sign")]
     Divisor,
     #[error("gap {1} of window {0} is not a polynomial without minus in parameters that are not real or u")]

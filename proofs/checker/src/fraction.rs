@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 use crate::error::{Reason, Result};
 use crate::poly::{Poly, Sign};
 use crate::token::Node;
+use crate::work::spend;
 
 /// How often each factor occurs.
 pub(crate) type Factors = BTreeMap<Poly, u16>;
@@ -43,6 +44,11 @@ impl Fraction {
         }
     }
 
+    /// The number of terms above and below the line, a factor counted once.
+    pub(crate) fn size(&self) -> usize {
+        self.num.size() + self.den.keys().map(Poly::size).sum::<usize>()
+    }
+
     pub(crate) fn is_zero(&self) -> bool {
         self.num.is_zero()
     }
@@ -53,6 +59,11 @@ impl Fraction {
             Sign::Positive => Ok(self),
             _ => Err(Reason::NotPositive(name.to_owned())),
         }
+    }
+
+    /// Whether only such variables occur.
+    pub(crate) fn is_only_in(&self, allowed: impl Fn(usize) -> bool) -> bool {
+        self.den.keys().chain([&self.num]).all(|poly| poly.is_only_in(&allowed))
     }
 
     /// The denominator, multiplied out.
@@ -75,6 +86,7 @@ impl Fraction {
     }
 
     pub(crate) fn plus(&self, other: &Self) -> Result<Self> {
+        spend(self.size() + other.size())?;
         if self.is_zero() || other.is_zero() {
             return Ok(if self.is_zero() { other.clone() } else { self.clone() });
         }
@@ -93,6 +105,7 @@ impl Fraction {
     }
 
     pub(crate) fn times(&self, other: &Self) -> Result<Self> {
+        spend(self.size() + other.size())?;
         let mut den = self.den.clone();
         for (factor, times) in &other.den {
             let sum = den.entry(factor.clone()).or_insert(0);

@@ -20,13 +20,15 @@
 //!
 //! To be read in this order, from the ground up: `token` (text to a tree of brackets), `poly`, `fraction`, `env` (names,
 //! integers, `each`), `terms` with `recursion` (what a term is worth, by the paper's definition), `section` (what is
-//! declared), `rules` (what a rule shows), `driver` (every section, every goal), `error`. Terms and rules are read from
+//! declared), `rules` (what a rule shows), `driver` (every section, every goal), `error`; beside them `file`, and `work`,
+//! which is counted everywhere. Terms and rules are read from
 //! the tree as they are needed. No recursion is deeper than the brackets of the text or the degree of a function, which
 //! have limits.
 
 mod driver;
 mod env;
 mod error;
+mod file;
 mod fraction;
 mod poly;
 mod recursion;
@@ -34,6 +36,8 @@ mod rules;
 mod section;
 mod terms;
 mod token;
+mod work;
 
-pub use driver::{Checked, check};
+pub use driver::{Checked, WORK, check, check_within};
 pub use error::{Reason, Rejected};
+pub use file::read;

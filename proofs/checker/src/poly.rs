@@ -1,14 +1,16 @@
 //! Polynomials with whole coefficients in parameters and unknowns: added, multiplied and compared, never divided.
 
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 
 use dashu_int::IBig;
 use dashu_int::ops::BitTest;
 
 use crate::error::{Reason, Result};
+use crate::work::{keep, spend};
 
 /// Products with more terms than this are given up on, as sums may be some time later.
-const TERMS: usize = 1_000_000;
+const TERMS: usize = 500_000;
 /// So are coefficients of more bits: the big integers would end the program where memory does.
 const BITS: usize = 1_000_000;
 
@@ -40,6 +42,11 @@ impl Poly {
         Poly { terms: [(monomial, IBig::ONE)].into() }
     }
 
+    /// The number of terms.
+    pub(crate) fn size(&self) -> usize {
+        self.terms.len()
+    }
+
     pub(crate) fn is_zero(&self) -> bool {
         self.terms.is_empty()
     }
@@ -51,9 +58,19 @@ impl Poly {
 
     pub(crate) fn plus(mut self, other: &Self) -> Self {
         for (monomial, value) in &other.terms {
-            *self.terms.entry(monomial.clone()).or_default() += value;
+            match self.terms.entry(monomial.clone()) {
+                Entry::Vacant(place) => {
+                    place.insert(value.clone());
+                }
+                Entry::Occupied(mut sum) => {
+                    *sum.get_mut() += value;
+                    if *sum.get() == IBig::ZERO {
+                        sum.remove();
+                    }
+                }
+            }
         }
-        self.clean()
+        self
     }
 
     pub(crate) fn minus(self, other: &Self) -> Self {
@@ -68,16 +85,20 @@ impl Poly {
         let mut product = Poly::default();
         for (a, left) in &self.terms {
             for (b, right) in &other.terms {
-                if left.bit_len() + right.bit_len() > BITS {
+                let bits = left.bit_len() + right.bit_len();
+                if bits > BITS {
                     return Err(Reason::Limits("a number"));
                 }
+                // A long number is as much work as many short ones; in a long polynomial a term takes longer to find.
+                spend(1 + bits / 64 + product.terms.len() / 8_192)?;
                 *product.terms.entry(monomial_product(a, b)?).or_default() += left * right;
             }
             if product.terms.len() > TERMS {
                 return Err(Reason::Limits("a polynomial"));
             }
         }
-        Ok(product.clean())
+        let product = product.clean();
+        keep(product.size()).map(|()| product)
     }
 
     pub(crate) fn to_power(&self, exponent: u16) -> Result<Self> {

@@ -10,6 +10,7 @@ use crate::poly::{Poly, Sign};
 use crate::section::U;
 use crate::terms::{Evaluator, Key};
 use crate::token::Node;
+use crate::work::{keep, spend};
 
 /// Higher degrees are not computed; all recursion over them is bounded by this.
 const DEGREE: i64 = 100;
@@ -42,9 +43,10 @@ impl Spot {
         Ok(v.times(&left)?.plus(&u.times(&right)?))
     }
 
-    fn key(&self, what: &'static str, of: [i64; 3]) -> Key {
+    fn key(&self, what: &'static str, of: [i64; 3]) -> Result<Key> {
         let place = [self.u.clone(), self.r.clone()];
-        Key::Function(what, of, self.window.name.clone(), self.span, place)
+        keep(place.iter().map(|(up, down)| up.size() + down.size()).sum())?;
+        Ok(Key::Function(what, of, self.window.name.clone(), self.span, place))
     }
 }
 
@@ -68,7 +70,9 @@ impl Evaluator {
             _ => return node.wrong("in, from or to"),
         };
         let (window, span) = (env.window(window)?.clone(), env.integer(span)?);
-        let gap = window.knot(span + 1)?.clone().minus(window.knot(span)?);
+        let (left, right) = (window.knot(span)?, window.knot(span + 1)?);
+        spend(left.size() + right.size())?;
+        let gap = right.clone().minus(left);
         Fraction::from(gap).positive(&format!("span {span} of {}", window.name), &self.signs)?;
         Ok(Spot { window, span, u, r: (r, s) })
     }
@@ -104,16 +108,16 @@ impl Evaluator {
             return Ok([over(p)?, over(q)?]);
         }
         if !self.mode.equation || p == q {
-            return Ok([self.ratio(&p, &q), self.ratio(&q, &p)]);
+            return Ok([self.ratio(&p, &q)?, self.ratio(&q, &p)?]);
         }
         // One orientation for both: [q|p] is 1 − [p|q].
-        let smaller = self.ratio((&p).min(&q), (&p).max(&q));
+        let smaller = self.ratio((&p).min(&q), (&p).max(&q))?;
         let other = one.minus(&smaller)?;
         Ok(if p < q { [smaller, other] } else { [other, smaller] })
     }
 
     /// The unknown [p|q], which is p/(p + q): of the sign of p, if q has one as well.
-    fn ratio(&mut self, p: &Poly, q: &Poly) -> Fraction {
+    fn ratio(&mut self, p: &Poly, q: &Poly) -> Result<Fraction> {
         let real = q.sign(&self.signs) == Sign::Real;
         let sign = if real { Sign::Real } else { p.sign(&self.signs) };
         self.unknown(Key::Weight(p.clone(), q.clone()), sign)
@@ -126,7 +130,7 @@ impl Evaluator {
         // p, q and b − a are all times the scale: it remains once above the line.
         let num = num.times(&spot.window.scale)?;
         if self.mode.weights.is_some_and(|least| d >= least) && !p.is_zero() && !q.is_zero() {
-            return Ok(self.unknown(Key::Slope(p, q, num), Sign::Real));
+            return self.unknown(Key::Slope(p, q, num), Sign::Real);
         }
         let inverse = Fraction::new(Poly::constant(1), whole, &self.signs)?;
         Fraction::from(num).times(&inverse)?.times(&inverse)
@@ -138,9 +142,9 @@ impl Evaluator {
         if i > spot.span || i + d < spot.span {
             return Ok(Fraction::integer(0));
         }
-        let key = spot.key(if derived { "DG" } else { "G" }, [i, d, 0]);
+        let key = spot.key(if derived { "DG" } else { "G" }, [i, d, 0])?;
         if self.mode.functions.is_some_and(|most| d <= most) {
-            return Ok(self.unknown(key, Sign::Real));
+            return self.unknown(key, Sign::Real);
         }
         if d == 0 {
             return Ok(Fraction::integer(i64::from(!derived)));
@@ -168,7 +172,7 @@ impl Evaluator {
 
     /// d_i^q of Theorem 4.1 for degree k: d_i^q = w_i^{k+1−q} d_i^{q−1} + (1 − w_i^{k+1−q}) d_{i−1}^{q−1}.
     pub(crate) fn de_boor<'t>(&mut self, of: [i64; 3], spot: &Spot, env: &Env<'t>) -> Result<Fraction> {
-        let ([i, q, k], key) = (of, spot.key("de-boor", of));
+        let ([i, q, k], key) = (of, spot.key("de-boor", of)?);
         check_degree(k)?;
         match (q, self.known.get(&key)) {
             (0, _) => return env.value("d", vec![i]),

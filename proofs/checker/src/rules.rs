@@ -107,8 +107,8 @@ impl<'t> Context<'_, 't> {
         for node in using {
             let [label, factor] = node.group("a lemma and its factor")?;
             let label = label.whole()?;
-            let lemma = usize::try_from(label - 1).ok().and_then(|at| self.lemmas.get(at));
-            let Some(("=", [left, right])) = lemma.and_then(|lemma| lemma.headed("").ok()) else {
+            let lemma = self.lemmas.iter().zip(1..).find(|(_, number)| *number == label);
+            let Some(("=", [left, right])) = lemma.and_then(|(lemma, _)| lemma.headed("").ok()) else {
                 return Err(Reason::NoLemma(label));
             };
             let difference = evaluator.difference(left, right, env)?;

@@ -8,7 +8,10 @@ use crate::fraction::{Factors, Fraction};
 use crate::poly::{Poly, Sign};
 use crate::terms::{Evaluator, Mode};
 use crate::token::{Kind, Node};
+use crate::work::keep;
 
+/// A section has so many parameters at most; the unknowns of a formula come on top.
+const PARAMETERS: usize = 250;
 /// The variable of `u`.
 pub(crate) const U: usize = 0;
 
@@ -52,7 +55,10 @@ impl<'t> Section<'t> {
     fn parameter(&mut self, name: &'t str, indices: Vec<i64>, sign: Sign) -> Result<Poly> {
         let index = self.signs.len();
         self.env.check_free(name, &indices)?;
-        self.env.set(name, indices, Meaning::Variable(index));
+        if index == PARAMETERS {
+            return Err(Reason::Limits("the number of parameters"));
+        }
+        self.env.set(name, indices, Meaning::Variable(index))?;
         self.signs.push(sign);
         Ok(Poly::variable(index))
     }
@@ -60,10 +66,6 @@ impl<'t> Section<'t> {
     fn parameters(&mut self, list: &[Node<'t>], sign: Sign) -> Result<()> {
         for (node, env) in self.env.expand(list)? {
             let (name, indices) = node.indexed()?;
-            // Among gaps they are something else.
-            if matches!(name, "any" | "some") {
-                return Err(Reason::Taken(name.to_owned()));
-            }
             self.parameter(name, env.integers(indices)?, sign)?;
         }
         Ok(())
@@ -72,12 +74,12 @@ impl<'t> Section<'t> {
     fn abbreviation(&mut self, name: &'t str, term: &Node<'t>) -> Result<()> {
         let value = self.term(term, &self.env)?;
         let value = match name {
-            // It is known already, and means something else from here on.
+            // It is known already, and means something else from here on: a constant, where x moves with u.
+            "r" if !value.is_only_in(|variable| variable != U) => return Err(Reason::Moving),
             "r" => value.positive(name, &self.signs)?,
             _ => self.env.check_free(name, &[]).map(|()| value)?,
         };
-        self.env.set(name, Vec::new(), Meaning::Value(value.into()));
-        Ok(())
+        self.env.set(name, Vec::new(), Meaning::Value(value.into()))
     }
 
     /// A term with everything unfolded.
@@ -114,17 +116,19 @@ impl<'t> Section<'t> {
             if gaps.is_empty() {
                 return Err(Reason::NotDetermined((*name).to_owned(), "a gap".to_owned()));
             }
-            let mut knots = vec![Poly::default()];
+            let (mut knots, mut last) = (vec![Poly::default()], Poly::default());
             for (index, gap) in (*first..).zip(gaps) {
                 // u moves the place in a knot vector that stays.
                 let whole = gap.denominator()?.is_only_in(|_| false);
                 if !whole || gap.num.sign(&self.signs) == Sign::Real || !gap.num.is_only_in(|v| v != U) {
                     return Err(Reason::Gap((*name).to_owned(), index));
                 }
-                knots.push(gap.over_common(&common)?.plus(knots.last().unwrap_or(&Poly::default())));
+                last = last.plus(&gap.over_common(&common)?);
+                keep(last.size())?;
+                knots.push(last.clone());
             }
             let window = Window { name: (*name).to_owned(), first: *first, knots, scale: scale.clone() };
-            self.env.set(name, Vec::new(), Meaning::Window(Rc::new(window)));
+            self.env.set(name, Vec::new(), Meaning::Window(Rc::new(window)))?;
         }
         Ok(())
     }

@@ -1,6 +1,7 @@
 //! Terms to quotients of polynomials.
 
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::rc::Rc;
 
 use crate::env::{Env, Meaning};
@@ -8,9 +9,12 @@ use crate::error::{Reason, Result};
 use crate::fraction::Fraction;
 use crate::poly::{Poly, Sign};
 use crate::token::{Kind, Node};
+use crate::work::spend;
 
 /// Larger exponents are not computed.
 const EXPONENT: u16 = 1_000;
+/// Parameters and unknowns of one formula.
+const VARIABLES: usize = 500;
 /// Larger matrices are not expanded.
 const ROWS: usize = 8;
 
@@ -50,16 +54,24 @@ impl Evaluator {
     }
 
     /// The variable for something that is not unfolded.
-    pub(crate) fn unknown(&mut self, key: Key, sign: Sign) -> Fraction {
+    pub(crate) fn unknown(&mut self, key: Key, sign: Sign) -> Result<Fraction> {
         let next = self.signs.len();
-        let value = self.known.entry(key).or_insert_with(|| {
-            self.signs.push(sign);
-            Poly::variable(next).into()
-        });
-        value.clone()
+        match self.known.entry(key) {
+            Entry::Occupied(known) => Ok(known.get().clone()),
+            Entry::Vacant(_) if next == VARIABLES => Err(Reason::Limits("the number of unknowns")),
+            Entry::Vacant(place) => {
+                self.signs.push(sign);
+                Ok(place.insert(Poly::variable(next).into()).clone())
+            }
+        }
     }
 
     pub(crate) fn term<'t>(&mut self, node: &Node<'t>, env: &Env<'t>) -> Result<Fraction> {
+        let value = self.unfolded(node, env)?;
+        spend(1 + value.size()).map(|()| value)
+    }
+
+    fn unfolded<'t>(&mut self, node: &Node<'t>, env: &Env<'t>) -> Result<Fraction> {
         match &node.kind {
             Kind::Number(..) => return Fraction::number(node),
             Kind::Name(_) => return env.value(node.name()?, Vec::new()),
@@ -112,7 +124,11 @@ impl Evaluator {
                     |row: &Node<'t>| row.list("a row")?.iter().map(|entry| self.term(entry, env)).collect();
                 let matrix: Vec<Vec<_>> = rows.iter().map(&mut entries).collect::<Result<_>>()?;
                 let square = rows.len() <= ROWS && matrix.iter().all(|row| row.len() == rows.len());
-                if square { determinant(&matrix) } else { node.wrong("a square matrix with 8 rows at most") }
+                if square {
+                    determinant(&matrix.iter().map(|row| row.iter().collect()).collect::<Vec<_>>())
+                } else {
+                    node.wrong("a square matrix with 8 rows at most")
+                }
             }
             (_, [_, ..]) => {
                 let (name, indices) = node.indexed()?;
@@ -133,21 +149,21 @@ impl Evaluator {
             let [name, value] = pair.group("a replacement")?;
             let (name, value) = (name.word(&left, "u or r, each once")?, self.term(value, env)?);
             left.retain(|other| *other != name);
-            inside.set(name, Vec::new(), Meaning::Value(Rc::new(value.positive(name, &self.signs)?)));
+            inside.set(name, Vec::new(), Meaning::Value(Rc::new(value.positive(name, &self.signs)?)))?;
         }
         Ok(inside)
     }
 }
 
 /// Along the first row; the determinant of the empty matrix is 1.
-fn determinant(matrix: &[Vec<Fraction>]) -> Result<Fraction> {
+fn determinant<'f>(matrix: &[Vec<&'f Fraction>]) -> Result<Fraction> {
     let Some((first, rest)) = matrix.split_first() else { return Ok(Fraction::integer(1)) };
     let mut sum = Fraction::integer(0);
     for (column, entry) in first.iter().enumerate().filter(|(_, entry)| !entry.is_zero()) {
-        let without = |row: &Vec<Fraction>| {
-            row.iter().enumerate().filter(|(at, _)| *at != column).map(|(_, entry)| entry.clone()).collect()
+        let without = |row: &Vec<&'f Fraction>| {
+            row.iter().enumerate().filter(|(at, _)| *at != column).map(|(_, entry)| *entry).collect()
         };
-        let minor: Vec<Vec<Fraction>> = rest.iter().map(without).collect();
+        let minor: Vec<Vec<&Fraction>> = rest.iter().map(without).collect();
         let part = entry.times(&determinant(&minor)?)?;
         sum = if column % 2 == 0 { sum.plus(&part)? } else { sum.minus(&part)? };
     }

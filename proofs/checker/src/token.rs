@@ -9,6 +9,10 @@ use crate::poly::Poly;
 const DEPTH: usize = 80;
 /// More digits than this in one number are not read.
 const DIGITS: usize = 1_000;
+/// A statement or a proof of more bytes than this is not read.
+pub(crate) const LONGEST: usize = 4_000_000;
+/// Nor longer names of claims.
+const CLAIM: usize = 100;
 /// Names that stand at the head of brackets and mean something there already.
 const HEADS: [&str; 13] =
     ["t", "x", "w", "v", "Dw", "G", "DG", "de-boor", "at", "det", "integer", "each", "binomial"];
@@ -116,6 +120,14 @@ impl<'t> Node<'t> {
         }
     }
 
+    /// The name of a claim, in quotes.
+    pub(crate) fn claim(&self) -> Result<&'t str> {
+        match self.kind {
+            Kind::Text(name) if is_plain_name(name) && name.len() <= CLAIM => Ok(name),
+            _ => self.wrong("the name of a claim: a letter, then letters, digits, `.` and `-`"),
+        }
+    }
+
     /// A number, as two polynomials without variables; the second one is positive.
     pub(crate) fn ratio(&self) -> Result<(Poly, Poly)> {
         match &self.kind {
@@ -164,10 +176,16 @@ fn whole(word: &str) -> Option<IBig> {
 
 fn atom(word: &str) -> Option<Kind<'_>> {
     if let Some(inside) = word.strip_prefix('"') {
-        return inside.strip_suffix('"').map(Kind::Text);
+        return inside.strip_suffix('"').filter(|text| text.chars().all(is_printed)).map(Kind::Text);
     }
     let name = is_plain_name(word) || matches!(word, "+" | "-" | "*" | "/" | "^" | "=" | ">" | ">=" | "<");
     if name { Some(Kind::Name(word)) } else { number(word) }
+}
+
+/// Whether a reader sees the character: it is no control, no format or direction mark, no mark on another character, and
+/// no space but the usual one. In a string there is no backslash either.
+fn is_printed(c: char) -> bool {
+    c == '\'' || c != '\\' && c.escape_debug().len() == 1
 }
 
 /// What stands between tokens, or is one.
@@ -178,7 +196,7 @@ fn is_break(c: char) -> bool {
 /// The first token, or one space, and what is behind it.
 fn split_token(text: &str) -> (&str, &str) {
     let length = match text.strip_prefix('"') {
-        Some(inside) => inside.find(|c: char| c == '\\' || c == '"' || c.is_control()).map(|end| end + 2),
+        Some(inside) => inside.split_once('"').map(|(inside, _)| inside.len() + 2),
         None if text.starts_with(is_break) => Some(1),
         None => text.find(|c| is_break(c) || c == '"'),
     };
@@ -187,6 +205,12 @@ fn split_token(text: &str) -> (&str, &str) {
 
 /// The one tree that the text is.
 pub(crate) fn tree(text: &str) -> Result<Node<'_>> {
+    if text.len() > LONGEST {
+        return Err(Reason::Limits("the text"));
+    }
+    if text.starts_with('\u{feff}') {
+        return Err(Reason::Syntax { line: 1, expected: "no byte order mark" });
+    }
     let (mut rest, mut line) = (text, 1);
     // The brackets that are open, the whole text being the first one.
     let mut open = vec![(line, Vec::new())];
@@ -211,6 +235,7 @@ pub(crate) fn tree(text: &str) -> Result<Node<'_>> {
         match (done, open.last_mut()) {
             (Some(node), Some((_, outer))) => outer.push(node),
             (Some(_), None) => return wrong("an opening bracket"),
+            (None, _) if token.starts_with('"') => return wrong("a string of visible characters and spaces"),
             (None, _) => return wrong("a string, a name or a number in lowest terms"),
         }
     }

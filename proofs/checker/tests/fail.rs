@@ -1,6 +1,6 @@
 //! Certificates that do not hold are rejected, and for the reason that is theirs.
 
-use knotproof_checker::check;
+use knotproof_checker::{WORK, check, check_within};
 
 /// A statement for k = 1 and 2 with the sections given.
 fn statement(sections: &str) -> String {
@@ -22,6 +22,8 @@ fn reason(declarations: &str, goal: &str, rule: &str) -> String {
 
 /// Five knots around the span 0: t_{-2} to t_3.
 const W: &str = "(window W -2 any any some any any)";
+/// The same with an r that is no constant.
+const LET_R: &str = "(window W -2 any any some any any) (let r (/ 1 u))";
 
 #[test]
 fn the_frame_of_this_test_accepts_what_holds() {
@@ -120,6 +122,19 @@ fn goals_that_are_not_shown() {
             "(by (weights 1))",
             "the two sides differ",
         ),
+        // `at` replaces r in a derivative that was taken with r constant: it is not that of 1/2.
+        (W, "(= (at ((r (/ 1 u))) (DG 0 1 (in W 0))) 0)", "(by)", "the two sides differ"),
+        // With r moving against u, weights would stand still, and slopes and orders with them.
+        (LET_R, "(= (G 0 1 (in W 0)) 1/2)", "(by)", "section 1: r moves with u"),
+        (LET_R, "(> (DG 0 1 (in W 0)) 0)", "(by)", "section 1: r moves with u"),
+        (LET_R, "(order 0 1 (in W 0) 0)", "(orders)", "section 1: r moves with u"),
+        (LET_R, "(outside (in W 0) u (1))", "(functional (1 1) (-1 2))", "section 1: r moves with u"),
+        (
+            W,
+            "(= (+ (each i 1 600 (at ((u (integer i))) (G 0 2 (in W 0))))) 0)",
+            "(by (functions 2))",
+            "the number of unknowns is beyond the limits",
+        ),
         // The wrong rule.
         ("(real a)", "(= a a)", "(orders)", "the rule is none for this formula"),
         ("(positive a)", "(= a a)", "(split a 1 (by) (by))", "the rule is none for this formula"),
@@ -131,6 +146,11 @@ fn goals_that_are_not_shown() {
         ("(positive a)", "(> a 0)", "(functional (1 1))", "the rule is none for this formula"),
         // Lemmas that are not there.
         ("(real a)", "(= a 0)", "(by (using (1 1)))", "no equation 1 so far among the lemmas"),
+        ("(real a)", "(= a 0)", "(by (using (0 1)))", "no equation 0 so far among the lemmas"),
+        ("(real a)", "(= a 0)", "(by (using (-1 1)))", "no equation -1 so far among the lemmas"),
+        ("(real a)", "(= a 0)", "(by (using (-9223372036854775808 1)))", "no equation -9223372036854775808"),
+        ("(real a)", "(= a 0)", "(by (using (9223372036854775807 1)))", "no equation 9223372036854775807"),
+        ("(real a)", "(= a 0)", "(by (using (9223372036854775808 1)))", "expected a whole number that fits"),
         // Splits.
         ("(positive a)", "(> (- a 1) 0)", "(split a 1 (by) (by))", "a coefficient below 0"),
         ("(positive a)", "(> (- a 1) 0)", "(split a 1/2 (by) (by))", "a coefficient below 0"),
@@ -209,7 +229,6 @@ fn declarations_and_terms_that_mean_nothing() {
         ("(window W 0 some u)", goal, "gap 1 of window W"),
         ("(window W 0 -1)", goal, "gap 0 of window W"),
         ("(let a u) (window W 0 some a)", goal, "gap 1 of window W"),
-        ("(let r u) (window W 0 r)", goal, "gap 0 of window W"),
         ("(window W 0 V) (window V 0 some)", goal, "unknown name V"),
         (
             "(knots W 0 1 0)",
@@ -220,7 +239,25 @@ fn declarations_and_terms_that_mean_nothing() {
         ("(knots W 0 0 k)", goal, "expected a number"),
         ("(window W 0)", goal, "not determined by the window W: a gap"),
         ("(window t 0 some)", goal, "expected a name that is no word"),
+        // What makes r move with x, in one step or in several, by its numerator or its denominator.
+        ("(let r u)", goal, "r moves with u"),
+        ("(let r (/ 1 u))", goal, "r moves with u"),
+        ("(let r (/ u (+ 1 u)))", goal, "r moves with u"),
+        ("(let r (* r u))", goal, "r moves with u"),
+        ("(let r (/ u u))", goal, "r moves with u"),
+        ("(let a (+ 1 u)) (let b (/ 2 a)) (let r b)", goal, "r moves with u"),
+        ("(window W 0 some) (let r (x (in W 0)))", goal, "r moves with u"),
+        ("(window W 0 some) (let r (G 0 0 (in W 0)))", "(= (/ 1 u) r)", "the two sides differ"),
+        ("(window W 0 some some) (let r (G 0 1 (in W 0)))", goal, "r moves with u"),
+        ("(window W 0 some) (let r (Dw 0 1 (in W 0)))", goal, "r moves with u"),
+        ("(let r (at ((u (* 2 u))) u))", goal, "r moves with u"),
+        ("(let r u) (window W 0 r)", goal, "r moves with u"),
         // Names.
+        ("(let any 1)", goal, "the name any is taken"),
+        ("(let some 0)", "(= some 0)", "the name some is taken"),
+        ("(window any 0 some)", goal, "the name any is taken"),
+        ("(real (some 1))", goal, "the name some is taken"),
+        ("", "(each any 0 1 (= 0 0))", "the name any is taken"),
         ("(real a a)", goal, "the name a is taken"),
         ("(real a) (positive a)", goal, "the name a is taken"),
         ("(real u)", goal, "the name u is taken"),
@@ -272,6 +309,9 @@ fn declarations_and_terms_that_mean_nothing() {
         ("", "(= (integer (binomial -1 0)) 1)", "the upper number of a binomial is beyond the limits"),
         ("", "(= (+ (each i 1 1000000 (each j 1 1000000 1))) 1)", "the expansion is beyond the limits"),
         ("", "(each i 1 1000000 (= 0 0))", "the expansion is beyond the limits"),
+        ("", "(= (+ (each i 1 30000 1 2 3)) 1)", "the expansion is beyond the limits"),
+        ("(real (each i 1 249 (a i)))", goal, "the number of parameters is beyond the limits"),
+        ("(window W 0 (each i 1 249 any))", goal, "the number of parameters is beyond the limits"),
         ("", "(= (det (1 2) (3)) 0)", "expected a square matrix with 8 rows at most"),
         ("", "(= (det (1) (3)) 0)", "expected a square matrix with 8 rows at most"),
     ];
@@ -415,6 +455,16 @@ fn headers_have_every_part_once_and_in_order() {
         ("(claim \"test\")", ""),
         ("(claim \"test\")", "(claim \" \")"),
         ("(claim \"test\")", "(claim test)"),
+        ("(claim \"test\")", "(claim \"test 1\")"),
+        ("(claim \"test\")", "(claim \"1test\")"),
+        ("(claim \"test\")", "(claim \"te\u{455}t\")"),
+        ("(claim \"test\")", "(claim \"test (printed): proved, scope knots\")"),
+        ("(text \"A test.\")", "(text \"A\ntest.\")"),
+        ("(text \"A test.\")", "(text \"A \u{202e}test.\")"),
+        ("(text \"A test.\")", "(text \"A\u{a0}test.\")"),
+        ("(because \"It says so.\")", "(because \"It \u{1b}[2Jsays so.\")"),
+        ("(because \"It says so.\")", "(because \"It says\u{200b} so.\")"),
+        ("(because \"It says so.\")", "(because \"It says\u{9f} so.\")"),
         ("(claim \"test\")", "(claim \"a\" \"b\")"),
         ("(form printed)", "(form printed) (form printed)"),
         ("(form printed)", "(form other)"),
@@ -441,4 +491,86 @@ fn headers_have_every_part_once_and_in_order() {
         let place = check(&good.replacen(part, instead, 1), proof).map_err(|rejected| rejected.place);
         assert_eq!(place, Err("statement".to_owned()), "{part} -> {instead}");
     }
+}
+
+#[test]
+fn the_name_of_a_claim_is_not_long() {
+    let proof = "(proof 1 (section 1 (goal 1 (by))) (section 2 (goal 1 (by))))";
+    let named = |length: usize| {
+        check(&statement("(section (goals (= 0 0)))").replace("test\"", &("n".repeat(length) + "\"")), proof)
+    };
+    assert!(named(100).is_ok() && named(101).is_err());
+}
+
+/// Short texts that ask for much, each in its own way; all are given up on, and none because of its length.
+#[test]
+fn work_is_limited() {
+    let sum = "(+ (each j 1 30 (a j)))";
+    let table = [
+        // Products, powers, common denominators.
+        format!("(= (^ {sum} 6) 0)"),
+        format!("(= (* (each i 1 99 {sum})) 0)"),
+        "(= (^ (+ 1 u r) 1000) 0)".to_owned(),
+        "(= (+ (each i 1 90 (/ 1 (+ u r (integer i))))) 1)".to_owned(),
+        // Long numbers.
+        "(= (* (each i 1 40000 (^ 3 900))) 1)".to_owned(),
+        // Nothing is added to much, much to nothing, much is looked at, or replaced by itself.
+        format!("(= (+ (^ {sum} 3) (each i 1 40000 0)) 0)"),
+        format!("(= (* 0 (each i 1 40000 (/ 1 (^ {sum} 3)))) 0)"),
+        format!("(= (at ((u (^ {sum} 3))) (+ (each i 1 40000 (G 5 1 (in W 0))))) 0)"),
+        format!("(= (at ((u (^ {sum} 3))) (+ (each i 1 40000 (at ((r 1)) 0)))) 0)"),
+        // Determinants.
+        format!("(= (det {}) 0)", format!("({})", format!("{sum} ").repeat(8)).repeat(8)),
+        // The definition.
+        "(= (DG 0 20 (in V 10)) 1)".to_owned(),
+        "(= (G 0 100 (in V 10)) 1)".to_owned(),
+        // Integers.
+        format!("(= (+ (each i 1 40000 (integer (+ {})))) 0)", "0 ".repeat(500)),
+    ];
+    let declarations =
+        "(positive (each i 1 30 (a i))) (window W 0 some some) (window V 0 (each i 0 20 some))";
+    let ranges: String = (0..3_000).map(|i| format!("(each i{i} 1 1)")).collect();
+    let long = (0..300).map(|i| format!("(let b{i} (^ (+ (each i 1 30 (a i))) 3))")).collect::<String>();
+    let mut sections: Vec<_> =
+        table.iter().map(|goal| format!("(section {declarations} (goals {goal}))")).collect();
+    sections.push(format!("(section {ranges} (goals (= 0 0)))"));
+    sections.push(format!("(section {declarations} {long} (goals (= 0 0)))"));
+    sections.push(format!("(section (window X 0 (each i 1 200 any) (each i 1 9000 0)) (goals (= 0 0)))"));
+    for sections in sections {
+        let statement = statement(&sections).replace("(degrees 1 2)", "(degrees 1)");
+        let checked = check_within(WORK / 1_000, &statement, "(proof 1 (section 1 (goal 1 (by))))");
+        let found = checked.map_or_else(|rejected| rejected.to_string(), |checked| checked.to_string());
+        assert!(
+            found.ends_with("the work is beyond the limits"),
+            "{}: {found}",
+            sections.chars().rev().take(90).collect::<String>().chars().rev().collect::<String>()
+        );
+    }
+}
+
+/// The count depends on the texts and on nothing else.
+#[test]
+fn work_is_counted_and_not_timed() {
+    let statement = statement(&format!("(section {W} (goals (> (G 0 k (in W 0)) 0)))"));
+    let proof = "(proof 1 (section 1 (goal 1 (by))) (section 2 (goal 1 (by))))";
+    let enough = |work: usize| check_within(work, &statement, proof).is_ok();
+    let (mut little, mut enough_work) = (0, 1_000_000);
+    while enough_work - little > 1 {
+        let middle = (little + enough_work) / 2;
+        if enough(middle) { enough_work = middle } else { little = middle }
+    }
+    assert!(little > 100);
+    let other = std::thread::scope(|scope| scope.spawn(|| (enough(little), enough(enough_work))).join());
+    assert_eq!(other.ok(), Some((false, true)));
+    assert!(check(&statement, proof).is_ok());
+}
+
+#[test]
+fn a_long_text_is_not_read() {
+    let proof = "(proof 1 (section 1 (goal 1 (by))) (section 2 (goal 1 (by))))";
+    let good = statement("(section (goals (= 0 0)))");
+    let of_length = |length: usize| format!("{good}{}", " ".repeat(length - good.len()));
+    assert!(check(&of_length(4_000_000), proof).is_ok());
+    let rejected = check(&of_length(4_000_001), proof).map_err(|rejected| rejected.to_string());
+    assert_eq!(rejected, Err("statement: the text is beyond the limits".to_owned()));
 }

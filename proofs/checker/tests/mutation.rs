@@ -3,7 +3,10 @@
 
 mod common;
 
-use knotproof_checker::check;
+use std::fs;
+use std::path::Path;
+
+use knotproof_checker::{check, check_within};
 
 fn tokens(text: &str) -> Vec<String> {
     let mut tokens = vec![String::new()];
@@ -135,4 +138,95 @@ fn a_false_goal_is_not_proved_by_a_proof_of_the_true_one() {
         // Not for its syntax.
         assert!(place.starts_with("section "), "{name}: {to}: {place}");
     }
+}
+
+/// Numbers at the ends of what a machine holds, and of what the format allows.
+const EXTREME: [&str; 18] = [
+    "-9223372036854775808",
+    "-9223372036854775807",
+    "9223372036854775807",
+    "9223372036854775808",
+    "18446744073709551616",
+    "-1000000",
+    "1000000",
+    "1000001",
+    "65535",
+    "65536",
+    "4294967296",
+    "2147483647",
+    "100",
+    "101",
+    "0",
+    "-1",
+    "1/9223372036854775808",
+    "-340282366920938463463374607431768211457/2",
+];
+
+/// The numbers of a linear congruence: the same mutants on every machine.
+struct Dice(u64);
+
+impl Dice {
+    /// One of so many.
+    fn roll(&mut self, sides: usize) -> usize {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        usize::try_from(self.0 >> 33).unwrap_or(0) % sides.max(1)
+    }
+
+    /// The text with a number, a token or some bytes changed.
+    fn mutant(&mut self, text: &str) -> String {
+        let mut tokens = tokens(text);
+        let is_number =
+            |token: &String| token.trim_start_matches('-').starts_with(|c: char| c.is_ascii_digit());
+        let numbers: Vec<usize> = (0..tokens.len()).filter(|at| is_number(&tokens[*at])).collect();
+        for _ in 0..=self.roll(2) {
+            let at = self.roll(tokens.len());
+            match self.roll(5) {
+                0..3 => {
+                    let at = numbers.get(self.roll(numbers.len())).copied().unwrap_or(at);
+                    tokens[at] = EXTREME[self.roll(EXTREME.len())].to_owned();
+                }
+                3 => tokens[at] = tokens[self.roll(tokens.len())].clone(),
+                _ => {
+                    let mut bytes = tokens.join(" ").into_bytes();
+                    let (at, length) = (self.roll(bytes.len()), self.roll(4));
+                    let with: Vec<u8> =
+                        (0..self.roll(4)).filter_map(|_| u8::try_from(self.roll(256)).ok()).collect();
+                    bytes.splice(at..(at + length).min(bytes.len()), with);
+                    return String::from_utf8_lossy(&bytes).into_owned();
+                }
+            }
+        }
+        tokens.join(" ")
+    }
+}
+
+/// The program's certificates with extreme numbers and odd bytes in them: every answer is an answer, whatever the
+/// file. Where a proof was changed, nothing else is proved.
+#[test]
+fn no_text_stops_the_checker() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../certs");
+    let mut files: Vec<_> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    files.retain(|file| file.extension().is_some_and(|extension| extension == "statement"));
+    files.sort();
+    assert!(files.len() > 100);
+    let (mut dice, mut tried, mut reached) = (Dice(1), 0, 0);
+    for file in files {
+        let (statement, proof) =
+            (fs::read_to_string(&file).unwrap(), fs::read_to_string(file.with_extension("proof")).unwrap());
+        if statement.len() + proof.len() > 10_000 {
+            continue;
+        }
+        for _ in 0..12 {
+            tried += 1;
+            let in_proof = dice.roll(3) == 0;
+            let mutant = dice.mutant(if in_proof { &proof } else { &statement });
+            let texts = if in_proof { (&statement, &mutant) } else { (&mutant, &proof) };
+            match check_within(100_000, texts.0, texts.1) {
+                Ok(checked) if in_proof => assert_eq!(check(&statement, &proof), Ok(checked), "{mutant}"),
+                Ok(_) => reached += 1,
+                Err(rejected) => reached += usize::from(rejected.place.starts_with("section")),
+            }
+        }
+    }
+    assert!(tried > 1_000 && reached > tried / 10, "{reached} of {tried} came as far as a section");
 }

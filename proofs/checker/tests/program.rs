@@ -29,6 +29,19 @@ fn the_exit_code_tells() {
     let missing = [pair("det"), pair("no-such")].concat();
     let (code, _, err) = run(&missing);
     assert!(code == Some(2) && err.contains("no-such.statement"), "{err}");
+    // Of what cannot be read the others are read all the same.
+    let folder = std::env::temp_dir().join(format!("knotproof-checker-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder for files");
+    let odd = folder.join("odd\u{1b}[31m\n.statement");
+    for bytes in [b"\xff".as_slice(), b"(", b"", &[b'('; 1_000_000], &[b' '; 4_000_001]] {
+        std::fs::write(&odd, bytes).expect("a file");
+        let mixed = [vec![odd.clone(), file("det.proof")], pair("det").to_vec()].concat();
+        let (code, out, err) = run(&mixed);
+        assert!(code == Some(1) || code == Some(2), "{code:?}");
+        assert_eq!((out.lines().count(), err.lines().count()), (1, 1), "{err}");
+        assert!(err.contains(r"odd\u{1b}[31m\n.statement: "), "{err}");
+    }
+    std::fs::remove_dir_all(&folder).expect("it is there");
     assert_eq!(run(&[]).0, Some(2));
     assert_eq!(run(&[file("det.statement")]).0, Some(2));
 }
