@@ -5,6 +5,7 @@ mod latex;
 mod maxima;
 mod sympy;
 mod text;
+mod tree;
 
 use crate::analysis::{FormalBasis, FormalFunction};
 
