@@ -154,7 +154,7 @@ impl Script {
                 return Err(ScriptError::at(text, start, message));
             }
             definitions.push(definition);
-            if !(reader.takes("$")? || reader.takes(";")?) && !reader.rest().is_empty() {
+            if !(reader.takes("$")? || reader.takes(";")? || reader.rest().is_empty()) {
                 return Err(reader.expected("an operator, `;`, `$` or the end"));
             }
         }
