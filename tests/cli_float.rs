@@ -46,6 +46,134 @@ fn an_instance_is_measured_for_all_its_indices() {
     assert_eq!(found, same);
 }
 
+fn text(arguments: &[&str]) -> String {
+    let mut command = Command::cargo_bin("knotproof").unwrap();
+    let output = command.arg("float").args(arguments).output().unwrap();
+    String::from_utf8(output.stdout).unwrap()
+}
+
+fn of<'a>(found: &'a Value, name: &str) -> &'a Value {
+    found["formulas"].as_array().unwrap().iter().find(|of| of["name"] == name).unwrap()
+}
+
+/// Out of the range of its bound the triangle returns NaN: that is its worst case, and no bound is printed.
+#[test]
+fn a_result_that_is_no_number_is_the_worst_case() {
+    for (degree, knots, alpha, x, count, index) in [
+        ("2", "0 0 0 1e-310 2e-310 2e-310 2e-310", "-1", "1.5e-310", 3, 1..=3),
+        ("1", "0 0 1e-308 1e-308", "-1", "1e-308", 2, 0..=1),
+        ("1", "0 0 2e-308 2e-308", "-1e-300", "2e-308", 2, 0..=1),
+        ("1", "-9e307 -9e307 9e307 9e307", "2", "9e307", 1, 0..=1),
+    ] {
+        let arguments = ["--degree", degree, "--knots", knots, "--alpha", alpha, "--x", x];
+        let (code, found, _) = run(&arguments);
+        assert_eq!(code, 1, "{found}");
+        let triangle = of(&found, "triangle");
+        assert_eq!((&triangle["not_finite"], &triangle["max_ulp"]), (&count.into(), &"inf".into()));
+        assert!(index.contains(&triangle["worst"]["index"].as_u64().unwrap()), "{triangle}");
+        assert!(triangle.get("bound_ulp").is_none());
+        let range = &triangle["bound_range"];
+        assert_eq!((&range["outside"], &range["measured"]), (&1.into(), &1.into()));
+        for name in ["fast", "accurate"] {
+            let ours = of(&found, name);
+            assert!(
+                ours["not_finite"] == 0 && ours["bound_ulp"].is_f64() && ours.get("bound_range").is_none()
+            );
+        }
+        let text = text(&arguments);
+        assert!(text.contains("does not apply here") && text.contains("worse than any bound"), "{text}");
+        assert!(text.contains("between 2^-100 and 2^100; not so in 1 of 1 cases"), "{text}");
+    }
+}
+
+/// A formula without a bound breaks too: on knots that were given that counts.
+#[test]
+fn the_papers_formula_may_return_no_number() {
+    let arguments = ["--degree", "1", "--knots", "0 0 1e300 1e300", "--alpha", "1e300", "--x", "1e300"];
+    let (code, found, _) = run(&arguments);
+    let broken: Vec<_> =
+        found["formulas"].as_array().unwrap().iter().filter(|of| of["max_ulp"] == "inf").collect();
+    assert_eq!((code, broken.is_empty(), &broken[0]["name"]), (1, false, &"paper".into()));
+    assert!(of(&found, "paper").get("bound_range").is_none());
+}
+
+/// Where the range holds the bound is printed, rounded up, and named as what it is.
+#[test]
+fn what_was_found_and_what_is_proved_have_words_of_their_own() {
+    let arguments = ["--degree", "2", "--count", "20", "--steps", "100"];
+    let (code, found, _) = run(&arguments);
+    assert_eq!((code, &of(&found, "triangle")["tried"]), (0, &120.into()));
+    assert_eq!(of(&found, "triangle")["bound_ulp"], 18.0);
+    assert!(
+        of(&found, "paper").get("bound_ulp").is_none() && of(&found, "paper").get("bound_range").is_none()
+    );
+    let text = text(&arguments);
+    for part in ["largest found (of 120 tried)", "proved to be at most", "0.5001"] {
+        assert!(text.contains(part), "{text}");
+    }
+    assert!(!text.contains("rounded") && !text.contains("Left out"), "{text}");
+}
+
+#[test]
+fn input_that_was_rounded_is_said() {
+    let merged =
+        ["--degree", "1", "--knots", "0 1 1.00000000000000000001 2", "--alpha", "1e400", "--x", "1/3"];
+    let (_, found, _) = run(&merged);
+    let rounded = found["rounded"].as_array().unwrap();
+    let whats: Vec<_> = rounded.iter().map(|of| of["what"].as_str().unwrap()).collect();
+    assert_eq!(whats, ["t_2", "alpha", "x"]);
+    assert_eq!(rounded[0]["exact"], "100000000000000000001/100000000000000000000");
+    assert_eq!((&rounded[0]["float"], &rounded[1]["float"]), (&"0x1p0".into(), &"inf".into()));
+    assert_eq!(rounded[2]["float"], "0x1.5555555555555p-2");
+    assert_eq!(found["merged"], serde_json::json!([[1, 2]]));
+    let text = text(&merged);
+    for part in [
+        "t_2 became 0x1p0, which is 1.00000e-20 away",
+        "alpha = 1.00000e400 became inf",
+        "t_1 and t_2 were different, and are the same now",
+    ] {
+        assert!(text.contains(part), "{text}");
+    }
+    let (_, found, _) = run(&["--degree", "1", "--knots", "0 1e-400 1 2", "--alpha", "-1", "--x", "1/2"]);
+    assert_eq!(found["merged"], serde_json::json!([[0, 1]]));
+    let (_, found, _) = run(&["--degree", "1", "--knots", "0 1/2 1 2", "--alpha", "-1", "--x", "1/2"]);
+    assert_eq!((&found["rounded"], &found["merged"]), (&serde_json::json!([]), &serde_json::json!([])));
+}
+
+#[test]
+fn values_next_to_underflow_are_counted() {
+    let arguments = ["--degree", "1", "--knots", "0 0 1 1", "--alpha", "-1", "--x", "5e-324"];
+    let (code, found, _) = run(&arguments);
+    assert_eq!(code, 0);
+    for name in ["paper", "ratio", "triangle", "fast", "accurate"] {
+        assert_eq!(of(&found, name)["left_out"], 1);
+        assert_eq!(of(&found, name)["sign_errors"], usize::from(!["fast", "accurate"].contains(&name)));
+    }
+    assert!(text(&arguments).contains("Left out are exact values below 2^-900"));
+    let help = Command::cargo_bin("knotproof").unwrap().args(["float", "--help"]).output().unwrap().stdout;
+    assert!(String::from_utf8(help).unwrap().contains("below 2^-900"));
+}
+
+#[test]
+fn a_point_outside_has_nothing_to_measure() {
+    let arguments = ["--degree", "1", "--knots", "0 0 1 1", "--alpha", "-1", "--x", "3"];
+    assert_eq!(run(&arguments).1["formulas"], serde_json::json!([]));
+    assert!(text(&arguments).contains("x is outside of [t_0, t_m]"));
+}
+
+/// A map over the widest range that there is: its length is no float.
+#[test]
+fn maps_of_extreme_knots_are_drawn() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    let knots = "-9e307 -9e307 9e307 9e307";
+    run(&["--degree", "1", "--knots", knots, "--alpha", "2", "--count", "1", "--steps", "0", "--out", out]);
+    for name in ["paper", "triangle", "accurate"] {
+        let svg = std::fs::read_to_string(folder.path().join(format!("error-{name}.svg"))).unwrap();
+        assert!(svg.matches("<rect").count() > 2 * 72 * 36 && !svg.contains("NaN"), "{}", svg.len());
+    }
+}
+
 #[test]
 fn what_floats_cannot_hold_is_refused() {
     for (arguments, argument) in [

@@ -3,10 +3,13 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
 #![allow(clippy::float_cmp, reason = "exact floats are expected")]
 
-use knotproof::float::{Case, Effort, Errors, Field, FloatBasis, Formula, FormulaRecord, hexadecimal, study};
+use knotproof::float::{
+    Case, Effort, Errors, Field, FloatBasis, Formula, FormulaRecord, Ulps, hexadecimal, study,
+};
 use knotproof::scalar::{RationalAlgebra, exact_value, integer, parse_rational, rational, ulp};
 use knotproof::spline::Side;
 use num_traits::{Signed, Zero};
+use proptest::prelude::*;
 
 const EFFORT: Effort = Effort { seed: 3, count: 60, steps: 300 };
 
@@ -20,7 +23,7 @@ fn case(knots: &[f64], degree: usize, alpha: f64, x: f64) -> Case {
 fn without_rounding_there_is_no_error() {
     for formula in Formula::ALL {
         let errors = Errors::of(formula, &case(&[0.0, 0.0, 0.0, 4.0, 4.0, 4.0], 2, f64::INFINITY, 1.0));
-        assert!(errors.ulps.iter().all(|ulp| *ulp == Some(integer(0))), "{formula:?}");
+        assert!(errors.ulps.iter().all(|ulp| *ulp == Ulps::Number(integer(0))), "{formula:?}");
         assert!(errors.absolute.is_zero() && errors.sum == Some(integer(0)) && errors.signs == 0);
     }
 }
@@ -33,7 +36,7 @@ fn an_error_is_measured_exactly() {
         let exact = rational(x.into(), 65);
         let expected = (exact_value(float).unwrap() - &exact).abs();
         let errors = Errors::of(Formula::Paper, &case(&[0.0, 0.0, 65.0, 65.0], 1, f64::INFINITY, x.into()));
-        assert_eq!(errors.ulps[1], Some(expected / ulp(&exact)));
+        assert_eq!(errors.ulps[1], Ulps::Number(expected / ulp(&exact)));
     }
 }
 
@@ -43,7 +46,7 @@ fn the_papers_formula_loses_half_of_its_digits() {
     let knots: Vec<f64> = (0..6).map(|i| f64::from(100_000_000 + i)).collect();
     let basis = FloatBasis::new(knots, 2, 1.2).unwrap();
     let figures = study(&Field::Bases(vec![basis]), &Formula::ALL, EFFORT);
-    let half = integer(1 << 26);
+    let half = Ulps::Number(integer(1 << 26));
     for of in figures {
         match of.formula {
             Formula::Paper => assert!(of.median > half),
@@ -80,19 +83,119 @@ fn the_worst_case_is_within_the_bound_and_can_be_measured_again() {
         }
         let ours = figures.last().unwrap();
         // The bound is as good as reached.
-        assert!(degree == 0 || ours.worst.as_ref().unwrap().error > rational(49, 100));
+        assert!(degree == 0 || ours.worst.as_ref().unwrap().error > Ulps::Number(rational(49, 100)));
         let other = study(&Field::Degree(degree), &Formula::ALL, EFFORT);
         assert_eq!(format!("{other:?}"), format!("{figures:?}"), "the result depends on the seed only");
     }
 }
 
-/// A wrong value, a wrong sign and a NaN are seen as such: the paper's formula has 0/0 where α(b − a) is rounded away.
+/// What one case shows of each formula: the figures of a study of it alone.
+fn alone(case: &Case) -> Vec<knotproof::float::Figures> {
+    study(&Field::Cases(vec![case.clone()]), &Formula::ALL, EFFORT)
+}
+
+/// The paper's formula has 0/0 where α(b − a) is rounded away; the others lose their numbers where a sum of differences
+/// overflows, or its reciprocal.
 #[test]
-fn what_is_not_finite_is_no_error_and_is_counted() {
-    let found = case(&[0.0, 0.0, 1e300, 1e300], 1, 1e300, 1e300);
-    let errors = Errors::of(Formula::Paper, &found);
-    assert!(errors.ulps.contains(&None) && errors.sum.is_none(), "{errors:?}");
-    assert_eq!(Errors::of(Formula::Accurate, &found).signs, 0);
+fn what_is_no_number_is_worse_than_any_bound() {
+    let mut seen = [0; 5];
+    for (knots, alpha, x) in [
+        (&[0.0, 0.0, 1e300, 1e300][..], 1e300, 1e300),
+        (&[0.0, 0.0, 1e-308, 1e-308], -1.0, 1e-308),
+        (&[0.0, 0.0, 2e-308, 2e-308], -1e-300, 2e-308),
+        (&[-9e307, -9e307, 9e307, 9e307], 2.0, 9e307),
+        (&[0.0, 0.0, 0.0, 1e-310, 2e-310, 2e-310, 2e-310], -1.0, 1.5e-310),
+        (&[-1e308, -1e308, -1e308, 1e308, 1e308, 1e308], f64::INFINITY, 0.0),
+    ] {
+        let found = case(knots, knots.len() / 2 - 1 - usize::from(knots.len() == 7), alpha, x);
+        for (of, seen) in alone(&found).iter().zip(&mut seen) {
+            let not_finite = of.formula.values(&found).iter().filter(|value| !value.is_finite()).count();
+            let (worst, record) = (&of.worst.as_ref().unwrap().error, FormulaRecord::from(of));
+            assert_eq!((of.not_finite, *worst == Ulps::NotFinite), (not_finite, not_finite > 0), "{of:?}");
+            if not_finite > 0 {
+                *seen += 1;
+                assert_eq!(of.keeps_bound(), of.bound.is_none());
+                assert!(of.median == Ulps::NotFinite && record.bound_ulp.is_none());
+                assert_eq!(record.max_ulp.as_deref(), Some("inf"));
+                for text in [record.p99_ulp, record.median_ulp, record.max_absolute, record.max_sum] {
+                    assert_eq!(text, "inf");
+                }
+            }
+        }
+    }
+    assert!(seen[..3].iter().all(|seen| *seen > 0) && seen[3..] == [0, 0], "{seen:?}");
+    assert!(Ulps::NotFinite > Ulps::Number(exact_value(f64::MAX).unwrap()));
+}
+
+/// A value that has no ULP to count is held to its absolute error and its sign.
+#[test]
+fn what_is_next_to_underflow_is_counted_and_measured() {
+    let found = case(&[0.0, 0.0, 1.0, 1.0], 1, -1.0, 5e-324);
+    for of in alone(&found) {
+        assert_eq!((of.left_out, of.keeps_bound()), (1, true), "{of:?}");
+        assert_eq!(of.signs, usize::from(!of.formula.keeps_signs()), "2^-1075 rounds to 0 in plain floats");
+    }
+    let errors = Errors::of(Formula::Accurate, &found);
+    assert!(errors.left_out == 1 && errors.beside.is_positive());
+    // The exact value at a knot is 0: there is nothing to leave out.
+    assert_eq!(Errors::of(Formula::Accurate, &case(&[0.0, 0.0, 1.0, 1.0], 1, -1.0, 0.0)).left_out, 0);
+}
+
+/// Knots, α and x over the whole range of the exponents.
+fn extreme() -> impl Strategy<Value = Case> {
+    let scale =
+        || (-1074_i32..1022).prop_map(|e| 2.0_f64.powi(e.max(-1022)) * 2.0_f64.powi((e + 1022).min(0)));
+    let near = (-130_i32..130).prop_map(|e| 2.0_f64.powi(e));
+    let gap = prop_oneof![2 => Just(0.0), 3 => scale(), 4 => near, 2 => 0.1..9.0_f64];
+    let alpha = prop_oneof![
+        Just(f64::INFINITY),
+        scale().prop_map(|s| -s),
+        scale().prop_map(|s| 1.0 + s.max(f64::EPSILON)),
+        (0.01..100.0_f64).prop_map(|s| -s),
+    ];
+    let shape = (0_usize..=6).prop_flat_map(move |k| {
+        (Just(k), proptest::collection::vec(gap.clone(), 2 * k + 1), any::<prop::sample::Index>())
+    });
+    (shape, alpha, 0.0..=1.0_f64, any::<bool>()).prop_filter_map(
+        "a basis",
+        |((degree, gaps, origin), alpha, part, tiny)| {
+            let mut knots = vec![0.0];
+            for gap in gaps {
+                knots.push(knots.last()? + gap);
+            }
+            let shift = knots[origin.index(knots.len())];
+            let knots: Vec<f64> = knots.into_iter().map(|t: f64| t - shift).collect();
+            let basis = FloatBasis::new(knots.clone(), degree, alpha).ok()?;
+            let start = (0..knots.len() - 1).filter(|&j| knots[j] < knots[j + 1]);
+            let starts: Vec<usize> = start.collect();
+            let j = starts[origin.index(starts.len())];
+            let x =
+                knots[j] + part * if tiny { f64::MIN_POSITIVE } else { (knots[j + 1] - knots[j]).min(1e300) };
+            Case::at(basis, x.min(knots[j + 1]), Side::Right)
+        },
+    )
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 1000, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Every bound that is printed holds, wherever it is printed; and nothing that is no number gets past.
+    #[test]
+    fn a_bound_holds_where_it_is_said_to_apply(found in extreme()) {
+        for of in alone(&found) {
+            let record = FormulaRecord::from(&of);
+            if of.not_finite > 0 {
+                prop_assert!(of.keeps_bound() == of.bound.is_none() && record.bound_ulp.is_none(), "{of:?}");
+            } else {
+                prop_assert!(of.keeps_bound(), "{of:?}");
+            }
+            let worst = &of.worst.as_ref().expect("a case").error;
+            if let Some(bound) = record.bound_ulp {
+                prop_assert!(*worst <= Ulps::Number(exact_value(bound).expect("finite")), "{of:?}");
+            }
+            prop_assert!(of.formula.bound(1).is_none() || record.bound_ulp.is_some() != record.bound_range.is_some());
+        }
+    }
 }
 
 #[test]

@@ -10,7 +10,7 @@ use crate::analysis::FreeKnotError;
 use crate::certificate::CertificateError;
 use crate::claims::Fault;
 use crate::float::FloatError;
-use crate::report::{BaselineError, END, PageError, PictureError, ReportError, START};
+use crate::report::{BaselineError, END, PageError, PictureError, ReportError, START, ScriptError};
 use crate::scalar::NumberError;
 use crate::search::{AuditError, MergeError, PartError, RecordError};
 use crate::spline::{BasisError, CurveError, KnotError};
@@ -181,6 +181,30 @@ pub enum CliError {
         degree: usize,
         /// The highest that is allowed.
         limit: usize,
+    },
+    /// A file with expressions that cannot be read, or not compared.
+    #[error("--equals: {}, {error}", path.display())]
+    Expression {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong, and where.
+        error: ScriptError,
+    },
+    /// A file with expressions for other functions.
+    #[error("--index: {} has no definition of G_{index}", path.display())]
+    NoDefinition {
+        /// The file.
+        path: PathBuf,
+        /// The function that was asked for.
+        index: usize,
+    },
+    /// An interval between knots that is none.
+    #[error("--span: [t_{given}, t_{}) is empty, or not there; take one of {}", given.saturating_add(1), list(spans))]
+    NoSpan {
+        /// j.
+        given: usize,
+        /// Those that are not empty.
+        spans: Vec<usize>,
     },
     /// Help about a command that is not there.
     #[error("COMMAND: there is no command `{name}`; there are {}", list(commands))]
@@ -385,7 +409,9 @@ impl CliError {
             Self::UnknownCommand { .. } => Some("COMMAND"),
             Self::Width(_) => Some("--width"),
             Self::FreeKnot(_) | Self::TwoParameters => Some("--free-knot"),
-            Self::Function { .. } => Some("--index"),
+            Self::Function { .. } | Self::NoDefinition { .. } => Some("--index"),
+            Self::Expression { .. } => Some("--equals"),
+            Self::NoSpan { .. } => Some("--span"),
             Self::Derivatives { .. } => Some("--derivatives"),
             Self::UnknownClaim { argument, .. } | Self::File { argument, .. } => Some(argument),
             Self::NotGeneral { .. } => Some("--property"),

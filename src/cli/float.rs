@@ -4,15 +4,19 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 
 use num_rational::BigRational;
+use num_traits::{Signed, Zero};
 use serde::Serialize;
 
-use crate::float::{Case, Effort, Field, Figures, FloatBasis, FloatError, Formula, FormulaRecord, study};
+use crate::float::{
+    Case, Effort, Field, FloatBasis, FloatError, Formula, FormulaRecord, RangeRecord, hexadecimal, study,
+};
 use crate::report::heat_map;
-use crate::scalar::{RationalAlgebra, integer, parse_rational};
+use crate::scalar::{RationalAlgebra, decimal, exact_value, integer, parse_rational};
 use crate::spline::{Basis, Side};
 
 use super::atomic::Folder;
 use super::error::CliError;
+use super::exact::Exact;
 use super::exit::Exit;
 use super::instance::{InstanceArgs, whole_number};
 use super::output::Output;
@@ -25,6 +29,11 @@ use super::table::{plain, right_aligned};
 /// absolutely; by the sum of all functions; and by the signs. Without knots, random cases of a degree are measured: gaps and
 /// |α| or α − 1 differ from 1 by factors up to 2^10, spread evenly over the scales; with knots, random points of these. Then a
 /// search climbs towards worse cases. Each worst case is printed with a command that shows it again.
+///
+/// "Largest found" is what the search found, and not the largest there is; "proved to be at most" is proved, in `docs/float.md`,
+/// and is compared with it. A result that is no number, written `inf`, is worse than any bound. Exact values below 2^-900,
+/// next to underflow, are left out of the columns in ULP: they are counted, and have their part in the absolute errors
+/// and the signs. Numbers that f64 does not have are rounded, and the output says which.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLE)]
 pub(super) struct Args {
@@ -53,7 +62,8 @@ const EXAMPLE: &str = r#"Examples:
   knotproof float --instance U4 --out pictures
   knotproof float --degree 2 --knots "100000000 100000001 100000002 100000003 100000004 100000005" --alpha -1
   knotproof float --degree 1 --knots "0 1 2" --alpha -0x1.8p-3 --x 0x1.8p-1 --format json
-Exit code 1: an error is larger than its proved bound."#;
+Exit code 1: an error is larger than its proved bound, or a result is no number: with given knots one of any formula,
+with random ones one of a formula that has a bound."#;
 
 /// The most random cases, and steps of the search.
 const COUNT_LIMIT: usize = 1_000_000;
@@ -67,9 +77,35 @@ struct Comparison {
     seed: usize,
     count: usize,
     steps: usize,
+    /// What was given and is no `f64`.
+    rounded: Vec<Rounded>,
+    /// The positions of neighbouring knots that are different, and the same in `f64`.
+    merged: Vec<[usize; 2]>,
     formulas: Vec<FormulaRecord>,
     #[serde(skip)]
     written: Vec<PathBuf>,
+}
+
+/// A number that was rounded.
+#[derive(Debug, PartialEq, Serialize)]
+struct Rounded {
+    /// `x`, `alpha` or `t_i`.
+    what: String,
+    /// What was given.
+    exact: Exact,
+    /// What it became.
+    float: String,
+    /// |float − exact|, unless that is infinite.
+    #[serde(skip)]
+    off: Option<BigRational>,
+}
+
+/// What is to be measured, and what of it was rounded.
+struct Subject {
+    degree: usize,
+    field: Field,
+    rounded: Vec<Rounded>,
+    merged: Vec<[usize; 2]>,
 }
 
 /// Measures, searches and prints.
@@ -80,7 +116,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
             return Err(CliError::Limits { argument, given, least, most });
         }
     }
-    let (degree, field) = args.field()?;
+    let Subject { degree, field, rounded, merged } = args.subject()?;
     let [seed, count, steps] =
         [args.seed, args.count, args.steps].map(|n| u64::try_from(n).unwrap_or(u64::MAX));
     let written = match &args.out {
@@ -88,7 +124,9 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         None => Vec::new(),
     };
     let figures = study(&field, &Formula::ALL, Effort { seed, count, steps });
-    let kept = figures.iter().all(Figures::keeps_bound);
+    // On random knots the search looks for what breaks a formula, and one without a bound may break.
+    let given = !matches!(field, Field::Degree(_));
+    let kept = figures.iter().all(|of| of.keeps_bound() && !(given && of.not_finite > 0));
     let formulas = figures.iter().map(FormulaRecord::from).collect();
     let Args { seed, count, steps, .. } = *args;
     output.result(&Comparison {
@@ -97,6 +135,8 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         seed,
         count,
         steps,
+        rounded,
+        merged,
         formulas,
         written,
     })?;
@@ -104,8 +144,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
 }
 
 impl Args {
-    /// k, and what is to be measured.
-    fn field(&self) -> Result<(usize, Field), CliError> {
+    fn subject(&self) -> Result<Subject, CliError> {
         if let Some(degree) = self.instance.degree_alone() {
             let degree = degree?;
             // The floats have a highest degree; its error names it.
@@ -118,21 +157,64 @@ impl Args {
                         "a point is a point of some knots; give them, such as --knots \"0 0 1 2 2\"";
                     Err(CliError::Needed { argument: "--knots", purpose })
                 }
-                (None, None) => Ok((degree, Field::Degree(degree))),
+                (None, None) => {
+                    let field = Field::Degree(degree);
+                    Ok(Subject { degree, field, rounded: Vec::new(), merged: Vec::new() })
+                }
             };
         }
         let cases = self.instance.resolve()?.cases;
         let bases = cases.iter().map(|case| float(&case.basis)).collect::<Result<Vec<_>, _>>()?;
         let degree = cases.first().map_or(0, |case| case.basis.degree());
-        let Some(x) = &self.x else { return Ok((degree, Field::Bases(bases))) };
+        let (mut rounded, mut merged) = (Vec::new(), Vec::new());
+        if let (Some(case), Some(float)) = (cases.first(), bases.first()) {
+            let exact = case.basis.knots().knots();
+            let pairs = exact.iter().zip(float.knots()).enumerate();
+            rounded
+                .extend(pairs.filter_map(|(i, (exact, &float))| Rounded::of(format!("t_{i}"), exact, float)));
+            let pairs = exact.windows(2).zip(float.knots().windows(2)).enumerate();
+            let same = pairs.filter(|(_, (exact, float))| exact[0] < exact[1] && float[0] >= float[1]);
+            merged.extend(same.map(|(i, _)| [i, i + 1]));
+        }
+        for (case, float) in cases.iter().zip(&bases) {
+            let alpha = case.basis.index().alpha();
+            rounded.extend(alpha.and_then(|alpha| Rounded::of("alpha".to_owned(), &alpha, float.alpha())));
+        }
+        let Some(exact) = &self.x else {
+            return Ok(Subject { degree, field: Field::Bases(bases), rounded, merged });
+        };
         let place = || Place::option("--x");
-        let x = 0.0_f64.embed(x);
+        let x = 0.0_f64.embed(exact);
+        rounded.extend(Rounded::of("x".to_owned(), exact, x));
         let at = |basis: FloatBasis<f64>| {
             basis.span_at(x, Side::Right).map_err(|error| CliError::Float { place: place(), error })?;
             Ok(Case::at(basis, x, Side::Right))
         };
         let cases = bases.into_iter().map(at).collect::<Result<Vec<_>, CliError>>()?;
-        Ok((degree, Field::Cases(cases.into_iter().flatten().collect())))
+        let field = Field::Cases(cases.into_iter().flatten().collect());
+        Ok(Subject { degree, field, rounded, merged })
+    }
+}
+
+impl Rounded {
+    /// `None` if the float is the number.
+    fn of(what: String, exact: &BigRational, float: f64) -> Option<Self> {
+        let off = exact_value(float).map(|float| (float - exact).abs());
+        if off.as_ref().is_some_and(Zero::is_zero) {
+            return None;
+        }
+        Some(Self { what, exact: Exact(exact.clone()), float: hexadecimal(float), off })
+    }
+}
+
+/// `t_2 became 0x1p0, which is 1.00000e-20 away`.
+impl fmt::Display for Rounded {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { what, exact, float, off } = self;
+        match off {
+            Some(off) => write!(f, "{what} became {float}, which is {} away", decimal(off, DIGITS)),
+            None => write!(f, "{what} = {} became {float}", decimal(&exact.0, DIGITS)),
+        }
     }
 }
 
@@ -163,19 +245,50 @@ fn float(basis: &Basis) -> Result<FloatBasis<f64>, CliError> {
     })
 }
 
+/// The digits of a number that is shown rounded, and how many of the rounded ones are shown.
+const DIGITS: usize = 6;
+const SHOWN: usize = 8;
+
+impl Comparison {
+    /// What was changed before anything was measured.
+    fn fmt_rounding(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { rounded, merged, .. } = self;
+        if rounded.is_empty() {
+            return Ok(());
+        }
+        writeln!(
+            f,
+            "The input was rounded to f64, and all errors are those against the exact values of the floats:"
+        )?;
+        rounded.iter().take(SHOWN).try_for_each(|number| writeln!(f, "  {number}"))?;
+        if rounded.len() > SHOWN {
+            writeln!(f, "  and {} more, all of them with --format json", rounded.len() - SHOWN)?;
+        }
+        let spans = merged.iter().take(SHOWN);
+        spans
+            .into_iter()
+            .try_for_each(|[i, j]| writeln!(f, "  t_{i} and t_{j} were different, and are the same now"))?;
+        if merged.len() > SHOWN {
+            writeln!(f, "  and so are {} more pairs", merged.len() - SHOWN)?;
+        }
+        writeln!(f)
+    }
+}
+
 /// A table of the figures, and the worst cases.
 impl fmt::Display for Comparison {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let headings = [
             "formula",
-            "largest ULP",
+            "largest found",
             "99 %",
             "median",
             "absolute",
             "of the sum",
             "signs",
             "not finite",
-            "proved",
+            "left out",
+            "proved to be at most",
         ];
         let mut table = plain(headings.map(str::to_owned).to_vec());
         for of in &self.formulas {
@@ -188,11 +301,38 @@ impl fmt::Display for Comparison {
                 of.max_sum.clone(),
                 of.sign_errors.to_string(),
                 of.not_finite.to_string(),
-                of.bound_ulp.map_or_else(String::new, |bound| format!("{bound:.4}")),
+                of.left_out.to_string(),
+                of.proved(),
             ]);
         }
         (1..headings.len()).for_each(|column| right_aligned(&mut table, column));
-        writeln!(f, "Errors in f64, degree {}\n{}\n\nWorst cases", self.degree, table.trim_fmt())?;
+        self.fmt_rounding(f)?;
+        let Some(first) = self.formulas.first() else {
+            return write!(
+                f,
+                "x is outside of [t_0, t_m], where every function is 0: there is nothing to measure."
+            );
+        };
+        let tried = first.tried;
+        writeln!(f, "Errors in f64, degree {}: largest found (of {tried} tried), in ULP", self.degree)?;
+        writeln!(f, "{}\n", table.trim_fmt())?;
+        if self.formulas.iter().any(|of| of.not_finite > 0) {
+            writeln!(f, "inf: a result is no number, which is worse than any bound.")?;
+        }
+        if self.formulas.iter().any(|of| of.left_out > 0) {
+            let note = "they are in the columns absolute, of the sum and signs, and in none of those in ULP";
+            writeln!(f, "Left out are exact values below 2^-900, next to underflow: {note}.")?;
+        }
+        for of in &self.formulas {
+            if let Some(RangeRecord { holds_where, outside, measured, .. }) = &of.bound_range {
+                let name = of.name;
+                writeln!(
+                    f,
+                    "{name}: its bound is proved where {holds_where}; not so in {outside} of {measured} cases."
+                )?;
+            }
+        }
+        writeln!(f, "Worst cases")?;
         for of in &self.formulas {
             if let Some(worst) = &of.worst {
                 writeln!(f, "  {}, G_{}: {}", of.name, worst.index, worst.reproduce)?;

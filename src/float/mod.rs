@@ -25,6 +25,6 @@ pub use error::FloatError;
 pub use fast::FAST_DEGREE;
 pub use real::Real;
 pub use study::{
-    Case, CaseRecord, Effort, Errors, Extreme, Field, Figures, Formula, FormulaRecord, WorstRecord,
-    hexadecimal, study,
+    Case, CaseRecord, Effort, Errors, Extreme, Field, Figures, Formula, FormulaRecord, RangeRecord, Ulps,
+    WorstRecord, hexadecimal, study,
 };

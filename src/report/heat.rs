@@ -5,7 +5,7 @@ use plotters::prelude::*;
 
 use super::PictureError;
 use super::figures::canvas::failed;
-use crate::float::{Case, Errors, FloatBasis, Formula};
+use crate::float::{Case, Errors, FloatBasis, Formula, Ulps};
 use crate::spline::Side;
 
 const SIZE: (u32, u32) = (760, 640);
@@ -31,7 +31,7 @@ pub fn heat_map(formula: Formula, knots: &[f64], degree: usize) -> Result<String
         root.fill(&WHITE).map_err(failed)?;
         let shown: Vec<String> = knots.iter().map(ToString::to_string).collect();
         let title =
-            format!("Largest error of \"{}\", degree {degree}, knots {}", formula.name(), shown.join(" "));
+            format!("Error of \"{}\" mid-cell, degree {degree}, knots {}", formula.name(), shown.join(" "));
         let root = root.titled(&title, ("sans-serif", 15)).map_err(failed)?;
         let (maps, scale) = root.split_horizontally(660);
         let panels = maps.split_evenly((2, 1));
@@ -54,21 +54,23 @@ fn panel(
 ) -> Result<(), PictureError> {
     let (Some(&first), Some(&last)) = (knots.first(), knots.last()) else { return Ok(()) };
     let scales = f64::from(SCALES);
+    // The axis needs a finite length: a quarter of the widest range is one.
+    let unit = if (last - first).is_finite() { 1.0 } else { 0.25 };
+    let (start, end) = (first * unit, last * unit);
     let mut chart = ChartBuilder::on(area)
         .margin(10)
         .x_label_area_size(34)
         .y_label_area_size(64)
-        .build_cartesian_2d(first..last, -scales..scales)
+        .build_cartesian_2d(start..end, -scales..scales)
         .map_err(failed)?;
-    chart
-        .configure_mesh()
-        .disable_mesh()
-        .x_desc("x")
-        .y_desc(label)
-        .y_label_formatter(&|power| format!("1e{power:.0}"))
-        .draw()
-        .map_err(failed)?;
-    let edge = |column: u32| first + (last - first) * f64::from(column) / f64::from(COLUMNS);
+    let in_full = |x: &f64| format!("{:.2e}", x / unit);
+    let mut mesh = chart.configure_mesh();
+    mesh.disable_mesh().x_desc("x").y_desc(label).y_label_formatter(&|power| format!("1e{power:.0}"));
+    if unit < 1.0 {
+        mesh.x_label_formatter(&in_full);
+    }
+    mesh.draw().map_err(failed)?;
+    let edge = |column: u32| start + (end - start) * (f64::from(column) / f64::from(COLUMNS));
     let mut cells = Vec::new();
     let rows = (-SCALES..SCALES).flat_map(|power| [0_u8, 1, 2].map(|third| (power, third)));
     for (power, third) in rows {
@@ -78,7 +80,7 @@ fn panel(
         let Ok(basis) = FloatBasis::new(knots.to_vec(), degree, alpha(s)) else { continue };
         for column in 0..COLUMNS {
             let (left, right) = (edge(column), edge(column + 1));
-            let Some(case) = Case::at(basis.clone(), f64::midpoint(left, right), Side::Right) else {
+            let Some(case) = Case::at(basis.clone(), f64::midpoint(left, right) / unit, Side::Right) else {
                 continue;
             };
             cells.push(Rectangle::new(
@@ -91,13 +93,14 @@ fn panel(
     Ok(())
 }
 
-/// ⌈log₁₀⌉ of the largest error in ULP, from 0 for 1 ULP or less; `DIGITS` where nothing is finite.
+/// ⌈log₁₀⌉ of the largest error in ULP, from 0 for 1 ULP or less; `DIGITS` where a result is no number.
 fn digits_lost(formula: Formula, case: &Case) -> i32 {
     let errors = Errors::of(formula, case);
-    if errors.ulps.contains(&None) {
-        return DIGITS;
-    }
-    let Some((error, _)) = errors.worst() else { return 0 };
+    let error = match errors.worst() {
+        Some((Ulps::Number(error), _)) => error,
+        Some((Ulps::NotFinite, _)) => return DIGITS,
+        None => return 0,
+    };
     let mut power = crate::scalar::integer(1);
     (0..DIGITS)
         .find(|_| {

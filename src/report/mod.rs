@@ -25,7 +25,7 @@ pub use baseline::{Baseline, BaselineError, Difference, Entry};
 pub use conjecture::conjecture_page;
 pub use corners::{Corner, Turn, corners};
 pub use figures::PictureError;
-pub use formula::{Form, Language, expression, formula};
+pub use formula::{Counterexample, Definition, Form, Language, Script, ScriptError, expression, formula};
 pub use heat::heat_map;
 pub use markdown::{END, START, markdown, with_verdict_table};
 pub use page::{PageError, PageSource, page};

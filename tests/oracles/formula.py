@@ -1,6 +1,7 @@
-"""The formulas of `knotproof formula`, as SymPy and Maxima read them, against the values of `knotproof eval`.
+"""The formulas of `knotproof formula`, as SymPy and Maxima read them, against the values of `knotproof eval`; and LaTeX
+has to take what is written for it.
 
-usage: formula.py PROGRAM, with SymPy at hand and `maxima` on the path. Every comparison is of exact fractions.
+usage: formula.py PROGRAM, with SymPy at hand, and `maxima` and `pdflatex` on the path. Every comparison is of exact fractions.
 """
 
 import json
@@ -23,6 +24,12 @@ BASES = [
     ("0 0 0 3/4 3/4 3/4 3 3 3", 2),
     ("0 0 0 0 0 5/2 5 5 5 5 5", 4),
     ("0 0 0 0 1 1 1 1", 1),
+    # With knots below and at 0, where a factor can be -x: inside, at an end, between others.
+    ("-1 -1 -1 0 1 1 1", 2),
+    ("-3 -3 -3 -5/2 0 1/3 1/3 1/3", 2),
+    ("-3/2 -3/2 -1/2 0 0 1", 1),
+    ("-3 -5/2 -3/2 -3/2 -3/2 -1/2 -1/2 0 2 2", 3),
+    ("-2 -2 -2 -2 -2 -1 -1 -1 -1 -1", 4),
 ]
 INDICES = ["-1", "2", "5", "-1/7", "1000001/1000000", "inf"]
 
@@ -83,13 +90,31 @@ def by_maxima(source, count, alpha, xs):
     return [[next(values) for _ in range(count)] for _ in xs]
 
 
+def compiled(sources):
+    """All documents as one: a fault, or a character that the font does not have, ends the run."""
+    head = "\\documentclass{article}\n\\usepackage{amsmath}\n\\tracinglostchars=2\n\\begin{document}\n"
+    with tempfile.TemporaryDirectory() as folder:
+        with open(os.path.join(folder, "formulas.tex"), "w") as file:
+            file.write(head + "\n\\clearpage\n".join(sources) + "\\end{document}\n")
+        command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "-draftmode", "formulas.tex"]
+        done = subprocess.run(command, cwd=folder, capture_output=True, text=True, errors="replace")
+    faults = [line for line in done.stdout.splitlines() if line.startswith(("!", "Missing character"))]
+    if done.returncode != 0 or faults:
+        sys.exit(f"LaTeX: exit code {done.returncode}: {faults}\n{done.stdout[-3000:]}")
+
+
 def main():
     os.environ["NO_COLOR"] = "1"
     compared = 0
+    documents = []
     for knots, degree in BASES:
         basis = ["--degree", str(degree), "--knots", knots]
         xs = points(knots)
         for form in ["--factored", "--expanded"]:
+            documents += [
+                run([PROGRAM, "formula", *basis, "--alpha", alpha, form, "--as", "latex"])
+                for alpha in [*INDICES, "symbolic"]
+            ]
             symbolic = {
                 language: run([PROGRAM, "formula", *basis, "--alpha", "symbolic", form, "--as", language])
                 for language in ["sympy", "maxima"]
@@ -116,8 +141,10 @@ def main():
                             compared += len(row)
     if compared < 10000:
         sys.exit(f"only {compared} values were compared")
+    compiled(documents)
     version = run(["maxima", "--version"]).strip()
-    print(f"{compared} values agree: SymPy {sympy.__version__}, {version}")
+    latex = run(["pdflatex", "--version"]).splitlines()[0]
+    print(f"{compared} values agree: SymPy {sympy.__version__}, {version}; {len(documents)} documents: {latex}")
 
 
 main()

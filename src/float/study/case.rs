@@ -88,8 +88,10 @@ impl Source {
         let knots = basis.knots();
         let starts: Vec<usize> = (1..knots.len()).filter(|&i| knots[i - 1] < knots[i]).collect();
         let end = *starts.get(self.place(starts.len()))?;
-        let x = knots[end - 1] + self.part() * (knots[end] - knots[end - 1]);
-        Case::at(basis.clone(), x.min(knots[end]), Side::Right)
+        let (a, b, part) = (knots[end - 1], knots[end], self.part());
+        let width = b - a;
+        let x = if width.is_finite() { a + part * width } else { (1.0 - part) * a + part * b };
+        Case::at(basis.clone(), x.min(b), Side::Right)
     }
 
     /// A place in a list, evenly.

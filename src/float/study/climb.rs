@@ -5,12 +5,15 @@ use super::formula::Formula;
 use super::measure::estimate;
 
 /// The worst case that was found from a start in so many steps: a change is kept if the error is not smaller after it.
-/// With `fixed`, only x is changed.
+/// With `fixed`, only x is changed. A search that starts where the formula's bound is proved stays there: outside of
+/// that range it would only find how the numbers overflow.
 pub(super) fn climb(formula: Formula, start: Case, source: &mut Source, steps: u64, fixed: bool) -> Case {
     let mut height = estimate(formula, &start);
     let mut case = start;
+    let inside = formula.bound_applies(&case);
     for _ in 0..steps {
-        if let Some(changed) = source.changed(&case, fixed) {
+        let changed = source.changed(&case, fixed).filter(|case| !inside || formula.bound_applies(case));
+        if let Some(changed) = changed {
             let reached = estimate(formula, &changed);
             if reached >= height {
                 (case, height) = (changed, reached);

@@ -3,6 +3,7 @@
 use super::super::basis::HIGHEST_DEGREE;
 use super::super::batch::Precision;
 use super::super::point;
+use super::super::power::power;
 use super::case::Case;
 
 /// One way to compute.
@@ -41,7 +42,7 @@ impl Formula {
     #[must_use]
     pub fn values(self, case: &Case) -> Vec<f64> {
         let (alpha, x) = (case.basis.alpha(), case.x);
-        let r = if alpha.is_infinite() { 1.0 } else { alpha / (alpha - 1.0) };
+        let r = ratio(case);
         let mut values = match self {
             Self::Paper if alpha.is_infinite() => recursion(case, |a, b| (x - a) / (b - a)),
             Self::Paper => recursion(case, |a, b| alpha * (x - a) / (x + (alpha - 1.0) * b - alpha * a)),
@@ -64,8 +65,9 @@ impl Formula {
         values
     }
 
-    /// The proved bound on its error in units in the last place, where there is one. But for the half unit of the last
-    /// rounding, a relative error of c·2⁻⁵³ is at most c units.
+    /// The proved bound on its error in units in the last place, where there is one: for exact values from 2⁻⁹⁰⁰ up, in every
+    /// case that it [applies to](Self::bound_applies). But for the half unit of the last rounding, a relative error of
+    /// c·2⁻⁵³ is at most c units.
     #[must_use]
     pub fn bound(self, degree: usize) -> Option<f64> {
         let k = u32::try_from(degree).map_or(f64::INFINITY, f64::from);
@@ -76,6 +78,37 @@ impl Formula {
             Self::Fast | Self::Accurate => Some(0.5 + k / f64::from(1 << 22) / f64::from(1 << 22)),
         }
     }
+
+    /// Is the case in the range in which the bound is proved? For the formulas of this library every case is. The
+    /// triangle needs all its sums r(x − a) + (b − x) between 2⁻¹⁰⁰ and 2¹⁰⁰: then nothing overflows, and no underflow
+    /// matters.
+    #[must_use]
+    pub fn bound_applies(self, case: &Case) -> bool {
+        match self {
+            Self::Paper | Self::Ratio => false,
+            Self::Fast | Self::Accurate => true,
+            Self::Triangle => {
+                let (degree, knots, r) = (case.basis.degree(), case.basis.local(case.span), ratio(case));
+                // The sums as they are rounded: one in the narrower range is in the wider one.
+                let range = power(-99)..power(99);
+                let sum = |a: f64, b: f64| r * (case.x - a) + (b - case.x);
+                let level = |d: usize| (0..d).map(move |c| (degree - d + c, degree + c));
+                (1..=degree).flat_map(level).all(|(a, b)| range.contains(&sum(knots[a], knots[b])))
+            }
+        }
+    }
+
+    /// Is it proved that a value is 0 if and only if the exact one is?
+    #[must_use]
+    pub fn keeps_signs(self) -> bool {
+        matches!(self, Self::Fast | Self::Accurate)
+    }
+}
+
+/// r = α/(α − 1), rounded.
+fn ratio(case: &Case) -> f64 {
+    let alpha = case.basis.alpha();
+    if alpha.is_infinite() { 1.0 } else { alpha / (alpha - 1.0) }
 }
 
 /// G_i^d = w_i^d G_i^{d−1} + (1 − w_{i+1}^d) G_{i+1}^{d−1} on the span, for w_i^d = `weight`(t_i, t_{i+d}).

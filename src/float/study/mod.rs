@@ -12,7 +12,7 @@ use num_traits::Zero;
 use rayon::prelude::*;
 
 use super::basis::FloatBasis;
-use crate::scalar::{BigRational, exact_value};
+use crate::scalar::BigRational;
 use case::Source;
 use climb::climb;
 use measure::Exact;
@@ -20,8 +20,8 @@ use measure::Exact;
 pub use case::Case;
 pub use formula::Formula;
 pub use hexadecimal::hexadecimal;
-pub use measure::Errors;
-pub use record::{CaseRecord, FormulaRecord, WorstRecord};
+pub use measure::{Errors, Ulps};
+pub use record::{CaseRecord, FormulaRecord, RangeRecord, WorstRecord};
 
 /// How much of a study is done. The result depends on nothing else.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -51,8 +51,8 @@ pub enum Field {
 /// A largest value, and where.
 #[derive(Debug, Clone)]
 pub struct Extreme {
-    /// The value, exactly.
-    pub error: BigRational,
+    /// The value.
+    pub error: Ulps,
     /// The case.
     pub case: Case,
     /// i of G_i^k.
@@ -64,23 +64,33 @@ pub struct Extreme {
 pub struct Figures {
     /// Which one.
     pub formula: Formula,
-    /// The largest error in units in the last place, over the random cases and the one that the search ended at;
-    /// `None` if nothing was finite.
+    /// How many cases were looked at: the random ones, and the steps of the search.
+    pub tried: u64,
+    /// The largest error in units in the last place that was found, over the random cases and the one that the search
+    /// ended at.
     pub worst: Option<Extreme>,
     /// The same over the random cases alone: half, and 99 of 100, have at most this largest error.
-    pub median: BigRational,
+    pub median: Ulps,
     /// See there.
-    pub percentile_99: BigRational,
-    /// The largest |float − exact|, over the same cases as `worst`.
+    pub percentile_99: Ulps,
+    /// The largest |float − exact| of what is finite, over the same cases as `worst`.
     pub absolute: BigRational,
-    /// The largest |Σ floats − Σ exact values|.
+    /// The largest |Σ floats − Σ exact values| where all are finite.
     pub sum: BigRational,
     /// The number of values that are not positive where they should be, or not 0 where they should be.
     pub signs: usize,
     /// The number of values that are infinite or NaN.
     pub not_finite: usize,
+    /// The number of values below 2⁻⁹⁰⁰, next to underflow: they have no part in `worst`, `median` and `percentile_99`
+    /// unless they are not finite.
+    pub left_out: usize,
+    /// How many cases were measured: those that `worst` is the largest of.
+    pub measured: usize,
+    /// To how many of them the proved bound does not apply ([`Formula::bound_applies`]); 0 where there is none.
+    pub outside: usize,
     /// The proved bound of `worst`, where there is one ([`Formula::bound`]).
     pub bound: Option<f64>,
+    kept: bool,
 }
 
 /// Measures the formulas. A field without cases has no figures.
@@ -109,7 +119,8 @@ pub fn study(field: &Field, formulas: &[Formula], effort: Effort) -> Vec<Figures
         let errors: Vec<(&Case, &Errors)> = cases.iter().zip(measured.iter().map(|of| &of[f])).collect();
         let mut figures = Figures::of(formula, &errors)?;
         let (start, _) = errors.iter().max_by(|a, b| a.1.worst().cmp(&b.1.worst()))?;
-        if !matches!(field, Field::Cases(_)) {
+        if !matches!(field, Field::Cases(_)) && effort.steps > 0 {
+            figures.tried += effort.steps;
             // Streams from the end: no case is drawn from them.
             let mut source = Source::new(effort.seed, u64::MAX - u64::try_from(f).unwrap_or(0));
             let fixed = matches!(field, Field::Bases(_));
@@ -125,13 +136,14 @@ impl Figures {
     /// The figures of some cases; `None` if there are none.
     fn of(formula: Formula, cases: &[(&Case, &Errors)]) -> Option<Self> {
         let degree = cases.first()?.0.basis.degree();
-        let largest =
-            |errors: &Errors| errors.worst().map_or_else(BigRational::zero, |(error, _)| error.clone());
-        let mut sorted: Vec<BigRational> = cases.iter().map(|(_, errors)| largest(errors)).collect();
+        let none = || Ulps::Number(BigRational::zero());
+        let largest = |errors: &Errors| errors.worst().map_or_else(none, |(error, _)| error.clone());
+        let mut sorted: Vec<Ulps> = cases.iter().map(|(_, errors)| largest(errors)).collect();
         sorted.sort();
         let quantile = |per_cent: usize| sorted[(sorted.len() * per_cent).div_ceil(100) - 1].clone();
         let mut figures = Self {
             formula,
+            tried: u64::try_from(cases.len()).unwrap_or(u64::MAX),
             worst: None,
             median: quantile(50),
             percentile_99: quantile(99),
@@ -139,7 +151,11 @@ impl Figures {
             sum: BigRational::zero(),
             signs: 0,
             not_finite: 0,
+            left_out: 0,
+            measured: 0,
+            outside: 0,
             bound: formula.bound(degree),
+            kept: true,
         };
         cases.iter().for_each(|(case, errors)| figures.count(case, errors));
         Some(figures)
@@ -148,7 +164,19 @@ impl Figures {
     /// One more case.
     fn count(&mut self, case: &Case, errors: &Errors) {
         self.signs += errors.signs;
-        self.not_finite += errors.ulps.iter().filter(|ulp| ulp.is_none()).count();
+        self.not_finite += errors.not_finite();
+        self.left_out += errors.left_out;
+        self.measured += 1;
+        if self.bound.is_some() {
+            let applies = self.formula.bound_applies(case);
+            self.outside += usize::from(!applies);
+            // Out of the range of its bound a number may be as wrong as it likes. What is no number is worse than any bound.
+            self.kept &= if applies {
+                errors.keep(self.formula, case.basis.degree())
+            } else {
+                errors.not_finite() == 0
+            };
+        }
         if errors.absolute > self.absolute {
             self.absolute = errors.absolute.clone();
         }
@@ -161,10 +189,10 @@ impl Figures {
         }
     }
 
-    /// Is the largest error within the proved bound, if there is one?
+    /// Is every error that was measured within what is proved, if something is? A result that is no number never is, in
+    /// the range of the bound or not.
     #[must_use]
     pub fn keeps_bound(&self) -> bool {
-        let bound = self.bound.and_then(exact_value);
-        bound.is_none_or(|bound| self.worst.as_ref().is_none_or(|worst| worst.error <= bound))
+        self.kept
     }
 }

@@ -5,36 +5,58 @@ use serde::Serialize;
 
 use super::case::Case;
 use super::hexadecimal::hexadecimal;
-use super::{Extreme, Figures};
+use super::{Extreme, Figures, Ulps};
 use crate::scalar::{decimal, exact_value};
 
 /// The digits of an error as text: exactly, it is a fraction of hundreds of digits.
 const DIGITS: usize = 6;
+/// Where the bound of the triangle is proved ([`Formula::bound_applies`](super::Formula::bound_applies)).
+const RANGE: &str = "every r(x − a) + (b − x) is between 2^-100 and 2^100";
 
 /// What one formula does wrong. Errors are decimals of six digits.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FormulaRecord {
     /// The formula ([`Formula::name`](super::Formula::name)).
     pub name: &'static str,
-    /// The largest error in units in the last place.
+    /// How many cases were looked at: the random ones, and the steps of the search.
+    pub tried: u64,
+    /// The largest error in units in the last place that was found; `inf` where a result is no number.
     pub max_ulp: Option<String>,
     /// Of the largest errors of the random cases, the one that 99 of 100 do not exceed.
     pub p99_ulp: String,
     /// And the one that half of them do not exceed.
     pub median_ulp: String,
-    /// The largest |float − exact|.
+    /// The largest |float − exact|; `inf` where a result is no number.
     pub max_absolute: String,
-    /// The largest |Σ floats − Σ exact values|.
+    /// The largest |Σ floats − Σ exact values|; likewise.
     pub max_sum: String,
     /// The number of values with a wrong sign.
     pub sign_errors: usize,
     /// The number of values that are infinite or NaN.
     pub not_finite: usize,
-    /// The proved bound of `max_ulp`, if there is one.
+    /// The number of values below 2⁻⁹⁰⁰, next to underflow, that the errors in ULP leave out.
+    pub left_out: usize,
+    /// The proved bound of `max_ulp`, if there is one that applies to all cases that were measured.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bound_ulp: Option<f64>,
+    /// The range in which a bound is proved, if some of the cases are outside.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bound_range: Option<RangeRecord>,
     /// Where the largest error is.
     pub worst: Option<WorstRecord>,
+}
+
+/// A bound that does not apply to all cases.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct RangeRecord {
+    /// What has to hold for the bound.
+    pub holds_where: &'static str,
+    /// The bound there.
+    pub bound_ulp: f64,
+    /// How many of the cases that were measured are outside of that range.
+    pub outside: usize,
+    /// How many were measured.
+    pub measured: usize,
 }
 
 /// The worst case: exactly, as hexadecimal floats, and as commands.
@@ -64,19 +86,49 @@ pub struct CaseRecord {
     pub knots: Vec<String>,
 }
 
+impl FormulaRecord {
+    /// What is proved, for readers: the bound rounded up, or where it holds and is not known to hold here.
+    #[must_use]
+    pub fn proved(&self) -> String {
+        // To four digits behind the point, and no less than it is.
+        let up = |bound: f64| ((bound * 1e4).ceil() / 1e4).to_string();
+        match (self.bound_ulp, &self.bound_range) {
+            (Some(bound), _) => up(bound),
+            (None, Some(range)) if range.outside == range.measured => "does not apply here".to_owned(),
+            (None, Some(range)) => format!("{} in its range", up(range.bound_ulp)),
+            (None, None) => String::new(),
+        }
+    }
+}
+
 impl From<&Figures> for FormulaRecord {
     fn from(figures: &Figures) -> Self {
         let text = |error: &BigRational| decimal(error, DIGITS);
+        let ulps = |error: &Ulps| match error {
+            Ulps::Number(error) => text(error),
+            Ulps::NotFinite => "inf".to_owned(),
+        };
+        let absolute =
+            |error: &BigRational| if figures.not_finite > 0 { "inf".to_owned() } else { text(error) };
+        let range = |bound_ulp| RangeRecord {
+            holds_where: RANGE,
+            bound_ulp,
+            outside: figures.outside,
+            measured: figures.measured,
+        };
         Self {
             name: figures.formula.name(),
-            max_ulp: figures.worst.as_ref().map(|worst| text(&worst.error)),
-            p99_ulp: text(&figures.percentile_99),
-            median_ulp: text(&figures.median),
-            max_absolute: text(&figures.absolute),
-            max_sum: text(&figures.sum),
+            tried: figures.tried,
+            max_ulp: figures.worst.as_ref().map(|worst| ulps(&worst.error)),
+            p99_ulp: ulps(&figures.percentile_99),
+            median_ulp: ulps(&figures.median),
+            max_absolute: absolute(&figures.absolute),
+            max_sum: absolute(&figures.sum),
             sign_errors: figures.signs,
             not_finite: figures.not_finite,
-            bound_ulp: figures.bound,
+            left_out: figures.left_out,
+            bound_ulp: figures.bound.filter(|_| figures.outside == 0),
+            bound_range: figures.bound.filter(|_| figures.outside > 0).map(range),
             worst: figures.worst.as_ref().map(WorstRecord::from),
         }
     }

@@ -1,14 +1,19 @@
 //! Basis functions written as formulas: for people, for LaTeX, and for other systems to compute with.
 
+mod equality;
 mod expression;
 mod latex;
 mod maxima;
+mod script;
 mod sympy;
 mod text;
+mod tree;
 
 use crate::analysis::{FormalBasis, FormalFunction};
 
+pub use equality::Counterexample;
 pub use expression::expression;
+pub use script::{Definition, Script, ScriptError};
 
 /// Who is to read a formula.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,6 +1,9 @@
 //! The command `formula`: the basis functions as formulas, piece by piece.
 
+mod equals;
+
 use std::fmt;
+use std::path::PathBuf;
 
 use clap::ValueEnum;
 use serde::Serialize;
@@ -11,7 +14,7 @@ use crate::report::{Form, Language, expression, formula};
 use super::error::CliError;
 use super::exact::Exact;
 use super::exit::Exit;
-use super::instance::{FunctionArgs, InstanceArgs};
+use super::instance::{FunctionArgs, InstanceArgs, whole_number};
 use super::output::Output;
 
 /// The basis functions as formulas in x, one for each interval between knots.
@@ -19,6 +22,12 @@ use super::output::Output;
 /// Numerators and denominators have integer coefficients and no common factor; the denominators are products of
 /// factors that are linear in x. With --alpha symbolic they hold for every α < 0 and every α > 1, and `alpha` is a
 /// letter in them; α = ∞ is no value of it, but --alpha inf gives those formulas.
+///
+/// With --equals they are not printed but compared with those in a file, exactly and for every x: quotients of polynomials in x, with
+/// `alpha` and `r` = alpha/(alpha − 1) too, in the syntax of Maxima. The file has definitions such as --as maxima prints, each of
+/// which is compared with its function, or with --index one expression: `if … then … elseif … else …` over all x, or with
+/// --span the formula on one interval. What cancels is cancelled, as Maxima does: (x − 1)/(x − 1) is 1. Where it is not
+/// equal, a point is printed with both values. Exponents are whole numbers up to 100, degrees at most 60.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLE)]
 pub(super) struct Args {
@@ -35,13 +44,23 @@ pub(super) struct Args {
     /// Polynomials as sums of terms.
     #[arg(long, conflicts_with = "factored")]
     expanded: bool,
+    /// Prints no formulas, but whether those in this file are the functions.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["reader", "factored", "expanded"])]
+    equals: Option<PathBuf>,
+    /// Only on the interval [t_J, t_{J+1}), for an expression that is meant for it alone.
+    #[arg(long, value_name = "J", value_parser = whole_number, allow_hyphen_values = true)]
+    #[arg(requires = "equals", requires = "index")]
+    span: Option<usize>,
 }
 
 const EXAMPLE: &str = r#"Examples:
   knotproof formula --instance U4 --alpha -1
   knotproof formula --degree 1 --knots "0 1 3" --alpha symbolic --as latex
   knotproof formula --instance U4 --alpha 5 --index 1 --expanded --as maxima
-  knotproof formula --instance U9 --alpha -1 --as sympy"#;
+  knotproof formula --instance U9 --alpha -1 --as sympy
+  knotproof formula --instance U4 --alpha symbolic --as maxima > u4.mac
+  knotproof formula --instance U4 --alpha symbolic --equals u4.mac
+Exit code with --equals: 0 if all is equal, 1 if not."#;
 
 /// The highest degree k that is written out. A numerator has up to ⌊(k + 2)²/4⌋ − 1 powers of x, and with a symbol as many
 /// of α for each: this is more than anybody reads.
@@ -113,6 +132,9 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     let formal =
         if every_index.is_some() { FormalBasis::for_every_index(basis) } else { FormalBasis::of(basis) };
     let formal = formal.ok_or(too_high)?;
+    if let Some(path) = &args.equals {
+        return equals::run(path, &formal, index, args.span, output);
+    }
     let (language, form) =
         (args.reader.language(), if args.expanded { Form::Expanded } else { Form::Factored });
     let chosen = |function: &&FormalFunction| index.is_none_or(|i| i == function.index);
