@@ -286,7 +286,7 @@ fn curve(basis: &Basis, points: &[Point], place: &Place) -> Result<Curve, CliErr
             CurveError::Dimension { position, .. } | CurveError::Mixed { position, .. } => {
                 place.clone().at(*position)
             }
-            CurveError::Count { .. } => place.clone(),
+            CurveError::Count { .. } | CurveError::Function { .. } => place.clone(),
         };
         CliError::Curve { place, error }
     })

@@ -148,7 +148,7 @@ fn shapes(basis: &Basis, index: Option<usize>, width: &BigRational) -> Vec<Funct
     let chosen = index.map_or(0..=basis.n(), |i| i..=i);
     chosen
         .map(|i| {
-            let mut shape = FunctionShape::of(basis, &pieces, i);
+            let mut shape = FunctionShape::of(&pieces, i);
             shape.refine_to(width);
             Function::new(basis, i, &shape)
         })
