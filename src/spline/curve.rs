@@ -131,11 +131,11 @@ impl Curve {
     /// # Errors
     /// [`CurveError::Function`] for a g_i without a d_i.
     pub fn combine<S: RationalAlgebra>(&self, functions: &Active<S>) -> Result<Vec<S>, CurveError> {
-        let beyond = functions.iter().map(|(i, _)| i).find(|i| *i >= self.points.len());
-        match beyond {
-            Some(index) => Err(CurveError::Function { index, n: self.basis.n() }),
-            None => Ok(self.combine_unchecked(functions)),
+        let count = self.points.len();
+        if functions.first().saturating_add(functions.values().len()) > count {
+            return Err(CurveError::Function { index: functions.first().max(count), n: self.basis.n() });
         }
+        Ok(self.combine_unchecked(functions))
     }
 
     /// [`combine`](Self::combine) for functions of the basis: every one has its control point.

@@ -39,7 +39,7 @@ impl<S> Active<S> {
 
     /// Pairs (i, G_i).
     pub fn iter(&self) -> impl Iterator<Item = (usize, &S)> {
-        (self.first..).zip(&self.values)
+        self.values.iter().enumerate().map(|(place, value)| (self.first + place, value))
     }
 
     /// The same functions under a map.
