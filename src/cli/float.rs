@@ -18,13 +18,15 @@ use super::instance::{InstanceArgs, whole_number};
 use super::output::Output;
 use super::place::Place;
 use super::table::{plain, right_aligned};
+use super::visible::visible_path;
 
 /// How wrong ways to compute in f64 are: the paper's formula, usual ones, and those of this library.
 ///
 /// Each is measured against exact arithmetic on the same floats: in units in the last place (ULP), fractions included;
 /// absolutely; by the sum of all functions; and by the signs. Without knots, random cases of a degree are measured: gaps and
 /// |α| or α − 1 differ from 1 by factors up to 2^10, spread evenly over the scales; with knots, random points of these. Then a
-/// search climbs towards worse cases. Each worst case is printed with a command that shows it again.
+/// search climbs towards worse cases. Each worst case is printed with a command that shows it again. Up to degree 31:
+/// the functions in f64 compute in memory of a fixed size.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLE)]
 pub(super) struct Args {
@@ -203,6 +205,6 @@ impl fmt::Display for Comparison {
             }
         }
         write!(f, "The exact values: the same with `knotproof eval`.")?;
-        self.written.iter().try_for_each(|path| write!(f, "\nWritten: {}", path.display()))
+        self.written.iter().try_for_each(|path| write!(f, "\nWritten: {}", visible_path(path)))
     }
 }

@@ -16,6 +16,7 @@ use super::exit::Exit;
 use super::file::read;
 use super::output::Output;
 use super::table::{plain, right_aligned};
+use super::visible::{visible, visible_path};
 
 /// Has certificates checked by the independent checker.
 #[derive(Debug, clap::Args)]
@@ -54,10 +55,10 @@ impl Checked {
     pub(super) fn row(&self) -> [String; 6] {
         let degrees: Vec<_> = self.degrees.iter().map(ToString::to_string).collect();
         [
-            self.claim.clone(),
-            self.form.clone(),
-            self.verdict.clone(),
-            self.scope.clone(),
+            visible(&self.claim),
+            visible(&self.form),
+            visible(&self.verdict),
+            visible(&self.scope),
             degrees.join(" "),
             self.steps.to_string(),
         ]
@@ -185,10 +186,14 @@ impl fmt::Display for Verified {
         right_aligned(&mut table, 5);
         writeln!(f, "{table}\n")?;
         for Rejection { file, reason } in &self.rejected {
-            writeln!(f, "Rejected: {}: {reason}", file.display())?;
+            writeln!(f, "Rejected: {}: {}", visible_path(file), visible(reason))?;
         }
         for file in &self.unknown {
-            writeln!(f, "Accepted, but not the program's own statement of the claim: {}", file.display())?;
+            writeln!(
+                f,
+                "Accepted, but not the program's own statement of the claim: {}",
+                visible_path(file)
+            )?;
         }
         write!(f, "Accepted: {}; rejected: {}", self.checked.len(), self.rejected.len())
     }

@@ -20,7 +20,10 @@ pub enum NumberError {
     #[error("`{0}` is not a finite number")]
     NotFinite(String),
     /// An exponent that would ask for more digits than any input needs.
-    #[error("the exponent in `{0}` is out of range: powers of ten to 400, powers of two to 1100")]
+    #[error(
+        "the exponent in `{0}` is out of range: powers of ten from -400 to 400, of two from -1100 to 1100, which hold every \
+         f64; write the digits out for more"
+    )]
     Exponent(String),
     /// Anything else.
     #[error("`{0}` is not a number: write 3, -1/2, 0.4, 1e-3 or 0x1.8p-3")]

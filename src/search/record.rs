@@ -3,6 +3,8 @@
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
+use crate::json::{self, JsonError};
+
 use super::decide::local_maxima;
 use super::finding::{FindingError, FindingRecord, SCHEMA};
 use super::part::{Part, PartError, Tally};
@@ -83,7 +85,7 @@ pub enum RecordError {
         /// From 1.
         line: usize,
         /// What is wrong.
-        error: serde_json::Error,
+        error: JsonError,
     },
     /// A finding does not stand.
     #[error("line {line}: {error}: the file is damaged")]
@@ -160,15 +162,15 @@ impl Part {
     pub fn parse(text: &str) -> Result<Self, RecordError> {
         let mut lines: Vec<&str> = text.lines().collect();
         let last = lines.pop().ok_or_else(|| RecordError::NoSummary("there is no line".to_owned()))?;
-        let no_summary = |error: serde_json::Error| RecordError::NoSummary(error.to_string());
-        let origin: Origin = serde_json::from_str(last).map_err(no_summary)?;
+        let no_summary = |error: JsonError| RecordError::NoSummary(error.to_string());
+        let origin: Origin = json::read(last).map_err(no_summary)?;
         if origin.schema != SCHEMA {
             return Err(RecordError::Format(origin.schema));
         }
         if let Some(version) = origin.version.filter(|version| version != VERSION) {
             return Err(RecordError::Version(version));
         }
-        let summary: SummaryRecord = serde_json::from_str(last).map_err(no_summary)?;
+        let summary: SummaryRecord = json::read(last).map_err(no_summary)?;
         let shard = match &summary.shard {
             None => Ok(Shard::WHOLE),
             Some(shard) => shard.parse().map_err(|error: ShardError| RecordError::Space(error.into())),
@@ -183,7 +185,7 @@ impl Part {
         part.check_tally().map_err(RecordError::Damaged)?;
         for (line, text) in (1..).zip(lines) {
             let record: FindingRecord =
-                serde_json::from_str(text).map_err(|error| RecordError::Line { line, error })?;
+                json::read(text).map_err(|error| RecordError::Line { line, error })?;
             part.add_record(&record).map_err(|error| RecordError::Finding { line, error })?;
         }
         part.check_findings().map_err(RecordError::Damaged)?;
