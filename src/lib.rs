@@ -59,7 +59,8 @@
 //!
 //! A module uses those on its own floor and below, never one above; a test holds it to that.
 //!
-//! 1. [`scalar`]: what is computed with: exact rationals, `f64`, jets, polynomials, rational functions.
+//! 1. [`scalar`]: what is computed with: exact rationals, `f64`, jets, polynomials, rational functions; [`json`]: how
+//!    files are read.
 //! 2. [`spline`]: indices, knots, the recursion, curves. It reads like sections 2 to 4 of the paper.
 //! 3. [`analysis`]: whole pieces, and decisions about every x.
 //! 4. [`claims`]: the paper's statements and their verdicts; [`certificate`]: proofs of their formal statements, for
@@ -99,11 +100,14 @@
 //! decide(half);
 //! ```
 
+#![forbid(unsafe_code)]
+
 pub mod analysis;
 pub mod certificate;
 pub mod claims;
 pub mod cli;
 pub mod float;
+pub mod json;
 pub mod report;
 pub mod scalar;
 pub mod search;

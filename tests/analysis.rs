@@ -209,10 +209,10 @@ fn course(basis: &Basis, i: usize) -> (String, Vec<BigRational>) {
         }
     };
     for span in knots.spans() {
-        let (a, b) = knots.ends(span);
+        let (a, b) = knots.ends(span).expect("a span of these knots");
         if from <= a && b <= to {
             jump(&mut word, a);
-            let piece = &by_definition(basis, span, &x)[basis.degree()][i];
+            let piece = &by_definition(basis, span, &x).expect("a span of these knots")[basis.degree()][i];
             let (p, q) = (piece.numerator(), piece.denominator());
             let slope = p.derivative().times(q).minus(&p.times(&q.derivative()));
             word.push_str(&runs(&slope, a, b));
@@ -268,7 +268,7 @@ proptest! {
     fn shapes_agree_with_the_definition_in_x(basis in basis()) {
         let pieces = Pieces::of(&basis);
         for i in 0..=basis.n() {
-            let shape = Shape::of(&basis, &pieces, i);
+            let shape = Shape::of(&pieces, i);
             let (word, jumps) = course(&basis, i);
             prop_assert_eq!(shape.local_maxima().count(), maxima(&word), "G_{} of {:?}: {}", i, basis, word);
             let found: Vec<_> = shape.jumps().iter().map(|jump| jump.at.clone()).collect();

@@ -853,7 +853,7 @@ fn worth(numbers: &Numbers) -> Vec<(String, BigRational)> {
     let points = numbers.points.iter().map(|point| vec![rational(*point, 1)]).collect();
     let curve = Curve::new(basis.clone(), points).unwrap();
     for span in knots.spans() {
-        let (s, (start, end)) = (span.index(), knots.ends(span));
+        let (s, (start, end)) = (span.index(), knots.ends(span).expect("a span of these knots"));
         let inside = (start + u * end) / (integer(1) + u);
         for (place, x, side) in
             [("in", &inside, Side::Right), ("from", start, Side::Right), ("to", end, Side::Left)]

@@ -151,7 +151,7 @@ fn what_is_wrong_is_said() {
     rejected(&[&OPEN[..4], &POINTS, &["--alpha", "1/2"]].concat(), "--alpha", &["lies in [0, 1]"]);
     let knots = (0..23).map(|t| t.to_string()).collect::<Vec<_>>().join(" ");
     let request = ["--degree", "11", "--knots", &knots, "--alpha", "2", "--points", "0 1 2 3 4 5 6 7 8 9 10"];
-    rejected(&request, "--degree", &["11 is too high", "at most 10"]);
+    rejected(&request, "--degree", &["11 is too high", "at most 10; a piece has degree"]);
 }
 
 #[test]

@@ -262,7 +262,7 @@ fn bad_lines() {
         (b"1\nNaN\n", ["line 2:", "expected value"]),
         (b"1\n# no JSON\n", ["line 2:", "expected value"]),
         (b"1\n{\"x\": 1, \"t\": 2}\n", ["line 2:", "unknown field `t`"]),
-        (b"1\n{\"x\": 1, \"side\": \"up\"}\n", ["line 2:", "unknown variant `up`"]),
+        (b"1\n{\"x\": 1, \"side\": \"up\"}\n", ["line 2:", "unknown value `up`"]),
     ] {
         let before = usize::from(parts[0] == "line 2:");
         rejected("points.jsonl", content, before, &parts);
@@ -275,7 +275,7 @@ fn a_list_in_one_piece_is_no_file_of_points() {
         "points",
         "[1,\n2]\n",
         0,
-        &["line 1:", "EOF", "write a number, a string with an exact number, or {"],
+        &["line 1:", "the text ends within", "write a number, a string with an exact number, or {"],
     );
 }
 

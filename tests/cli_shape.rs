@@ -145,7 +145,7 @@ fn prints_what_is_so(basis: &Basis, i: usize) {
         let arguments =
             ["--degree", &degree, "--knots", &knots.join(" "), "--alpha", &alpha, "--index", &index];
         let found = rows(&printed(&[&arguments[..], &["--width", width]].concat()));
-        let shape = Shape::of(basis, &Pieces::of(basis), i);
+        let shape = Shape::of(&Pieces::of(basis), i);
         assert_eq!(found.len(), shape.extrema().len());
         let fine = rational(1, 10).pow(200);
         for (row, extremum) in found.iter().zip(shape.extrema()) {

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 /// The top-level modules, from the ground up.
 const FLOORS: &[&[&str]] = &[
-    &["scalar"],
+    &["scalar", "json"],
     &["spline"],
     &["analysis"],
     &["claims", "search", "certificate"],

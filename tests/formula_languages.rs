@@ -318,7 +318,7 @@ fn different(formal: &FormalBasis) -> Result<(), String> {
                 .basis()
                 .knots()
                 .spans()
-                .find(|span| formal.basis().knots().ends(*span).0 == &piece.from);
+                .find(|span| formal.basis().knots().t(span.index()) == &piece.from);
             let found = script.counterexample(&script.definitions()[0], formal, function, span);
             let Ok(Some(found)) = found else { return Err(format!("{text}: {found:?}")) };
             let alpha =

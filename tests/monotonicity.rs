@@ -56,7 +56,7 @@ proptest! {
         let basis = basis(&gaps, ratio);
         let signs: Vec<_> = found.spans().iter().map(|span| (span.span, span.signs.clone())).collect();
         prop_assert_eq!(signs, signs_of_pieces(&basis));
-        let shape = Shape::of(&basis, &Pieces::of(&basis), 0);
+        let shape = Shape::of(&Pieces::of(&basis), 0);
         // The first knot may be one where the function jumps, and so may the last.
         let k = basis.degree();
         prop_assert_eq!(found.continuous(), gaps[..k].iter().any(|&g| g > 0) && gaps[1..].iter().any(|&g| g > 0));

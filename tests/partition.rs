@@ -25,7 +25,7 @@ fn uniform(degree: usize) -> Basis {
 }
 
 fn count(basis: &Basis, i: usize) -> usize {
-    Shape::of(basis, &Pieces::of(basis), i).local_maxima().count()
+    Shape::of(&Pieces::of(basis), i).local_maxima().count()
 }
 
 /// What the partition says about a value of the parameter; `None` within the interval of an end.

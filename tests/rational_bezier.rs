@@ -158,7 +158,7 @@ fn degree_bound(basis: &Basis) -> usize {
 /// Σ d_i G_i^k(x) on the closed span, by D3.3 word for word.
 fn literally(curve: &Curve, piece: &RationalBezier, x: &BigRational) -> Point {
     let basis = curve.basis();
-    let table = by_definition(basis, piece.span(), x);
+    let table = by_definition(basis, piece.span(), x).expect("a span of these knots");
     let terms = |c: usize| table[basis.degree()].iter().zip(curve.points()).map(move |(g, d)| g * &d[c]);
     (0..curve.dimension()).map(|c| terms(c).sum()).collect()
 }
@@ -206,8 +206,8 @@ proptest! {
         let all = Pieces::of(basis);
         for piece in RationalBezier::pieces(&curve) {
             let functions = &all.on(piece.span()).unwrap().functions;
-            let mut coordinates = curve.combine(functions);
-            let u = positive_coordinate(basis.knots(), piece.span());
+            let mut coordinates = curve.combine(functions).expect("a span of these knots");
+            let u = positive_coordinate(basis.knots(), piece.span()).expect("a span of these knots");
             prop_assert_eq!(piece.point(&u), Some(coordinates.clone()));
             coordinates.push(u.one());
             let numerators = common_numerators(&coordinates);

@@ -422,7 +422,7 @@ fn the_triangle_over_quotients_holds_for_every_ratio() {
     let knots = KnotVector::new((0..8_i64).map(|t| rational(t, 1)).collect()).expect("rising");
     let [r, u] = [0, 1].map(Quotient::variable);
     for span in knots.spans() {
-        let (start, end) = knots.ends(span);
+        let (start, end) = knots.ends(span).expect("a span of these knots");
         let symbolic: Active<Quotient> = {
             let x = r.embed(start).plus(&r.embed(end).times(&u)).over(&u.plus(&u.one())).expect("not 0");
             triangle(&PointWeights::new(&knots, r.clone(), x), span, 3, knots.m())

@@ -256,7 +256,7 @@ fn kind(left: Ordering, right: Ordering) -> Option<ExtremumKind> {
 
 /// Compares the shape of G_i^k, extremum by extremum and jump by jump; how many extrema there are.
 fn compare(basis: &Basis, pieces: &Pieces, i: usize) -> usize {
-    let shape = Shape::of(basis, pieces, i);
+    let shape = Shape::of(pieces, i);
     let (knots, k) = (basis.knots(), basis.degree());
     let spans: Vec<_> =
         (i..=i + k).filter(|&s| knots.t(s) < knots.t(s + 1)).map(|s| OnSpan::new(basis, i, s)).collect();

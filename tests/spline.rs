@@ -31,7 +31,7 @@ fn gap() -> impl Strategy<Value = BigRational> {
         1 => Just(rational(1, 2)),
         1 => Just(rational(7, 3)),
         1 => Just(rational(1, 1_000_000_000_000)),
-        1 => Just(integer(1_000_000_000_000)),
+        1 => Just(integer(1_000_000_000_000_i64)),
     ]
 }
 
@@ -77,7 +77,7 @@ fn place() -> impl Strategy<Value = BigRational> {
 }
 
 fn at(knots: &KnotVector, span: Span, place: &BigRational) -> BigRational {
-    let (start, end) = knots.ends(span);
+    let (start, end) = knots.ends(span).expect("a span of these knots");
     start + (end - start) * place
 }
 
@@ -103,8 +103,8 @@ proptest! {
     fn the_triangle_is_the_definition_at_points(basis in basis(5), place in place()) {
         for span in basis.knots().spans() {
             let x = at(basis.knots(), span, &place);
-            let table = by_definition(&basis, span, &x);
-            prop_assert_eq!(&all(&basis, &basis.active(span, &x), &x.zero()), &table[basis.degree()]);
+            let table = by_definition(&basis, span, &x).expect("a span of these knots");
+            prop_assert_eq!(&all(&basis, &basis.active(span, &x).expect("a span of these knots"), &x.zero()), &table[basis.degree()]);
         }
     }
 
@@ -112,17 +112,17 @@ proptest! {
     fn the_triangle_is_the_definition_at_jets(basis in basis(3), place in place()) {
         for span in basis.knots().spans() {
             let x = Jet::variable(at(basis.knots(), span, &place), 3);
-            let table = by_definition(&basis, span, &x);
-            prop_assert_eq!(&all(&basis, &basis.active(span, &x), &x.zero()), &table[basis.degree()]);
+            let table = by_definition(&basis, span, &x).expect("a span of these knots");
+            prop_assert_eq!(&all(&basis, &basis.active(span, &x).expect("a span of these knots"), &x.zero()), &table[basis.degree()]);
         }
     }
 
     #[test]
     fn the_triangle_is_the_definition_for_every_x(basis in basis(3)) {
         for span in basis.knots().spans() {
-            let x = positive_coordinate(basis.knots(), span);
-            let table = by_definition(&basis, span, &x);
-            prop_assert_eq!(&all(&basis, &basis.active(span, &x), &x.zero()), &table[basis.degree()]);
+            let x = positive_coordinate(basis.knots(), span).expect("a span of these knots");
+            let table = by_definition(&basis, span, &x).expect("a span of these knots");
+            prop_assert_eq!(&all(&basis, &basis.active(span, &x).expect("a span of these knots"), &x.zero()), &table[basis.degree()]);
         }
     }
 
@@ -146,7 +146,7 @@ proptest! {
     fn the_functions_add_up_to_one(basis in basis(4), place in place()) {
         for span in base_spans(&basis) {
             let x = Jet::variable(at(basis.knots(), span, &place), 2);
-            prop_assert_eq!(sum(&basis.active(span, &x)), x.one());
+            prop_assert_eq!(sum(&basis.active(span, &x).expect("a span of these knots")), x.one());
         }
     }
 
@@ -184,14 +184,14 @@ proptest! {
         let base: Vec<_> = base_spans(&basis).collect();
         for span in basis.knots().spans() {
             let x = at(basis.knots(), span, &place);
-            let (_, end) = basis.knots().ends(span);
+            let (_, end) = basis.knots().ends(span).expect("a span of these knots");
             let side = if x == *end { Side::Left } else { Side::Right };
             let Some(levels) = curve.de_boor(&x, side) else {
                 prop_assert!(!base.contains(&span));
                 continue;
             };
             let expected = curve.point(&x, side);
-            let table = by_definition(&basis, span, &x);
+            let table = by_definition(&basis, span, &x).expect("a span of these knots");
             for (r, level) in levels.iter().enumerate() {
                 let lower = &table[basis.degree() - r];
                 let combined: Point = (0..2)
@@ -210,11 +210,11 @@ proptest! {
         let a = rational(-1, 3);
         let knots = KnotVector::bernstein(k, &a, &b).expect("a < b");
         let span = knots.spans().next().expect("one span");
-        let x = positive_coordinate(&knots, span);
+        let x = positive_coordinate(&knots, span).expect("a span of these knots");
         let (w, complement) = weight(&x.embed(index.ratio()), &x, &a, &b);
         let basis = Basis::new(knots, k, index).expect("knots enough");
         let expected: Vec<_> = (0..=k).map(|i| bernstein(k, i, (&w, &complement))).collect();
-        prop_assert_eq!(basis.active(span, &x).values().to_vec(), expected);
+        prop_assert_eq!(basis.active(span, &x).expect("a span of these knots").values().to_vec(), expected);
     }
 
     /// Values and slopes at both ends of every span, against the whole pieces: u = 0 at the start, and u → ∞ at
@@ -222,7 +222,7 @@ proptest! {
     #[test]
     fn one_sided_values_are_those_of_the_pieces(basis in basis(3)) {
         for span in Pieces::of(&basis).spans() {
-            let (start, end) = basis.knots().ends(span.span);
+            let (start, end) = span.ends();
             let after = basis.jets(start, Side::Right, 1);
             let before = basis.jets(end, Side::Left, 1);
             for i in 0..=basis.n() {

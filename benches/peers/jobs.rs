@@ -92,7 +92,7 @@ pub(crate) fn unreduced<'a>(evaluator: &'a mut Evaluator, x: &BigRational) -> Op
 
 /// B: the k + 1 functions on a span, as P/Q in lowest terms in its positive coordinate u.
 pub(crate) fn pieces(basis: &Basis, span: Span) -> Active<SpanQuotient<BigInt>> {
-    span_quotients(basis, span)
+    span_quotients(basis, span).expect("a span of these knots")
 }
 
 /// C, from the knots: how often the slope changes its sign on each span.
@@ -103,7 +103,7 @@ pub(crate) fn turns(knots: &LocalKnots<BigInt>) -> Vec<usize> {
 /// E: the k + 1 functions on a span as P/Q in the span's positive coordinate u, with r as a variable: neither P nor
 /// Q has a fraction in it, and nothing is reduced.
 pub(crate) fn pieces_for_every_ratio(basis: &Basis, span: Span) -> Active<SpanQuotient<Polynomial<BigInt>>> {
-    symbolic_quotients(basis.knots(), basis.degree(), span)
+    symbolic_quotients(basis.knots(), basis.degree(), span).expect("a span of these knots")
 }
 
 /// The degrees on 100 inner knots, and the numbers of inner knots in degree 3, for which growth is shown.

@@ -117,8 +117,11 @@ fn write_results(folder: &str) -> Outcome {
         let basis = basis_of(degree)?;
         let span = jobs::middle(&basis).ok_or("there is a span in the middle")?;
         let pieces = jobs::pieces(&basis, span);
-        let text =
-            pieces.values().iter().map(|piece| quotient(&in_x(piece, basis.knots().ends(span)))).collect();
+        let text = pieces
+            .values()
+            .iter()
+            .map(|piece| quotient(&in_x(piece, basis.knots().ends(span).expect("a span of these knots"))))
+            .collect();
         write(format!("B.{degree}.knotproof"), text)?;
     }
     for degree in CRITICAL {

@@ -80,7 +80,7 @@ impl Extremum {
     ///
     /// let knots = KnotVector::new([0, 0, 0, 1, 2, 2, 2].map(integer).to_vec())?;
     /// let basis = Basis::new(knots, 2, "5".parse()?)?;
-    /// let mut maximum = Shape::of(&basis, &Pieces::of(&basis), 1).extrema()[0].clone();
+    /// let mut maximum = Shape::of(&Pieces::of(&basis), 1).extrema()[0].clone();
     /// let width = rational(1, 1 << 50);
     /// maximum.refine_to(&width);
     /// let (lo, hi) = maximum.place.interval();

@@ -104,7 +104,7 @@ impl FormalBasis {
         let mut functions: Vec<_> = functions.collect();
         for span in basis.knots().spans() {
             for (i, (numerator, denominator)) in recursion.on(span).iter() {
-                let (from, to) = basis.knots().ends(span);
+                let [from, to] = [span.index(), span.index() + 1].map(|i| basis.knots().t(i));
                 functions[i].pieces.push(FormalPiece {
                     from: from.clone(),
                     to: to.clone(),

@@ -42,6 +42,12 @@ pub enum LocalKnotsError {
     /// No gap at all: degree −1.
     #[error("a function of degree k has k + 1 gaps between its knots, and here is none")]
     NoGap,
+    /// A gap < 0: the knots would decrease.
+    #[error("gap {0} is negative: knots must not decrease (D3.1)")]
+    NegativeGap(usize),
+    /// p ≤ 0 or q ≤ 0.
+    #[error("a slope ratio p/q is positive, given by p > 0 and q > 0")]
+    Ratio,
     /// The function is 0.
     #[error("all knots of the function are the same, so it is 0 everywhere (D3.3)")]
     Empty,
@@ -101,8 +107,15 @@ impl<R: Ring> LocalKnots<R> {
     /// From t_{i+1} − t_i, …, t_{i+k+1} − t_{i+k}, and (p, q) for r = p/q.
     ///
     /// # Errors
-    /// [`LocalKnotsError`], if there is no gap, or only empty ones.
+    /// [`LocalKnotsError`], if there is no gap, or only empty ones; if a gap is
+    /// [certainly negative](Ring::certainly_negative), or p or q is that or 0.
     pub fn new(gaps: Vec<R>, ratio: (R, R)) -> Result<Self, LocalKnotsError> {
+        if let Some(negative) = gaps.iter().position(R::certainly_negative) {
+            return Err(LocalKnotsError::NegativeGap(negative));
+        }
+        if [&ratio.0, &ratio.1].iter().any(|part| part.is_zero() || part.certainly_negative()) {
+            return Err(LocalKnotsError::Ratio);
+        }
         match gaps.iter().find(|gap| !gap.is_zero()) {
             Some(_) => Ok(Self { gaps, ratio }),
             None if gaps.is_empty() => Err(LocalKnotsError::NoGap),
@@ -188,6 +201,7 @@ impl LocalKnots<BigInt> {
     #[must_use]
     pub fn of(basis: &Basis, i: usize) -> Option<Self> {
         let (knots, ratio) = (basis.knots(), basis.index().ratio());
+        assert!(i <= basis.n(), "there is no function {i}: the basis has the functions 0 to {}", basis.n());
         let gaps: Vec<_> = (i..=i + basis.degree()).map(|j| knots.t(j + 1) - knots.t(j)).collect();
         let gaps = coprime_gaps(&gaps);
         if gaps.iter().all(Ring::is_zero) {
@@ -261,6 +275,12 @@ mod tests {
         let [zero, one] = [0, 1].map(BigInt::from);
         let new = |gaps| LocalKnots::new(gaps, (one.clone(), one.clone()));
         assert_eq!(new(vec![]), Err(LocalKnotsError::NoGap));
-        assert_eq!(new(vec![zero.clone(), zero]), Err(LocalKnotsError::Empty));
+        assert_eq!(new(vec![zero.clone(), zero.clone()]), Err(LocalKnotsError::Empty));
+        assert_eq!(new(vec![one.clone(), -one.clone()]), Err(LocalKnotsError::NegativeGap(1)));
+        for wrong in [zero, -one.clone()] {
+            for ratio in [(wrong.clone(), one.clone()), (one.clone(), wrong.clone())] {
+                assert_eq!(LocalKnots::new(vec![one.clone()], ratio), Err(LocalKnotsError::Ratio));
+            }
+        }
     }
 }

@@ -3,10 +3,10 @@
 use num_rational::BigRational;
 
 use crate::scalar::{ExactField, Polynomial, RationalAlgebra, RationalFunction, Ring, spend};
-use crate::spline::{Active, Basis, KnotVector, Span};
+use crate::spline::{Active, Basis, KnotVector, Span, SpanError};
 
 use super::local_knots::SpanQuotient;
-use super::span_quotients::span_quotients;
+use super::span_quotients::own_quotients;
 
 /// A function on a span, in the span's positive coordinate u.
 pub type Piece = RationalFunction<BigRational>;
@@ -15,10 +15,12 @@ pub type Piece = RationalFunction<BigRational>;
 ///
 /// u runs over (0, ∞) as x runs over (t_j, t_{j+1}), rising, with u = 0 at t_j and u → ∞ at t_{j+1}. In it every
 /// weight, and so every G_i^k, is a quotient of polynomials with coefficients ≥ 0.
-#[must_use]
-pub fn positive_coordinate(knots: &KnotVector, span: Span) -> Piece {
-    let (start, end) = knots.ends(span);
-    coordinate_between(start, end)
+///
+/// # Errors
+/// [`SpanError::Foreign`] for a span of another knot vector.
+pub fn positive_coordinate(knots: &KnotVector, span: Span) -> Result<Piece, SpanError> {
+    let (start, end) = knots.ends(span)?;
+    Ok(coordinate_between(start, end))
 }
 
 /// x = (a + u·b)/(1 + u), the positive coordinate of any interval [a, b].
@@ -35,10 +37,19 @@ pub fn coordinate_between(a: &BigRational, b: &BigRational) -> Piece {
 }
 
 /// The u of a point of the span: (x − t_j)/(t_{j+1} − x); `None` for x = t_{j+1}, which is u = ∞.
-#[must_use]
-pub fn coordinate_of(knots: &KnotVector, span: Span, x: &BigRational) -> Option<BigRational> {
-    let (start, end) = knots.ends(span);
-    x.minus(start).over(&end.minus(x))
+///
+/// # Errors
+/// [`SpanError`] for a span of another knot vector, and for an x outside of the closed span.
+pub fn coordinate_of(
+    knots: &KnotVector,
+    span: Span,
+    x: &BigRational,
+) -> Result<Option<BigRational>, SpanError> {
+    let (start, end) = knots.ends(span)?;
+    if x < start || x > end {
+        return Err(SpanError::Outside(span.index()));
+    }
+    Ok(x.minus(start).over(&end.minus(x)))
 }
 
 /// The pieces of all functions that live on one span.
@@ -50,11 +61,12 @@ pub struct SpanPieces {
     pub x: Piece,
     /// G_i^k as functions of u.
     pub functions: Active<Piece>,
+    ends: (BigRational, BigRational),
 }
 
-/// All pieces of a basis: [`span_quotients`] on every span.
+/// All pieces of a basis, which they know: [`span_quotients`](super::span_quotients()) on every span.
 ///
-/// They are what the triangle gives over rational functions of u, `basis.active(span, &positive_coordinate(…))`.
+/// They are what the triangle gives over rational functions of u, `basis.active(span, &positive_coordinate(…)?)`.
 ///
 /// ```
 /// use knotproof::analysis::Pieces;
@@ -70,6 +82,7 @@ pub struct SpanPieces {
 /// ```
 #[derive(Debug, Clone)]
 pub struct Pieces {
+    basis: Basis,
     spans: Vec<SpanPieces>,
     zero: Piece,
 }
@@ -78,14 +91,21 @@ impl Pieces {
     /// The quotients of every span.
     #[must_use]
     pub fn of(basis: &Basis) -> Self {
-        let on_span = |span| {
+        let knots = basis.knots();
+        let on_span = |span: Span| {
             spend();
-            let x = positive_coordinate(basis.knots(), span);
-            let functions = span_quotients(basis, span).map(SpanQuotient::piece);
-            SpanPieces { span, x, functions }
+            let ends = (knots.t(span.index()).clone(), knots.t(span.index() + 1).clone());
+            let functions = own_quotients(basis, span).map(SpanQuotient::piece);
+            SpanPieces { span, x: coordinate_between(&ends.0, &ends.1), functions, ends }
         };
-        let spans = basis.knots().spans().map(on_span).collect();
-        Self { spans, zero: constant(basis.knots().first().zero()) }
+        let spans = knots.spans().map(on_span).collect();
+        Self { basis: basis.clone(), spans, zero: constant(knots.first().zero()) }
+    }
+
+    /// The basis.
+    #[must_use]
+    pub fn basis(&self) -> &Basis {
+        &self.basis
     }
 
     /// The spans from left to right.
@@ -114,6 +134,12 @@ impl Pieces {
 }
 
 impl SpanPieces {
+    /// (t_j, t_{j+1}).
+    #[must_use]
+    pub fn ends(&self) -> (&BigRational, &BigRational) {
+        (&self.ends.0, &self.ends.1)
+    }
+
     /// G_i^k on this span, 0 where it does not live.
     #[must_use]
     pub fn function(&self, i: usize) -> Piece {

@@ -92,8 +92,8 @@ impl RationalBezier {
         let weights = (0..=degree).map(|m| &q[m] / (&q[0] * binomial(degree, m))).collect();
         let entry = |p: &Polynomial<_>, m: usize| p.coefficients().get(m).map_or(integer(0), |p| p / &q[m]);
         let points = (0..=degree).map(|m| coordinates.iter().map(|p| entry(p, m)).collect()).collect();
-        let (from, to) = curve.basis().knots().ends(span);
-        Self { span, from: from.clone(), to: to.clone(), weights, points }
+        let [from, to] = [span.index(), span.index() + 1].map(|i| curve.basis().knots().t(i).clone());
+        Self { span, from, to, weights, points }
     }
 
     /// The span [t_j, t_{j+1}).

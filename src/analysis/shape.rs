@@ -2,8 +2,6 @@
 
 use num_rational::BigRational;
 
-use crate::spline::Basis;
-
 use super::contenders::attained_once;
 use super::extremum::{Extremum, ExtremumKind, Jump};
 use super::pieces::Pieces;
@@ -28,7 +26,7 @@ use super::profile::{Features, Profile, Segment};
 /// use knotproof::spline::{Basis, Index, KnotVector};
 ///
 /// let basis = Basis::new(KnotVector::new([0, 1, 2].map(integer).to_vec())?, 1, Index::infinity())?;
-/// let hat = Shape::of(&basis, &Pieces::of(&basis), 0);
+/// let hat = Shape::of(&Pieces::of(&basis), 0);
 /// assert_eq!(hat.extrema().len(), 1);
 /// assert_eq!(hat.extrema()[0].place, Place::Point(integer(1)));
 /// assert!(hat.strong() && hat.weak() == Some(true));
@@ -45,10 +43,11 @@ impl Shape {
     /// # Panics
     /// If i > n.
     #[must_use]
-    pub fn of(basis: &Basis, pieces: &Pieces, i: usize) -> Self {
+    pub fn of(pieces: &Pieces, i: usize) -> Self {
+        let basis = pieces.basis();
         let (from, to) = basis.support(i);
         let segments = pieces.spans().iter().filter_map(|on_span| {
-            let (start, end) = basis.knots().ends(on_span.span);
+            let (start, end) = on_span.ends();
             (from <= start && end <= to).then(|| Segment {
                 start: start.clone(),
                 end: end.clone(),
@@ -110,13 +109,13 @@ mod tests {
     use super::*;
     use crate::analysis::Place;
     use crate::scalar::{integer, rational};
-    use crate::spline::{Index, KnotVector};
+    use crate::spline::{Basis, Index, KnotVector};
 
     fn shapes(degree: usize, knots: &[usize], index: &str) -> Vec<Shape> {
         let knots = KnotVector::new(knots.iter().map(|&t| integer(t)).collect()).unwrap();
         let basis = Basis::new(knots, degree, index.parse().unwrap()).unwrap();
         let pieces = Pieces::of(&basis);
-        (0..=basis.n()).map(|i| Shape::of(&basis, &pieces, i)).collect()
+        (0..=basis.n()).map(|i| Shape::of(&pieces, i)).collect()
     }
 
     fn maxima(shape: &Shape) -> Vec<Place> {
@@ -192,7 +191,7 @@ mod tests {
             for i in 0..=basis.n() {
                 // The uniform B-spline is largest in the middle of its support.
                 let middle = Place::Point(rational(i64::try_from(2 * i + k + 1).unwrap(), 2));
-                let shape = Shape::of(&basis, &pieces, i);
+                let shape = Shape::of(&pieces, i);
                 assert_eq!(maxima(&shape), [middle]);
                 assert!(shape.strong() && shape.weak() == Some(true));
             }

@@ -37,6 +37,7 @@ pub struct KnotSlopes {
 /// If i > n.
 #[must_use]
 pub fn knot_slopes(basis: &Basis, i: usize) -> Vec<KnotSlopes> {
+    assert!(i <= basis.n(), "there is no function {i}: the basis has the functions 0 to {}", basis.n());
     let (first, last) = (basis.knots().first(), basis.knots().last());
     let mut knots = basis.knots().knots()[i..=i + basis.degree() + 1].to_vec();
     knots.dedup();

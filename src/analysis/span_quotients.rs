@@ -4,7 +4,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 
 use crate::scalar::{Bilinear, Bivariate, Fixed, Polynomial, Ring, ScaleBy, Whole, Width, may_vanish};
-use crate::spline::{Active, Basis, Factors, FractionFree, KnotVector, Span, triangle};
+use crate::spline::{Active, Basis, Factors, FractionFree, KnotVector, Span, SpanError, triangle};
 
 use super::local_knots::{SpanQuotient, coprime_gaps};
 
@@ -37,13 +37,21 @@ pub(super) struct FactoredQuotient {
 /// // 1 − φ and φ of (0, 1) for r = 2: 1/(1 + 2u) and 2u/(1 + 2u).
 /// let basis = Basis::new(KnotVector::bernstein(1, &integer(0), &integer(1))?, 1, "2".parse::<Index>()?)?;
 /// let span = basis.knots().spans().next().unwrap();
-/// let functions = span_quotients(&basis, span);
+/// let functions = span_quotients(&basis, span)?;
 /// assert_eq!(functions.values()[1].numerator.coefficients(), [0, 2].map(BigInt::from));
 /// assert_eq!(functions.values()[1].denominator.coefficients(), [1, 2].map(BigInt::from));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[must_use]
-pub fn span_quotients(basis: &Basis, span: Span) -> Active<SpanQuotient<BigInt>> {
+///
+/// # Errors
+/// [`SpanError::Foreign`] for a span of another knot vector.
+pub fn span_quotients(basis: &Basis, span: Span) -> Result<Active<SpanQuotient<BigInt>>, SpanError> {
+    basis.knots().ends(span)?;
+    Ok(own_quotients(basis, span))
+}
+
+/// [`span_quotients`] on a span of the basis.
+pub(super) fn own_quotients(basis: &Basis, span: Span) -> Active<SpanQuotient<BigInt>> {
     let quotient = |factored: &FactoredQuotient| SpanQuotient {
         numerator: factored.numerator.clone(),
         denominator: factored.denominator.clone(),
@@ -63,15 +71,31 @@ pub fn span_quotients(basis: &Basis, span: Span) -> Active<SpanQuotient<BigInt>>
 ///
 /// // φ = ru/(1 + ru) on (0, 1).
 /// let knots = KnotVector::bernstein(1, &integer(0), &integer(1))?;
-/// let functions = symbolic_quotients(&knots, 1, knots.spans().next().unwrap());
+/// let functions = symbolic_quotients(&knots, 1, knots.spans().next().unwrap())?;
 /// let [zero, one] = [0, 1].map(BigInt::from);
 /// let phi = &functions.values()[1];
 /// assert_eq!(phi.numerator.coefficients()[1].coefficients(), [zero.clone(), one.clone()]);
 /// assert_eq!(phi.denominator.coefficients()[0].coefficients(), [one]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[must_use]
+///
+/// # Errors
+/// [`SpanError::Foreign`] for a span of another knot vector, [`SpanError::Degree`] if that has no function of the
+/// degree.
 pub fn symbolic_quotients(
+    knots: &KnotVector,
+    degree: usize,
+    span: Span,
+) -> Result<Active<SpanQuotient<Polynomial<BigInt>>>, SpanError> {
+    knots.ends(span)?;
+    if degree >= knots.m() {
+        return Err(SpanError::Degree { degree, m: knots.m() });
+    }
+    Ok(own_symbolic_quotients(knots, degree, span))
+}
+
+/// [`symbolic_quotients`] on a span of the knots.
+pub(super) fn own_symbolic_quotients(
     knots: &KnotVector,
     degree: usize,
     span: Span,
@@ -335,8 +359,8 @@ mod tests {
             {
                 let Ok(basis) = Basis::new(knots.clone(), degree, alpha.parse().unwrap()) else { continue };
                 for span in knots.spans() {
-                    let reference = basis.active(span, &positive_coordinate(&knots, span));
-                    let quotients = span_quotients(&basis, span);
+                    let reference = basis.active(span, &positive_coordinate(&knots, span).unwrap()).unwrap();
+                    let quotients = span_quotients(&basis, span).unwrap();
                     let pieces = quotients.map(|quotient| {
                         let [p, q] = [&quotient.numerator, &quotient.denominator].map(over_rationals);
                         assert_eq!(p.gcd(&q).degree(), 0, "in lowest terms");
@@ -372,11 +396,14 @@ mod tests {
                     let at = BigInt::from(ratio);
                     let value =
                         |p: &Polynomial<Polynomial<BigInt>>| over_rationals(&p.map(|c| c.evaluate(&at)));
-                    let symbolic = symbolic_quotients(&knots, degree, span);
+                    let symbolic = symbolic_quotients(&knots, degree, span).unwrap();
                     let pieces = symbolic.map(|g| {
                         RationalFunction::new(&value(&g.numerator), &value(&g.denominator)).unwrap()
                     });
-                    assert_eq!(pieces, basis.active(span, &positive_coordinate(&knots, span)));
+                    assert_eq!(
+                        pieces,
+                        basis.active(span, &positive_coordinate(&knots, span).unwrap()).unwrap()
+                    );
                 }
             }
         }

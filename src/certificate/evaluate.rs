@@ -199,7 +199,8 @@ impl<'a> Evaluator<'a> {
                 let points: Evaluated<Vec<_>> = (first..=place.span).map(point).collect();
                 let levels = de_boor(&weights, Span::assumed(*degree), &points?);
                 weights.fault()?;
-                let point = usize::try_from(i - first).ok().and_then(|at| levels.get(*level)?.get(at));
+                let point =
+                    usize::try_from(i - first).ok().and_then(|at| levels.as_ref()?.get(*level)?.get(at));
                 let value = point.map(|point| point[0].coefficients()[0].clone());
                 value.ok_or_else(|| EvaluationError::Unknown(format!("d_{i}^{level}")))
             }

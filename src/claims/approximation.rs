@@ -26,7 +26,7 @@ fn order_one(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
     };
     let scaled = Pieces::of(&scaled);
     for pieces in base_spans(case) {
-        let (start, end) = case.knots().ends(pieces.span);
+        let (start, end) = pieces.ends();
         let found = usize::from(is_combination(pieces.functions.values(), &pieces.x));
         if !ledger.count(found, 0) {
             let claimed = "x is no combination of the functions that live there".to_owned();

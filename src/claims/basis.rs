@@ -52,7 +52,7 @@ pub(super) fn local_support(exceptions: bool) -> impl Fn(&BasisCase, &mut Ledger
             // Between the knots, for every x: the definition over the variable u.
             let (low, high) = case.basis().support(i);
             for pieces in case.pieces().spans() {
-                let (start, end) = case.knots().ends(pieces.span);
+                let (start, end) = pieces.ends();
                 let beyond = end <= low || start >= high;
                 if beyond && !ledger.equal(&case.definition_piece(pieces, i), &case.pieces().zero()) {
                     return Err(Stop::Fault(format!("{} lives outside of its support", name(case.k(), i))));
@@ -76,7 +76,7 @@ pub(super) fn positivity(threshold: BigRational) -> impl Fn(&BasisCase, &mut Led
             let low = case.basis().support(i).0;
             for pieces in support_spans(case, i) {
                 let g = pieces.function(i).minus(&crate::analysis::constant(threshold.clone()));
-                let start = case.knots().ends(pieces.span).0;
+                let start = pieces.ends().0;
                 let at_start = g.evaluate(&integer(0)).unwrap_or_else(|| integer(0));
                 let start_holds = start == low || ledger.less(&integer(0), &at_start);
                 if !(start_holds && ledger.positive(&g)) {
@@ -190,7 +190,7 @@ pub(super) fn symmetry(
 
 /// The span onto which x ↦ t_0 + t_m − x takes a span of a symmetric knot vector.
 pub(super) fn mirrored_span(knots: &KnotVector, span: Span) -> Option<Span> {
-    let start = knots.mirror(knots.ends(span).1);
+    let start = knots.mirror(knots.ends(span).ok()?.1);
     knots.span_at(&start, Side::Right)
 }
 
@@ -269,7 +269,7 @@ pub(super) fn regular(
     if finite_ends && ledger.positive(&denominator) {
         return Ok(());
     }
-    let (start, end) = case.knots().ends(pieces.span);
+    let (start, end) = pieces.ends();
     let at = [("i", i.to_string()), ("span", format!("[{start}, {end}]"))];
     Err(case.refuted(at, format!("{} has no pole", name(case.k(), i)), "its denominator vanishes".into()))
 }

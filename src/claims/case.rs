@@ -99,7 +99,7 @@ impl BasisCase {
     /// G_i^k on the given span by the definition, over the variable u: the pieces once more, by the other way.
     pub fn definition_piece(&self, pieces: &SpanPieces, i: usize) -> Piece {
         let all = self.definition.get_or_init(|| {
-            let top = |pieces: &SpanPieces| by_definition(&self.basis, pieces.span, &pieces.x).pop();
+            let top = |pieces: &SpanPieces| by_definition(&self.basis, pieces.span, &pieces.x).ok()?.pop();
             self.pieces().spans().iter().filter_map(top).collect()
         });
         let at = self.pieces().spans().binary_search_by_key(&pieces.span, |pieces| pieces.span);
@@ -129,7 +129,7 @@ impl BasisCase {
     #[must_use]
     pub fn jet_table(&self, x: &BigRational, side: Side, order: usize) -> Option<Vec<Vec<Jet<BigRational>>>> {
         let span = self.knots().span_at(x, side)?;
-        Some(by_definition(&self.basis, span, &Jet::variable(x.clone(), order)))
+        by_definition(&self.basis, span, &Jet::variable(x.clone(), order)).ok()
     }
 
     /// A witness in this case; `at` names the place in it. An `x` among the places makes it one about values
@@ -217,7 +217,10 @@ impl BasisCase {
     ) -> Stop {
         /// A rational function has few zeros: more places than that are never needed.
         const PLACES: usize = 100;
-        let (start, end) = self.knots().ends(span);
+        let (start, end) = match self.knots().ends(span) {
+            Ok(ends) => ends,
+            Err(error) => return Stop::Fault(error.to_string()),
+        };
         let simple = std::iter::once(start.clone()).chain(rationals_between(start, end)).take(PLACES);
         let known = known.and_then(|u| coordinate_between(start, end).evaluate(&u));
         match simple.chain(known).find_map(|x| test(&x)) {
@@ -234,7 +237,7 @@ impl BasisCase {
 
 /// G_0^k(x), …, G_n^k(x) by the definition, as limits from the side.
 pub(super) fn definition_values(basis: &Basis, x: &BigRational, side: Side) -> Vec<BigRational> {
-    let table = basis.knots().span_at(x, side).map(|span| by_definition(basis, span, x));
+    let table = basis.knots().span_at(x, side).and_then(|span| by_definition(basis, span, x).ok());
     let top = table.and_then(|mut table| table.pop());
     top.unwrap_or_else(|| vec![integer(0); basis.n() + 1])
 }

@@ -124,7 +124,7 @@ fn falls(rising: bool) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
                         return Err(Stop::Fault("the sum of all functions depends on α".into()));
                     }
                 } else if !ledger.positive(&if rising { slope.clone() } else { slope.negate() }) {
-                    let (start, end) = knots.ends(pieces.span);
+                    let (start, end) = pieces.ends();
                     let at = [("j", i.to_string()), ("x", ((start + end) / integer(2)).to_string())];
                     let found = slope.evaluate(&integer(1)).unwrap_or_else(|| integer(0));
                     let way = if rising { "rises" } else { "falls" };

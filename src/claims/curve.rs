@@ -33,7 +33,7 @@ fn local_control(exceptions: bool) -> impl Fn(&BasisCase, &mut Ledger) -> Judgem
                 }
             }
             for pieces in case.pieces().spans() {
-                let (start, end) = knots.ends(pieces.span);
+                let (start, end) = pieces.ends();
                 let beyond = end <= low || start >= high;
                 if beyond && !ledger.equal(&case.definition_piece(pieces, j), &case.pieces().zero()) {
                     return Err(Stop::Fault(format!("{} lives outside of its support", name(case.k(), j))));
@@ -143,15 +143,17 @@ fn de_boor_algorithm(
             let points: Vec<Vec<Piece>> = (0..=k).map(unit).collect();
             let ratio = crate::analysis::constant(case.basis().index().ratio().clone());
             let weights = PointWeights::new(case.knots(), ratio, pieces.x.clone());
-            let levels = de_boor(&Mapped { weights, map }, pieces.span, &points);
-            let table = crate::spline::by_definition(case.basis(), pieces.span, &pieces.x);
+            let fault = || Stop::Fault(format!("de Boor's algorithm does not run on the span {j}"));
+            let levels = de_boor(&Mapped { weights, map }, pieces.span, &points).ok_or_else(fault)?;
+            let table =
+                crate::spline::by_definition(case.basis(), pieces.span, &pieces.x).map_err(|_| fault())?;
             for (r, level) in levels.iter().enumerate() {
                 for c in 0..=k {
                     let terms = level.iter().map(|(i, point)| point[c].times(&table[k - r][i]));
                     let factor = terms.fold(zero.clone(), |sum, term| sum.plus(&term));
                     let wanted = pieces.function(j - k + c);
                     if !ledger.equal(&factor, &wanted) {
-                        let (start, end) = case.knots().ends(pieces.span);
+                        let (start, end) = pieces.ends();
                         let x = (start + end) / integer(2);
                         let at = [("j", j.to_string()), ("r", r.to_string()), ("x", x.to_string())];
                         let at_middle = |f: &Piece| f.evaluate(&integer(1)).unwrap_or_else(|| integer(0));
@@ -194,7 +196,7 @@ pub(super) fn shifts_weight(case: &BasisCase, reversed: bool, ledger: &mut Ledge
             difference = difference.plus(g).minus(&classical.function(i));
             let oriented = if ratio_below_one != reversed { difference.clone() } else { difference.negate() };
             if !oriented.is_zero() && !ledger.positive(&oriented) {
-                let (start, end) = case.knots().ends(pieces.span);
+                let (start, end) = pieces.ends();
                 let x = (start + end) / integer(2);
                 let at = [("j", i.to_string()), ("x", x.to_string())];
                 let found = difference.evaluate(&integer(1)).unwrap_or_else(|| integer(0));

@@ -26,7 +26,7 @@ impl Drawn {
 
     /// The coordinates on a span, as functions of u.
     pub(super) fn on(&self, pieces: &SpanPieces) -> Vec<Piece> {
-        self.curve.combine(&pieces.functions)
+        self.curve.combine_unchecked(&pieces.functions)
     }
 
     /// The coordinates on all spans.

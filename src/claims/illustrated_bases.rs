@@ -106,7 +106,7 @@ fn support_of(width: usize, case: &BasisCase, ledger: &mut Ledger) -> Judgement 
     for i in 0..=case.n() {
         let (low, high) = (case.knots().t(i), case.knots().t(i + width));
         for pieces in case.pieces().spans() {
-            let (start, end) = case.knots().ends(pieces.span);
+            let (start, end) = pieces.ends();
             let (inside, g) = (low <= start && end <= high, case.definition_piece(pieces, i));
             let as_claimed =
                 if inside { ledger.positive(&g) } else { ledger.equal(&g, &case.pieces().zero()) };

@@ -167,7 +167,7 @@ fn trace_differs(illustration: &Illustration, ledger: &mut Ledger) -> Judgement 
         for index in instance.indices.iter().filter(|index| !index.is_infinite()) {
             let drawn = Drawn::new(instance, index);
             let places = drawn.case.pieces().spans().iter().flat_map(|pieces| {
-                let (start, end) = drawn.case.knots().ends(pieces.span);
+                let (start, end) = pieces.ends();
                 rationals_between(start, end).take(TRIED)
             });
             let off = places
@@ -204,7 +204,7 @@ fn moves_locally(three_segments: bool) -> impl Fn(&Illustration, &mut Ledger) ->
                 let two = Drawn::new(other, index);
                 let both = one.everywhere().into_iter().zip(two.everywhere());
                 for (pieces, (one_on, two_on)) in one.case.pieces().spans().iter().zip(both) {
-                    let (start, end) = one.case.knots().ends(pieces.span);
+                    let (start, end) = pieces.ends();
                     let acts = low <= start && end <= high;
                     let difference: Vec<_> = one_on.iter().zip(&two_on).map(|(a, b)| a.minus(b)).collect();
                     let square = squared_length(&difference).unwrap_or_else(|| pieces.x.zero());

@@ -69,7 +69,7 @@ fn nearly_all(
     }
     Err(case.locate_at(pieces.span, always_positive(&excess).failure(), |x| {
         let sum: BigRational = case.values(x, Side::Right)[functions.clone()].iter().sum();
-        let bound = bound.evaluate(&coordinate_of(case.knots(), pieces.span, x)?)?;
+        let bound = bound.evaluate(&coordinate_of(case.knots(), pieces.span, x).ok()??)?;
         (integer(1) - &sum > bound).then(|| {
             let names: Vec<_> = functions.clone().map(|i| name(case.k(), i)).collect();
             let claimed = format!("1 − ({})({x}) ≤ {bound}, a multiple of {}", names.join(" + "), way.name());

@@ -29,7 +29,7 @@ fn one_maximum(
     wanted: usize,
     ledger: &mut Ledger,
 ) -> Judgement {
-    let shape = Shape::of(case.basis(), case.pieces(), i);
+    let shape = Shape::of(case.pieces(), i);
     let g = name(case.k(), i);
     let at = [("i", i.to_string())];
     let places = || {

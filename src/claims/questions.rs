@@ -177,7 +177,7 @@ fn linear_precision(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
         if (case.k()..=case.n()).contains(&pieces.span.index())
             && !ledger.count(usize::from(is_combination(pieces.functions.values(), &pieces.x)), 1)
         {
-            let (start, end) = case.knots().ends(pieces.span);
+            let (start, end) = pieces.ends();
             let claimed = "x is a combination of the basis functions".to_owned();
             let found = format!("on [{start}, {end}) it is none of those that live there");
             return Err(case.refuted([("span", format!("[{start}, {end})"))], claimed, found));
@@ -189,7 +189,7 @@ fn linear_precision(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
 /// Every function for U is a combination of those for U with one more knot, in the middle of any span.
 fn nested(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
     for coarse in case.pieces().spans() {
-        let (start, end) = case.knots().ends(coarse.span);
+        let (start, end) = coarse.ends();
         let knot = (start + end) / integer(2);
         let refined = case.knots().with_knot(&knot);
         let Ok(refined) = Basis::new(refined, case.k(), case.basis().index().clone()) else { continue };
@@ -212,7 +212,7 @@ fn nested(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
 fn fine_and_coarse(fine: &SpanPieces, n: usize, case: &BasisCase) -> Vec<Piece> {
     let start = fine.x.evaluate(&integer(0));
     let coarse = start.and_then(|start| case.knots().span_at(&start, Side::Right));
-    let coarse = coarse.map(|span| case.basis().active(span, &fine.x));
+    let coarse = coarse.and_then(|span| case.basis().active(span, &fine.x).ok());
     let of_case =
         |i| coarse.as_ref().and_then(|active| active.get(i)).cloned().unwrap_or_else(|| fine.x.zero());
     (0..=n).map(|i| fine.function(i)).chain((0..=case.n()).map(of_case)).collect()
@@ -229,7 +229,7 @@ fn derivative_in_class(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
         for (i, g) in pieces.functions.iter() {
             let slope = pieces.derivative(g);
             if !ledger.count(usize::from(is_combination(lower.functions.values(), &slope)), 1) {
-                let (start, end) = case.knots().ends(pieces.span);
+                let (start, end) = pieces.ends();
                 let at = [("i", i.to_string()), ("span", format!("[{start}, {end})"))];
                 let claimed = format!(
                     "D{} is a combination of the functions of degree {}",
@@ -260,7 +260,7 @@ fn rational_bezier_of(most: usize, case: &BasisCase, ledger: &mut Ledger) -> Jud
         let mut numerators = common_numerators(&functions);
         let Some(denominator) = numerators.pop() else { continue };
         let degree = denominator.degree().max(numerators.iter().map(Polynomial::degree).max().unwrap_or(0));
-        let (start, end) = case.knots().ends(pieces.span);
+        let (start, end) = pieces.ends();
         let at = [("span", format!("[{start}, {end})"))];
         if !ledger.count(degree.max(most), most) {
             let claimed = format!("the curve is a rational Bézier curve of degree at most {most}");

@@ -59,7 +59,7 @@ fn functions_as_coefficients(case: &BasisCase, ledger: &mut Ledger) -> Judgement
             let sum = h.times(g).plus(&g.negate().times(h));
             if ledger.equal(&sum, &case.pieces().zero()) {
                 let (first, second) = (name(case.k(), i), name(case.k(), j));
-                let (start, end) = case.knots().ends(pieces.span);
+                let (start, end) = pieces.ends();
                 let at = [("i", i.to_string()), ("x", ((start + end) / integer(2)).to_string())];
                 let claimed = format!("c_{i} vanishes where {first} > 0");
                 let found = format!(

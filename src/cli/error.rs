@@ -10,6 +10,7 @@ use crate::analysis::FreeKnotError;
 use crate::certificate::CertificateError;
 use crate::claims::Fault;
 use crate::float::FloatError;
+use crate::json::JsonError;
 use crate::report::{BaselineError, END, PageError, PictureError, ReportError, START, ScriptError};
 use crate::scalar::NumberError;
 use crate::search::{AuditError, MergeError, PartError, RecordError};
@@ -29,6 +30,17 @@ pub enum CliError {
         place: Place,
         /// What is wrong with it.
         error: NumberError,
+    },
+    /// A comma that may be a decimal point, or the end of an entry.
+    #[error(
+        "{place}: `{entry}` has a comma without a space after it, in a list with spaces between its entries: write a \
+         decimal point, as in 1.5, or the same separator everywhere"
+    )]
+    DecimalComma {
+        /// Where it stands.
+        place: Place,
+        /// The entry.
+        entry: String,
     },
     /// The numbers are no knot vector.
     #[error("{place}: {error}")]
@@ -72,7 +84,7 @@ pub enum CliError {
     },
     /// `--points` looks like JSON and is not a list of lists of numbers.
     #[error("--points: {0}; write [[\"0\",\"2\"],[\"3/2\",\"5\"]]")]
-    PointsJson(serde_json::Error),
+    PointsJson(JsonError),
     /// Something that is needed was not given.
     #[error("{argument} is missing: {purpose}; or name an example with --instance")]
     Missing {
@@ -99,7 +111,7 @@ pub enum CliError {
         /// The file.
         path: PathBuf,
         /// What is wrong, with line and column.
-        error: serde_json::Error,
+        error: JsonError,
     },
     /// An instance of several degrees, and none of them chosen.
     #[error("{argument}: the paper shows {name} for the degrees {list}: choose one with --degree", list = list(degrees))]
@@ -175,12 +187,14 @@ pub enum CliError {
         needed: usize,
     },
     /// A degree of which the result would be too long, or take too long.
-    #[error("--degree: {degree} is too high for this: at most {limit}")]
+    #[error("--degree: {degree} is too high for this: at most {limit}; {reason}")]
     TooHigh {
         /// k.
         degree: usize,
         /// The highest that is allowed.
         limit: usize,
+        /// Why.
+        reason: &'static str,
     },
     /// A file with expressions that cannot be read, or not compared.
     #[error("--equals: {}, {error}", path.display())]
@@ -395,6 +409,7 @@ impl CliError {
     pub fn argument(&self) -> Option<&str> {
         match self {
             Self::Number { place, .. }
+            | Self::DecimalComma { place, .. }
             | Self::Knots { place, .. }
             | Self::Basis { place, .. }
             | Self::Curve { place, .. }

@@ -4,11 +4,13 @@ use std::borrow::Cow;
 use std::fmt;
 
 use num_rational::BigRational;
+use num_traits::Signed;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
-use serde_json::Value;
+use serde_json::value::RawValue;
 
+use crate::json;
 use crate::scalar::parse_rational;
 use crate::spline::Index;
 
@@ -36,8 +38,7 @@ impl Serialize for Exact {
 
 impl<'de> Deserialize<'de> for Exact {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        // By way of `Value`: only there a JSON number keeps its text.
-        let text = number_text(Value::deserialize(deserializer)?).map_err(D::Error::custom)?;
+        let text = number_text(&raw(deserializer)?).map_err(D::Error::custom)?;
         parse_rational(&text).map(Self).map_err(D::Error::custom)
     }
 }
@@ -62,25 +63,58 @@ pub(super) fn as_given<S: Serializer>(numbers: &impl Serialize, serializer: S) -
     Notation::Exact.during(|| numbers.serialize(serializer))
 }
 
+/// A whole number ≥ 0, as JSON Schema has it: 1.0 is one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Whole(pub(super) usize);
+
+impl<'de> Deserialize<'de> for Whole {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let raw = raw(deserializer)?;
+        let text = raw.get();
+        let wrong = |found: &str| {
+            D::Error::custom(format!("expected a whole number from 0 up, such as 2, and found {found}"))
+        };
+        if !is_number(text) {
+            return Err(wrong(kind(text)));
+        }
+        let number = parse_rational(text).map_err(D::Error::custom)?;
+        if !number.is_integer() || number.is_negative() {
+            return Err(wrong(text));
+        }
+        usize::try_from(number.numer()).map(Self).map_err(|_| D::Error::custom("the number is too large"))
+    }
+}
+
+impl JsonSchema for Whole {
+    fn inline_schema() -> bool {
+        true
+    }
+    fn schema_name() -> Cow<'static, str> {
+        "WholeNumber".into()
+    }
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "type": "integer", "minimum": 0 })
+    }
+}
+
 /// One index or several: a number or `"inf"`, or a list of those.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Indices(pub(super) Vec<Index>);
 
 impl<'de> Deserialize<'de> for Indices {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let index = |value: Value, place: &str| -> Result<Index, D::Error> {
+        let index = |value: &RawValue, place: &str| -> Result<Index, D::Error> {
             let wrong = |error: &dyn fmt::Display| D::Error::custom(format!("`{place}`: {error}"));
             let text = number_text(value).map_err(|error| wrong(&error))?;
             text.parse().map_err(|error| wrong(&error))
         };
-        let indices = match Value::deserialize(deserializer)? {
-            Value::Array(values) => {
-                let numbered = values.into_iter().enumerate();
-                numbered.map(|(i, value)| index(value, &format!("alpha[{i}]"))).collect::<Result<_, _>>()?
-            }
-            value => vec![index(value, "alpha")?],
-        };
-        Ok(Self(indices))
+        let raw = raw(deserializer)?;
+        if !raw.get().starts_with('[') {
+            return Ok(Self(vec![index(&raw, "alpha")?]));
+        }
+        let values: Vec<Box<RawValue>> = json::read(raw.get()).map_err(D::Error::custom)?;
+        let numbered = values.iter().enumerate();
+        numbered.map(|(i, value)| index(value, &format!("alpha[{i}]"))).collect::<Result<_, _>>().map(Self)
     }
 }
 
@@ -97,22 +131,32 @@ impl JsonSchema for Indices {
     }
 }
 
+/// The text of a value: whatever is in it, an object stays an object.
+fn raw<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Box<RawValue>, D::Error> {
+    Box::deserialize(deserializer)
+}
+
 /// The text of a JSON number, or of a string that should hold one.
-fn number_text(value: Value) -> Result<String, String> {
-    match value {
-        Value::String(text) => Ok(text),
-        Value::Number(number) => Ok(number.as_str().to_owned()),
-        other => Err(format!("expected a number or a string with a number, and found {}", kind(&other))),
+fn number_text(value: &RawValue) -> Result<String, String> {
+    let text = value.get();
+    match text.as_bytes() {
+        _ if is_number(text) => Ok(text.to_owned()),
+        [b'"', ..] => json::read(text).map_err(|error| error.message().to_owned()),
+        _ => Err(format!("expected a number or a string with a number, and found {}", kind(text))),
     }
 }
 
-fn kind(value: &Value) -> &'static str {
-    match value {
-        Value::Null => "null",
-        Value::Bool(_) => "a truth value",
-        Value::Number(_) => "a number",
-        Value::String(_) => "a string",
-        Value::Array(_) => "a list",
-        Value::Object(_) => "an object",
+fn is_number(text: &str) -> bool {
+    text.starts_with(|c: char| c == '-' || c.is_ascii_digit())
+}
+
+fn kind(text: &str) -> &'static str {
+    match text.as_bytes().first() {
+        Some(b'n') => "null",
+        Some(b't' | b'f') => "a truth value",
+        Some(b'"') => "a string",
+        Some(b'[') => "a list",
+        Some(b'{') => "an object",
+        _ => "a number",
     }
 }

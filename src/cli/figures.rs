@@ -12,6 +12,7 @@ use super::error::CliError;
 use super::exit::Exit;
 use super::output::Output;
 use super::progress::Progress;
+use super::visible::visible_path;
 
 /// Draws the paper's figures, and ours beside them, each as SVG and as PNG.
 #[derive(Debug, clap::Args)]
@@ -86,6 +87,6 @@ fn choose(names: &[String]) -> Result<Vec<&'static Figure>, CliError> {
 
 impl fmt::Display for Drawn {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.files.iter().try_for_each(|file| writeln!(f, "{}", file.display()))
+        self.files.iter().try_for_each(|file| writeln!(f, "{}", visible_path(file)))
     }
 }

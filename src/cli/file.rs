@@ -1,30 +1,118 @@
 //! Instance files.
 
+use std::fmt;
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::de::{Error as _, IgnoredAny, MapAccess, Visitor};
+use serde::{Deserialize, Deserializer};
+use serde_json::value::RawValue;
+
+use crate::json;
 
 use super::error::CliError;
-use super::exact::{Exact, Indices};
+use super::exact::{Exact, Indices, Whole};
 
 /// An instance for knotproof: a degree on a knot vector, with indices and control points if there are any.
-#[derive(Debug, Clone, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-#[schemars(title = "knotproof instance")]
+///
+/// A result of `knotproof eval`, `bezier`, `shape`, `check`, `formula` or `search` is one too: its `schema` says that it
+/// is a result, of which only these fields count, and the indices of its entries if it has none of its own.
+#[derive(Debug, Clone, PartialEq, Eq, JsonSchema)]
+#[schemars(
+    title = "knotproof instance",
+    extend("if" = { "properties": { "schema": { "pattern": RESULT_PATTERN } }, "required": ["schema"] }),
+    extend("else" = { "propertyNames": { "enum": FIELDS } })
+)]
 pub(super) struct InstanceFile {
     /// The degree k of the basis functions.
-    pub(super) degree: usize,
+    pub(super) degree: Whole,
     /// The knots t_0 ≤ t_1 ≤ … ≤ t_m, of any multiplicity; at least max(2k, k + 1) + 1 of them.
     pub(super) knots: Vec<Exact>,
     /// The index α, or several; `--alpha` replaces them.
-    #[serde(default)]
     pub(super) alpha: Option<Indices>,
     /// The control points d_0, …, d_n of a curve, n = m − k − 1: each a list of 1 to 3 coordinates.
-    #[serde(default)]
     pub(super) points: Option<Vec<Vec<Exact>>>,
+}
+
+/// The fields of an instance that is no result. `$schema` is for editors.
+const FIELDS: [&str; 5] = ["$schema", "degree", "knots", "alpha", "points"];
+/// What the `schema` of a result begins with.
+const RESULT: &str = "knotproof.";
+const RESULT_PATTERN: &str = "^knotproof\\.";
+
+/// What is read of an entry of a result.
+#[derive(Deserialize)]
+struct Entry {
+    alpha: Option<Box<RawValue>>,
+}
+
+impl<'de> Deserialize<'de> for InstanceFile {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_map(Fields)
+    }
+}
+
+struct Fields;
+
+impl<'de> Visitor<'de> for Fields {
+    type Value = InstanceFile;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("an object with named fields")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<InstanceFile, A::Error> {
+        let (mut degree, mut knots, mut alpha, mut points) = (None, None, None, None);
+        let mut seen: Vec<String> = Vec::new();
+        let (mut result, mut entries) = (false, Vec::new());
+        while let Some(name) = map.next_key::<String>()? {
+            if seen.contains(&name) {
+                return Err(A::Error::custom(format!("duplicate field `{name}`")));
+            }
+            match name.as_str() {
+                "$schema" => drop(map.next_value::<String>()?),
+                "schema" => result = map.next_value::<String>()?.starts_with(RESULT),
+                "degree" => degree = Some(map.next_value()?),
+                "knots" => knots = Some(map.next_value()?),
+                "alpha" if result => alpha = index_of(map.next_value()?)?,
+                "alpha" => alpha = map.next_value()?,
+                "points" => points = map.next_value()?,
+                "functions" | "properties" if result => entries = map.next_value::<Vec<Entry>>()?,
+                _ if result => drop(map.next_value::<IgnoredAny>()?),
+                _ => {
+                    let fields = FIELDS.map(|field| format!("`{field}`")).join(", ");
+                    return Err(A::Error::custom(format!(
+                        "unknown field `{name}`, expected one of {fields}"
+                    )));
+                }
+            }
+            seen.push(name);
+        }
+        if !result && seen.iter().any(|name| name == "schema") {
+            return Err(A::Error::custom(format!("the `schema` of a result begins with `{RESULT}`")));
+        }
+        let mut of_entries = Vec::new();
+        for Entry { alpha } in entries {
+            of_entries.extend(index_of(alpha)?.map_or_else(Vec::new, |indices| indices.0));
+        }
+        let missing = |field| move || A::Error::missing_field(field);
+        Ok(InstanceFile {
+            degree: degree.ok_or_else(missing("degree"))?,
+            knots: knots.ok_or_else(missing("knots"))?,
+            alpha: alpha.or((!of_entries.is_empty()).then_some(Indices(of_entries))),
+            points,
+        })
+    }
+}
+
+/// The indices in a result, if it has any: one for every index has a word in their place.
+fn index_of<E: serde::de::Error>(alpha: Option<Box<RawValue>>) -> Result<Option<Indices>, E> {
+    match alpha.as_ref().map_or("null", |alpha| alpha.get()) {
+        "null" | "\"symbolic\"" | "\"all\"" => Ok(None),
+        text => json::read(text).map(Some).map_err(|error| E::custom(error.message())),
+    }
 }
 
 /// The most that is read of a file: so a device or a film given by mistake does no harm.
@@ -38,17 +126,7 @@ impl InstanceFile {
     pub(super) fn read(path: &Path) -> Result<Self, CliError> {
         let text = read("--instance", path)?;
         let malformed = |error| CliError::Malformed { path: path.to_owned(), error };
-        if let Some(("", list)) = text.split_once('[').map(|(before, list)| (before.trim(), list)) {
-            // A list of fields without names would be taken for them, in their order.
-            let before = &text[..text.len() - list.len()];
-            let (line, column) =
-                (before.lines().count(), before.lines().last().map_or(0, |l| l.chars().count()));
-            let message = "expected an object with named fields, and found a list";
-            return Err(malformed(serde::de::Error::custom(format!(
-                "{message} at line {line} column {column}"
-            ))));
-        }
-        serde_json::from_str(&text).map_err(malformed)
+        json::read(&text).map_err(malformed)
     }
 }
 

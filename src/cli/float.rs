@@ -22,6 +22,7 @@ use super::instance::{InstanceArgs, whole_number};
 use super::output::Output;
 use super::place::Place;
 use super::table::{plain, right_aligned};
+use super::visible::visible_path;
 
 /// How wrong ways to compute in f64 are: the paper's formula, usual ones, and those of this library.
 ///
@@ -34,6 +35,7 @@ use super::table::{plain, right_aligned};
 /// and is compared with it. A result that is no number, written `inf`, is worse than any bound. Exact values below 2^-900,
 /// next to underflow, are left out of the columns in ULP: they are counted, and have their part in the absolute errors
 /// and the signs. Numbers that f64 does not have are rounded, and the output says which.
+/// Up to degree 31: the functions in f64 compute in memory of a fixed size.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLE)]
 pub(super) struct Args {
@@ -339,6 +341,6 @@ impl fmt::Display for Comparison {
             }
         }
         write!(f, "The exact values: the same with `knotproof eval`.")?;
-        self.written.iter().try_for_each(|path| write!(f, "\nWritten: {}", path.display()))
+        self.written.iter().try_for_each(|path| write!(f, "\nWritten: {}", visible_path(path)))
     }
 }

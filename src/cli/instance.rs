@@ -17,6 +17,7 @@ use super::file::InstanceFile;
 use super::lists::{numbers, points};
 use super::offered::{instance_name, instance_names};
 use super::place::Place;
+use super::visible::visible_path;
 
 /// What a command works on. Options override what an instance brings along.
 #[derive(Debug, Clone, clap::Args)]
@@ -28,7 +29,8 @@ pub(super) struct InstanceArgs {
     /// The degree k; chooses among the degrees of an instance that has several.
     #[arg(long, value_name = "K", value_parser = whole_number, allow_hyphen_values = true)]
     degree: Option<usize>,
-    /// The knots t_0 ≤ … ≤ t_m, separated by commas or spaces: "0 0 0 1/2 1 1 1".
+    /// The knots t_0 ≤ … ≤ t_m, separated by commas or spaces: "0 0 0 1/2 1 1 1". Exponents: 1e-400 to 1e400, 0x1p-1100 to
+    /// 0x1p1100.
     #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
     knots: Option<String>,
     /// The index α: less than 0, greater than 1, or inf. Replaces the indices of an instance; may be repeated
@@ -121,6 +123,7 @@ impl InstanceArgs {
             None => given.points,
         };
         let missing = |argument, purpose| CliError::Missing { argument, purpose };
+        let label = given.label.map(|label| self.changed(&label, given.degree));
         let degree = self.degree.or(given.degree);
         let degree = degree.ok_or_else(|| missing("--degree", "give the degree, such as --degree 2"))?;
         let (knots, place) =
@@ -141,7 +144,22 @@ impl InstanceArgs {
             Ok(Case { basis, curve })
         };
         let cases = indices.into_iter().map(case).collect::<Result<_, CliError>>()?;
-        Ok(Subject { label: given.label, cases })
+        Ok(Subject { label, cases })
+    }
+
+    /// The name of an instance, and what the options have made different in it. Indices are shown anyway.
+    fn changed(&self, label: &str, degree: Option<usize>) -> String {
+        let parts = [
+            ("degree", self.degree.is_some() && self.degree != degree),
+            ("knots", self.knots.is_some()),
+            ("points", self.points.is_some()),
+        ];
+        let other: Vec<_> = parts.iter().filter(|(_, other)| *other).map(|(part, _)| *part).collect();
+        match other.split_last() {
+            None => label.to_owned(),
+            Some((last, [])) => format!("{label}, with other {last}"),
+            Some((last, rest)) => format!("{label}, with other {} and {last}", rest.join(", ")),
+        }
     }
 
     /// The degree, where no knots are given or named.
@@ -256,8 +274,8 @@ fn from_file(path: &Path) -> Result<Given, CliError> {
     };
     let points = file.points.map(|points| points.into_iter().map(exact).collect());
     Ok(Given {
-        label: Some(path.display().to_string()),
-        degree: Some(file.degree),
+        label: Some(visible_path(path)),
+        degree: Some(file.degree.0),
         knots: Some((knots, place)),
         indices,
         points: points.map(|points| (points, Place::field(path, "points"))),
@@ -284,7 +302,7 @@ fn curve(basis: &Basis, points: &[Point], place: &Place) -> Result<Curve, CliErr
             CurveError::Dimension { position, .. } | CurveError::Mixed { position, .. } => {
                 place.clone().at(*position)
             }
-            CurveError::Count { .. } => place.clone(),
+            CurveError::Count { .. } | CurveError::Function { .. } => place.clone(),
         };
         CliError::Curve { place, error }
     })

@@ -2,6 +2,7 @@
 
 use num_rational::BigRational;
 
+use crate::json;
 use crate::scalar::parse_rational;
 use crate::spline::Point;
 
@@ -12,8 +13,12 @@ use super::place::Place;
 /// A list of exact numbers, separated by commas or by white space.
 ///
 /// # Errors
-/// [`CliError::Number`], with the position of the first entry that is not a number.
+/// [`CliError::Number`], with the position of the first entry that is not a number; [`CliError::DecimalComma`] where a
+/// comma may be a separator or a decimal point.
 pub(super) fn numbers(text: &str, place: &Place) -> Result<Vec<BigRational>, CliError> {
+    if let Some((position, entry)) = decimal_comma(text) {
+        return Err(CliError::DecimalComma { place: place.clone().at(position), entry: entry.to_owned() });
+    }
     let numbered = entries(text).into_iter().enumerate();
     numbered.map(|(position, entry)| number(entry, || place.clone().at(position))).collect()
 }
@@ -26,7 +31,7 @@ pub(super) fn numbers(text: &str, place: &Place) -> Result<Vec<BigRational>, Cli
 pub(super) fn points(text: &str) -> Result<Vec<Point>, CliError> {
     let text = text.trim();
     if text.starts_with('[') {
-        let points: Vec<Vec<Exact>> = serde_json::from_str(text).map_err(CliError::PointsJson)?;
+        let points: Vec<Vec<Exact>> = json::read(text).map_err(CliError::PointsJson)?;
         return Ok(points.into_iter().map(|point| point.into_iter().map(|Exact(c)| c).collect()).collect());
     }
     let place = Place::option("--points");
@@ -47,6 +52,16 @@ pub(super) fn points(text: &str) -> Result<Vec<Point>, CliError> {
 
 fn number(entry: &str, place: impl Fn() -> Place) -> Result<BigRational, CliError> {
     parse_rational(entry).map_err(|error| CliError::Number { place: place(), error })
+}
+
+/// In a list that has white space between its entries, the first entry with a comma and more behind it: `1,5` in
+/// `0 1,5 6` and in `0, 1,5, 6`. The position is that of its first part.
+fn decimal_comma(text: &str) -> Option<(usize, &str)> {
+    let words: Vec<&str> = text.split_whitespace().collect();
+    let inner = |word: &&str| word.trim_matches(',').contains(',');
+    let at = words.iter().position(|word| inner(word) || (word.starts_with(',') && *word != ","))?;
+    let before = entries(words[..at].join(" ").trim_end_matches(',')).len();
+    (words.len() > 1).then_some((before, words[at]))
 }
 
 /// The entries of a list; empty ones between two commas are kept, to be complained about.
@@ -99,12 +114,38 @@ mod tests {
     fn an_error_in_a_list_says_where() {
         for (text, expected) in [
             ("1,,2", "--knots, position 1: a number is missing here"),
+            ("1, , 2", "--knots, position 1: a number is missing here"),
             ("1,2,", "--knots, position 2: a number is missing here"),
             ("1 1/0", "--knots, position 1: `1/0` divides by zero"),
         ] {
             let error = numbers(text, &Place::option("--knots")).unwrap_err();
             assert_eq!(error.to_string(), expected);
         }
+    }
+
+    #[test]
+    fn a_decimal_comma_is_no_separator() {
+        for (text, position, entry) in [
+            ("0 0 0 1,5 6 6 6", 3, "1,5"),
+            ("1,5 2", 0, "1,5"),
+            ("0, 0, 1,5, 6", 2, "1,5,"),
+            ("0 -0,5", 1, "-0,5"),
+            ("0\t1\n2,25", 2, "2,25"),
+            ("0,0,0 1 2", 0, "0,0,0"),
+            ("0 ,5 1", 1, ",5"),
+        ] {
+            let error = numbers(text, &Place::option("--knots")).unwrap_err();
+            let CliError::DecimalComma { place, entry: found } = &error else { panic!("{text}: {error}") };
+            assert_eq!((place, found.as_str()), (&Place::option("--knots").at(position), entry), "{text}");
+            assert!(error.to_string().contains("decimal point"), "{error}");
+        }
+        for text in ["0,0,0,1,2", "0, 0, 1", "0 , 0 , 1", "0 0 1", "1,5", " 1,5 "] {
+            assert!(numbers(text, &Place::option("--knots")).is_ok(), "{text}");
+        }
+        // Points are pairs; but in a point that is separated by spaces it is the same again.
+        assert_eq!(points("0,0 1,2").unwrap().len(), 2);
+        assert!(matches!(points("0 1,5; 2 3"), Err(CliError::DecimalComma { .. })));
+        assert!(matches!(points("(0 1,5 2)"), Err(CliError::DecimalComma { .. })));
     }
 
     #[test]

@@ -12,6 +12,7 @@ use super::atomic::Folder;
 use super::error::CliError;
 use super::exit::Exit;
 use super::output::Output;
+use super::visible::visible_path;
 
 /// Writes manual pages: knotproof.1, and one for each command.
 #[derive(Debug, clap::Args)]
@@ -55,6 +56,6 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
 /// One file a line.
 impl fmt::Display for Pages {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.files.iter().try_for_each(|file| writeln!(f, "{}", file.display()))
+        self.files.iter().try_for_each(|file| writeln!(f, "{}", visible_path(file)))
     }
 }

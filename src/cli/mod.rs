@@ -36,6 +36,7 @@ mod table;
 mod usage;
 mod verdict;
 mod verify;
+mod visible;
 
 use std::ffi::OsString;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -116,11 +117,14 @@ impl Command {
 }
 
 /// The program: reads the arguments of the process, and returns its exit code.
+///
+/// `stdout_closed`: was there no standard output when the process began? The standard library opens `/dev/null` in its
+/// place, where every result would be lost without a word.
 #[must_use]
-pub fn main() -> ExitCode {
+pub fn main(stdout_closed: bool) -> ExitCode {
     let arguments: Vec<OsString> = std::env::args_os().collect();
     // Whether JSON was asked for has to be known before the arguments are understood: their errors are JSON too.
-    let errors = Output::new(usage::asked_format(&arguments));
+    let errors = Output::new(usage::asked_format(&arguments)).without_stdout(stdout_closed);
     std::panic::set_hook(Box::new(move |panic| errors.internal_error(panic)));
     guarded(|| run(arguments, errors)).into()
 }
@@ -136,7 +140,7 @@ fn run(arguments: Vec<OsString>, errors: Output) -> Exit {
         Ok(program) => program,
         Err(error) => return usage::answer(&error, errors),
     };
-    let output = Output::new(program.format);
+    let output = errors.in_format(program.format);
     match program.command.run(&output) {
         Ok(exit) => exit,
         Err(error) => {

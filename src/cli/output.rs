@@ -11,6 +11,7 @@ use serde::Serialize;
 
 use super::error::CliError;
 use super::notation::Notation;
+use super::visible::{visible, visible_json, visible_lines};
 
 /// How results and errors are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
@@ -30,6 +31,7 @@ pub enum Format {
 pub struct Output {
     format: Format,
     notation: Notation,
+    closed: bool,
 }
 
 /// A result with what made it.
@@ -66,12 +68,24 @@ impl Output {
     /// Output in the given format.
     #[must_use]
     pub fn new(format: Format) -> Self {
-        Self { format, notation: Notation::Exact }
+        Self { format, notation: Notation::Exact, closed: false }
     }
 
     /// The same, with numbers in a notation.
     pub(super) fn in_notation(self, notation: Notation) -> Self {
         Self { notation, ..self }
+    }
+
+    /// The same to a standard output that was closed before the program began: no result can be written.
+    #[must_use]
+    pub fn without_stdout(self, closed: bool) -> Self {
+        Self { closed, ..self }
+    }
+
+    /// The same in another format.
+    #[must_use]
+    pub(super) fn in_format(self, format: Format) -> Self {
+        Self { format, ..self }
     }
 
     /// The format asked for.
@@ -86,7 +100,7 @@ impl Output {
     /// [`CliError::Output`] if standard output takes no more, for any reason but a closed pipe.
     pub fn result<T: fmt::Display + Serialize>(&self, result: &T) -> Result<(), CliError> {
         self.notation.during(|| match self.format {
-            Format::Text => write(&result.to_string()),
+            Format::Text => self.write(&visible_lines(&result.to_string())),
             Format::Json => self.json(&Stamped::new(result)),
         })
     }
@@ -96,7 +110,7 @@ impl Output {
     /// # Errors
     /// [`CliError::Output`] if standard output takes no more, for any reason but a closed pipe.
     pub fn json<T: Serialize>(&self, result: &T) -> Result<(), CliError> {
-        write(&serde_json::to_string_pretty(result).map_err(io::Error::from)?)
+        self.write(&visible_json(&serde_json::to_string_pretty(result).map_err(io::Error::from)?))
     }
 
     /// Writes text as it is.
@@ -104,7 +118,7 @@ impl Output {
     /// # Errors
     /// [`CliError::Output`] if standard output takes no more, for any reason but a closed pipe.
     pub fn text(&self, text: &str) -> Result<(), CliError> {
-        write(text)
+        self.write(text)
     }
 
     /// Writes a result bit by bit, as `write` produces it. What it has written before an error stays written.
@@ -112,6 +126,7 @@ impl Output {
     /// # Errors
     /// Those of `write`, and [`CliError::Output`] if standard output takes no more, for any reason but a closed pipe.
     pub fn stream(&self, write: impl FnOnce(&mut dyn Write) -> Result<(), CliError>) -> Result<(), CliError> {
+        self.check_open()?;
         let mut stdout = BufWriter::new(anstream::stdout().lock());
         let written = write(&mut stdout);
         let flushed = stdout.flush().map_err(CliError::from);
@@ -121,10 +136,25 @@ impl Output {
         }
     }
 
-    /// Writes one error message to standard error.
+    fn check_open(self) -> io::Result<()> {
+        if self.closed { Err(io::Error::other("standard output is closed")) } else { Ok(()) }
+    }
+
+    fn write(self, text: &str) -> Result<(), CliError> {
+        self.check_open()?;
+        let mut stdout = anstream::stdout().lock();
+        let written = writeln!(stdout, "{}", text.trim_end()).and_then(|()| stdout.flush());
+        match written {
+            Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+            other => Ok(other?),
+        }
+    }
+
+    /// Writes one error message to standard error, on one line and with nothing in it that a terminal obeys.
     pub fn error(&self, message: &str, argument: Option<&str>) {
         let text = match self.format {
             Format::Text => {
+                let message = visible(message);
                 let red = Style::new().bold().fg_color(Some(AnsiColor::Red.into()));
                 format!("{red}error:{red:#} {message}")
             }
@@ -132,7 +162,7 @@ impl Output {
                 let error = ErrorBody { message, argument };
                 let report = ErrorReport { schema: "knotproof.error/1", error };
                 // Strings always serialise; if not, the bare message is better than none.
-                serde_json::to_string(&report).unwrap_or_else(|_| message.to_owned())
+                visible_json(&serde_json::to_string(&report).unwrap_or_else(|_| message.to_owned()))
             }
         };
         // Nobody is left to be told that standard error is closed.
@@ -148,14 +178,5 @@ impl Output {
         let place = panic.location().map(|at| format!(" at {}:{}", at.file(), at.line())).unwrap_or_default();
         let message = format!("internal error{place}: {what}; please report this bug with the command line");
         self.error(&message, None);
-    }
-}
-
-fn write(text: &str) -> Result<(), CliError> {
-    let mut stdout = anstream::stdout().lock();
-    let written = writeln!(stdout, "{}", text.trim_end()).and_then(|()| stdout.flush());
-    match written {
-        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
-        other => Ok(other?),
     }
 }

@@ -17,6 +17,7 @@ use super::progress::Progress;
 use super::report::choose;
 use super::table::{plain, right_aligned};
 use super::verify::Checked;
+use super::visible::visible_path;
 
 /// Proves what the claims say in the formal language of proofs/FORMAT.md, has every proof checked, and writes the
 /// certificates.
@@ -107,7 +108,7 @@ impl fmt::Display for Proved {
             f,
             "Proved and checked: {} certificates, in {}",
             self.checked.len(),
-            self.written.display()
+            visible_path(&self.written)
         )?;
         for name in &self.stale {
             writeln!(f, "Not a certificate of any claim any more: {name}")?;

@@ -20,6 +20,7 @@ use super::output::Output;
 use super::progress::Progress;
 use super::table::plain;
 use super::verdict::{Tally, styled};
+use super::visible::visible_path;
 
 /// Judges every claim of the paper on its own instances and on small cases; the main job.
 #[derive(Debug, clap::Args)]
@@ -244,7 +245,7 @@ impl fmt::Display for Outcome {
             }
         }
         for path in &self.written {
-            writeln!(f, "Written: {}", path.display())?;
+            writeln!(f, "Written: {}", visible_path(path))?;
         }
         match self.differences.as_slice() {
             [] => write!(f, "Every verdict is as recorded."),

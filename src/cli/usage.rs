@@ -17,9 +17,13 @@ pub(super) fn asked_format(arguments: &[OsString]) -> Format {
 /// Writes help and version to standard output, and errors to standard error.
 pub(super) fn answer(error: &clap::Error, errors: Output) -> Exit {
     if !error.use_stderr() {
-        // A reader that closes the pipe has seen enough of the help.
-        let _ = error.print();
-        return Exit::Holds;
+        return match errors.text(&error.render().ansi().to_string()) {
+            Ok(()) => Exit::Holds,
+            Err(failed) => {
+                errors.error(&failed.to_string(), failed.argument());
+                failed.exit()
+            }
+        };
     }
     let help_wanted = error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand;
     if help_wanted && errors.format() == Format::Text {

@@ -16,6 +16,7 @@ use super::exit::Exit;
 use super::output::Output;
 use super::report::choose;
 use super::table::{plain, right_aligned};
+use super::visible::visible;
 
 /// Has certificates checked by the independent checker.
 #[derive(Debug, clap::Args)]
@@ -67,10 +68,10 @@ impl Checked {
     pub(super) fn row(&self) -> [String; 6] {
         let degrees: Vec<_> = self.degrees.iter().map(ToString::to_string).collect();
         [
-            self.claim.clone(),
-            self.form.clone(),
-            self.verdict.clone(),
-            self.scope.clone(),
+            visible(&self.claim),
+            visible(&self.form),
+            visible(&self.verdict),
+            visible(&self.scope),
             degrees.join(" "),
             self.steps.to_string(),
         ]
@@ -239,7 +240,7 @@ impl fmt::Display for Verified {
         right_aligned(&mut table, 5);
         writeln!(f, "{table}\n")?;
         for Rejection { file, reason } in &self.rejected {
-            writeln!(f, "Rejected: {}: {reason}", visible(file))?;
+            writeln!(f, "Rejected: {}: {}", visible(file), visible(reason))?;
         }
         for file in &self.unknown {
             writeln!(f, "Accepted, but not the program's own statement of the claim: {}", visible(file))?;
@@ -249,13 +250,4 @@ impl fmt::Display for Verified {
         }
         write!(f, "Accepted: {}; rejected: {}", self.checked.len(), self.rejected.len())
     }
-}
-
-/// The name of a file, on one line and without anything that a terminal obeys.
-fn visible(name: &str) -> String {
-    let escaped = |c: char| match c {
-        '\'' | '"' | '\\' => c.to_string(),
-        _ => c.escape_debug().to_string(),
-    };
-    name.chars().map(escaped).collect()
 }

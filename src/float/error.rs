@@ -8,7 +8,9 @@ use super::basis::HIGHEST_DEGREE;
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum FloatError {
     /// k is too high.
-    #[error("the degree {0} is too high: at most {HIGHEST_DEGREE}")]
+    #[error(
+        "the degree {0} is too high: at most {HIGHEST_DEGREE}, since the functions in f64 compute in memory of a fixed size"
+    )]
     Degree(usize),
     /// Too few knots for the degree.
     #[error("degree {degree} needs at least {needed} knots (m ≥ 2k and n ≥ 0, D3.2), and here are {count}")]

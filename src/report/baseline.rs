@@ -6,6 +6,8 @@ use std::fmt;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
+use crate::json::{self, JsonError};
+
 use super::record::{DegreeFinding, Finding, Record};
 
 /// The verdicts that were recorded with the source of this program.
@@ -50,7 +52,7 @@ struct Kind {
 pub enum BaselineError {
     /// Not JSON, or not of the right shape; with line and column.
     #[error("{0}")]
-    Malformed(#[from] serde_json::Error),
+    Malformed(#[from] JsonError),
     /// Made by another version of the program.
     #[error("its schema is `{0}`, and this program reads `{SCHEMA}`")]
     Schema(String),
@@ -123,8 +125,8 @@ impl Baseline {
     /// [`BaselineError`], with line and column where the text is malformed.
     pub fn parse(text: &str) -> Result<Self, BaselineError> {
         // The schema first: a file of another kind is not to be blamed for its fields.
-        let Kind { schema } = serde_json::from_str(text)?;
-        if schema == SCHEMA { Ok(serde_json::from_str(text)?) } else { Err(BaselineError::Schema(schema)) }
+        let Kind { schema } = json::read(text)?;
+        if schema == SCHEMA { Ok(json::read(text)?) } else { Err(BaselineError::Schema(schema)) }
     }
 
     /// All verdicts of `found` that are not as recorded here. If the run was `partial`, nothing is said of the

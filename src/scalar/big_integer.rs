@@ -7,6 +7,9 @@ use super::ring::{Ring, ScaleBy};
 use super::words::Words;
 
 impl Ring for BigInt {
+    fn certainly_negative(&self) -> bool {
+        num_traits::Signed::is_negative(self)
+    }
     fn zero(&self) -> Self {
         Zero::zero()
     }

@@ -18,6 +18,9 @@ fn over_integer(list: Vec<BigInt>, divisor: &BigInt) -> Vec<BigRational> {
 }
 
 impl Ring for BigRational {
+    fn certainly_negative(&self) -> bool {
+        num_traits::Signed::is_negative(self)
+    }
     fn zero(&self) -> Self {
         num_traits::Zero::zero()
     }
@@ -64,6 +67,9 @@ impl Ring for BigRational {
 }
 
 impl RationalAlgebra for BigRational {
+    fn lies_outside(&self, low: &BigRational, high: &BigRational) -> bool {
+        self < low || self > high
+    }
     fn embed(&self, value: &BigRational) -> Self {
         value.clone()
     }

@@ -77,6 +77,9 @@ impl<W: Width> From<Fixed<W>> for BigInt {
 }
 
 impl<W: Width> Ring for Fixed<W> {
+    fn certainly_negative(&self) -> bool {
+        self.0 < W::zero()
+    }
     fn zero(&self) -> Self {
         Self(W::zero())
     }

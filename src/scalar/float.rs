@@ -7,6 +7,9 @@ use super::rational::rational;
 use super::ring::{Field, OrderedField, RationalAlgebra, Ring};
 
 impl Ring for f64 {
+    fn certainly_negative(&self) -> bool {
+        *self < 0.0
+    }
     fn zero(&self) -> Self {
         0.0
     }
@@ -28,6 +31,10 @@ impl Ring for f64 {
 }
 
 impl RationalAlgebra for f64 {
+    /// Of the interval with rounded ends.
+    fn lies_outside(&self, low: &BigRational, high: &BigRational) -> bool {
+        !(self.embed(low)..=self.embed(high)).contains(self)
+    }
     /// The nearest `f64`, ties to even; ±∞ beyond its range.
     fn embed(&self, value: &BigRational) -> Self {
         // `to_f64` of a rational is always `Some`: it saturates.

@@ -150,6 +150,9 @@ impl From<&BigRational> for Interval {
 }
 
 impl Ring for Interval {
+    fn certainly_negative(&self) -> bool {
+        self.hi < 0.0
+    }
     /// [0, 0].
     #[inline]
     fn zero(&self) -> Self {

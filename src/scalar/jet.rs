@@ -116,6 +116,9 @@ fn sum_of_products<'a, S: Ring + 'a>(mut pairs: impl Iterator<Item = (&'a S, &'a
 }
 
 impl<S: Ring> Ring for Jet<S> {
+    fn certainly_negative(&self) -> bool {
+        self.coefficients[0].certainly_negative()
+    }
     fn zero(&self) -> Self {
         Self::constant(self.coefficients[0].zero(), self.order())
     }
@@ -139,6 +142,9 @@ impl<S: Ring> Ring for Jet<S> {
 }
 
 impl<S: RationalAlgebra> RationalAlgebra for Jet<S> {
+    fn lies_outside(&self, low: &BigRational, high: &BigRational) -> bool {
+        self.coefficients[0].lies_outside(low, high)
+    }
     fn embed(&self, value: &BigRational) -> Self {
         Self::constant(self.coefficients[0].embed(value), self.order())
     }

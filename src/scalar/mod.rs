@@ -6,7 +6,7 @@
 //! | `f64` | field up to rounding | the value that a CAD program would get |
 //! | [`Interval`] | ring up to rounding | bounds of the exact value: a sign that is certain, or none |
 //! | [`Jet`] over any scalar | algebra | one-sided derivatives of any order |
-//! | [`BigInt`](num_bigint::BigInt), [`Fixed`] | ring | numerators without a single division |
+//! | [`BigInt`], [`Fixed`] | ring | numerators without a single division |
 //! | [`Polynomial`] | ring | identities in weights that are polynomials |
 //! | [`Multivariate`] | ring | identities over the integers in many variables, of [`Monomial`]s: ratio, gaps, weights |
 //! | [`RationalFunction`] | exact field | the piece itself: a statement about every x of a span |
@@ -54,6 +54,7 @@ pub(crate) use modular::may_vanish;
 pub use monomial::Monomial;
 pub use multivariate::Multivariate;
 pub(crate) use natural::Natural;
+pub use num_bigint::BigInt;
 pub use num_rational::BigRational;
 pub use polynomial::Polynomial;
 pub use quotient::Quotient;

@@ -154,6 +154,9 @@ impl<S: Ring> Polynomial<S> {
 }
 
 impl<S: Ring> Ring for Polynomial<S> {
+    fn certainly_negative(&self) -> bool {
+        self.degree() == 0 && self.leading().certainly_negative()
+    }
     fn zero(&self) -> Self {
         Self::constant(self.coefficients[0].zero())
     }

@@ -20,7 +20,10 @@ pub enum NumberError {
     #[error("`{0}` is not a finite number")]
     NotFinite(String),
     /// An exponent that would ask for more digits than any input needs.
-    #[error("the exponent in `{0}` is out of range: powers of ten to 400, powers of two to 1100")]
+    #[error(
+        "the exponent in `{0}` is out of range: powers of ten from -400 to 400, of two from -1100 to 1100, which hold every \
+         f64; write the digits out for more"
+    )]
     Exponent(String),
     /// Anything else.
     #[error("`{0}` is not a number: write 3, -1/2, 0.4, 1e-3 or 0x1.8p-3")]
@@ -96,7 +99,8 @@ fn positional(text: &str, base: u32, marker: char) -> Option<Result<BigRational,
     }
     let (radix, limit) = if marker == 'p' { (2, BINARY_LIMIT) } else { (10, DECIMAL_LIMIT) };
     let exponent = match exponent.parse::<i64>() {
-        Ok(e) if e.abs() <= limit => i32::try_from(e).ok()?,
+        // By a range: i64::MIN has no absolute value.
+        Ok(e) if (-limit..=limit).contains(&e) => i32::try_from(e).ok()?,
         _ => return Some(Err(ExponentOutOfRange)),
     };
     let radix = BigRational::from_integer(BigInt::from(radix));
@@ -120,9 +124,15 @@ pub fn rational(numerator: i64, denominator: i64) -> BigRational {
     BigRational::new(numerator.into(), denominator.into())
 }
 
-/// An integer as a rational number.
+/// An integer of any type as a rational number.
+///
+/// ```
+/// # use knotproof::scalar::{BigInt, integer, rational};
+/// assert_eq!(integer(-1), rational(-1, 1));
+/// assert_eq!(integer(BigInt::from(3)), integer(3_usize));
+/// ```
 #[must_use]
-pub fn integer(value: usize) -> BigRational {
+pub fn integer(value: impl Into<BigInt>) -> BigRational {
     BigRational::from_integer(value.into())
 }
 
@@ -212,6 +222,29 @@ mod tests {
         assert!(matches!(parse_rational("NaN"), Err(NumberError::NotFinite(_))));
         assert!(matches!(parse_rational("1e999999999999"), Err(NumberError::Exponent(_))));
         assert!(matches!(parse_rational("1e99999999999999999999999"), Err(NumberError::Exponent(_))));
+    }
+
+    /// At the edges of every integer type that could hold it, and of the limits: no exponent overflows.
+    #[test]
+    fn exponents_at_every_edge() {
+        let edges = [8, 16, 31, 32, 63, 64, 127, 128].map(|bits| BigInt::from(1) << bits);
+        let limits = [DECIMAL_LIMIT, BINARY_LIMIT].map(BigInt::from);
+        for edge in edges.into_iter().chain(limits) {
+            for exponent in [-1_i8, 0, 1].into_iter().flat_map(|step| [&edge + step, -(&edge + step)]) {
+                for (mantissa, base, limit) in [("1e", 10, DECIMAL_LIMIT), ("-0x1.8p", 2, BINARY_LIMIT)] {
+                    let text = format!("{mantissa}{exponent}");
+                    let inside = exponent.magnitude() <= BigInt::from(limit).magnitude();
+                    match parse_rational(&text) {
+                        Ok(value) => {
+                            let unit = parse_rational(mantissa.trim_end_matches(['e', 'p'])).unwrap();
+                            let power = num_traits::Pow::pow(integer(base), exponent.clone());
+                            assert!(inside && value == unit * power, "{text}");
+                        }
+                        Err(error) => assert_eq!(error, NumberError::Exponent(text.clone()), "{text}"),
+                    }
+                }
+            }
+        }
     }
 
     #[test]

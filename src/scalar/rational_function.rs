@@ -179,6 +179,16 @@ impl<S: ExactField> Ring for RationalFunction<S> {
 }
 
 impl<S: ExactField> RationalAlgebra for RationalFunction<S> {
+    /// Of a constant; any other one is no point.
+    fn lies_outside(&self, low: &BigRational, high: &BigRational) -> bool {
+        let constant = self.numerator.degree() == 0 && self.denominator.degree() == 0;
+        constant
+            && self
+                .numerator
+                .leading()
+                .over(self.denominator.leading())
+                .is_some_and(|x| x.lies_outside(low, high))
+    }
     fn embed(&self, value: &BigRational) -> Self {
         Self::constant(self.denominator.leading().embed(value))
     }

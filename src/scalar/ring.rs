@@ -54,6 +54,11 @@ pub trait Ring: Clone + PartialEq + Debug {
         *self == self.zero()
     }
 
+    /// Is this a number that is certainly < 0? `false` also for what is no number, such as a variable.
+    fn certainly_negative(&self) -> bool {
+        false
+    }
+
     /// self^exponent, by repeated squaring; self⁰ = 1, also for 0.
     fn power(&self, exponent: usize) -> Self {
         let (mut result, mut base, mut left) = (self.one(), self.clone(), exponent);
@@ -109,6 +114,12 @@ pub trait RationalAlgebra: Ring {
 
     /// The inverse, if there is one.
     fn reciprocal(&self) -> Option<Self>;
+
+    /// Is this a point that is not in [low, high]? Of a jet its point counts, NaN is in no interval, and what is no
+    /// point, such as a variable, is `false`.
+    fn lies_outside(&self, _low: &BigRational, _high: &BigRational) -> bool {
+        false
+    }
 
     /// self / rhs, if `rhs` is a unit.
     fn over(&self, rhs: &Self) -> Option<Self> {

@@ -200,8 +200,11 @@ impl Candidate {
         let (p, q) = self.ratio;
         match LocalKnots::new(self.gaps.iter().map(|&gap| gap.into()).collect(), (p.into(), q.into())) {
             Ok(knots) => knots,
-            Err(LocalKnotsError::NoGap | LocalKnotsError::Empty) => {
-                unreachable!("a continuous function has a span")
+            Err(error @ (LocalKnotsError::NoGap | LocalKnotsError::Empty)) => {
+                unreachable!("a continuous function has a span: {error}")
+            }
+            Err(error @ (LocalKnotsError::NegativeGap(_) | LocalKnotsError::Ratio)) => {
+                unreachable!("gaps are not negative, and the ratio is positive: {error}")
             }
         }
     }

@@ -69,7 +69,7 @@ mod tests {
         let full = candidate.full_knots();
         let knots = KnotVector::new(full.rational()).unwrap();
         let basis = Basis::new(knots, candidate.degree(), candidate.index()).unwrap();
-        Shape::of(&basis, &Pieces::of(&basis), full.index).local_maxima().count()
+        Shape::of(&Pieces::of(&basis), full.index).local_maxima().count()
     }
 
     #[test]

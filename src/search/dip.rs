@@ -105,7 +105,7 @@ mod tests {
         let basis =
             Basis::new(KnotVector::new(full.rational()).unwrap(), candidate.degree(), candidate.index());
         let basis = basis.unwrap();
-        let mut shape = Shape::of(&basis, &Pieces::of(&basis), full.index);
+        let mut shape = Shape::of(&Pieces::of(&basis), full.index);
         shape.refine_to(&rational(1, 10).pow(40));
         let values: Vec<_> = shape.extrema().iter().map(|turn| turn.value.clone()).collect();
         // Two maxima and a minimum.

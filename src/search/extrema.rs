@@ -159,7 +159,7 @@ mod tests {
             let full = candidate.full_knots();
             let knots = KnotVector::new(full.rational()).unwrap();
             let basis = Basis::new(knots, candidate.degree(), candidate.index()).unwrap();
-            let shape = Shape::of(&basis, &Pieces::of(&basis), full.index);
+            let shape = Shape::of(&Pieces::of(&basis), full.index);
             let turns = turns(&candidate);
             assert_eq!(turns.len(), shape.extrema().len());
             for (turn, extremum) in turns.iter().zip(shape.extrema()) {

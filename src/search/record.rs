@@ -3,6 +3,8 @@
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
+use crate::json::{self, JsonError};
+
 use super::block::BlockRecord;
 use super::decide::local_maxima;
 use super::finding::{DEEPEST_KEPT, FindingError, FindingRecord, SCHEMA};
@@ -97,7 +99,7 @@ pub enum RecordError {
         /// From 1.
         line: usize,
         /// What is wrong.
-        error: serde_json::Error,
+        error: JsonError,
     },
     /// A finding does not stand.
     #[error("line {line}: {error}: the file is damaged")]
@@ -178,8 +180,8 @@ impl Part {
     pub fn parse(text: &str) -> Result<Self, RecordError> {
         let mut lines: Vec<&str> = text.lines().collect();
         let last = lines.pop().ok_or_else(|| RecordError::NoSummary("there is no line".to_owned()))?;
-        let no_summary = |error: serde_json::Error| RecordError::NoSummary(error.to_string());
-        let origin: Origin = serde_json::from_str(last).map_err(no_summary)?;
+        let no_summary = |error: JsonError| RecordError::NoSummary(error.to_string());
+        let origin: Origin = json::read(last).map_err(no_summary)?;
         if origin.schema != SCHEMA {
             return Err(RecordError::Format(origin.schema));
         }
@@ -189,7 +191,7 @@ impl Part {
         if let Some(decides) = origin.decides.filter(|decides| decides != DECIDES) {
             return Err(RecordError::Decides(decides));
         }
-        let summary: SummaryRecord = serde_json::from_str(last).map_err(no_summary)?;
+        let summary: SummaryRecord = json::read(last).map_err(no_summary)?;
         let shard = match &summary.shard {
             None => Ok(Shard::WHOLE),
             Some(shard) => shard.parse().map_err(|error: ShardError| RecordError::Space(error.into())),
@@ -206,7 +208,7 @@ impl Part {
         part.blocks.read(&summary.blocks, &done, part.tally).map_err(RecordError::Damaged)?;
         for (line, text) in (1..).zip(lines) {
             let record: FindingRecord =
-                serde_json::from_str(text).map_err(|error| RecordError::Line { line, error })?;
+                json::read(text).map_err(|error| RecordError::Line { line, error })?;
             part.add_record(&record).map_err(|error| RecordError::Finding { line, error })?;
         }
         part.check_findings().map_err(RecordError::Damaged)?;

@@ -7,7 +7,7 @@ use crate::scalar::{Jet, RationalAlgebra, integer};
 
 use super::evaluator::Evaluator;
 use super::index::Index;
-use super::knots::{KnotVector, Side, Span};
+use super::knots::{KnotVector, Side, Span, SpanError};
 use super::triangle::{Active, triangle};
 use super::weight::PointWeights;
 
@@ -105,11 +105,18 @@ impl Basis {
 
     /// The functions that live on the span, at any scalar x of the closed span: a point, a jet, a variable.
     ///
+    /// A variable, such as a [`RationalFunction`](crate::scalar::RationalFunction), stands for the points of the span:
+    /// the result is the functions as formulas.
+    ///
     /// Over exact numbers this is the reference: every operation is reduced at once, and slow. [`Evaluator`] gives the
     /// same values and jets.
-    pub fn active<S: RationalAlgebra>(&self, span: Span, x: &S) -> Active<S> {
+    ///
+    /// # Errors
+    /// [`SpanError`] for a span of another knot vector, and for a point outside of the closed span, NaN included.
+    pub fn active<S: RationalAlgebra>(&self, span: Span, x: &S) -> Result<Active<S>, SpanError> {
+        self.knots.ends_around(span, x)?;
         let weights = PointWeights::new(&self.knots, x.embed(self.index.ratio()), x.clone());
-        triangle(&weights, span, self.degree, self.knots.m())
+        Ok(triangle(&weights, span, self.degree, self.knots.m()))
     }
 
     /// G_0^k, …, G_n^k at x as jets of the given order: values and one-sided derivatives.

@@ -11,8 +11,9 @@ pub fn binomial(k: usize, i: usize) -> BigRational {
     if i > k {
         return BigRational::from_integer(0.into());
     }
-    let product = |from: usize, to: usize| (from..=to).fold(BigInt::from(1), |p, f| p * f);
-    BigRational::new(product(k - i + 1, k), product(1, i))
+    let i = i.min(k - i);
+    let product = |from: usize, count: usize| (from..=k).take(count).fold(BigInt::from(1), |p, f| p * f);
+    BigRational::new(product((k - i).saturating_add(1), i), (1..=i).fold(BigInt::from(1), |p, f| p * f))
 }
 
 /// B_i^k = C(k, i) w^i (1 − w)^{k−i} (P3.3.2), from w and 1 − w; 0 for i > k.

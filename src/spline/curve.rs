@@ -61,6 +61,14 @@ pub enum CurveError {
         /// Its number of coordinates.
         dimension: usize,
     },
+    /// A function that the basis does not have.
+    #[error("there is no control point for the function {index}: the basis has the functions 0 to {n}")]
+    Function {
+        /// The index of the function.
+        index: usize,
+        /// n.
+        n: usize,
+    },
     /// Points of different dimensions.
     #[error(
         "control point {position} has {dimension} coordinates and point 0 has {expected}: all need the same"
@@ -117,8 +125,21 @@ impl Curve {
         self.points[0].len()
     }
 
-    /// Σ d_i g_i for functions g_i over any scalar, such as the pieces of the basis on a span.
-    pub fn combine<S: RationalAlgebra>(&self, functions: &Active<S>) -> Vec<S> {
+    /// Σ d_i g_i for functions g_i over any scalar, such as the pieces of the basis on a span; no coordinates for no
+    /// function.
+    ///
+    /// # Errors
+    /// [`CurveError::Function`] for a g_i without a d_i.
+    pub fn combine<S: RationalAlgebra>(&self, functions: &Active<S>) -> Result<Vec<S>, CurveError> {
+        let count = self.points.len();
+        if functions.first().saturating_add(functions.values().len()) > count {
+            return Err(CurveError::Function { index: functions.first().max(count), n: self.basis.n() });
+        }
+        Ok(self.combine_unchecked(functions))
+    }
+
+    /// [`combine`](Self::combine) for functions of the basis: every one has its control point.
+    pub(crate) fn combine_unchecked<S: RationalAlgebra>(&self, functions: &Active<S>) -> Vec<S> {
         let coordinate = |c: usize| {
             let terms = functions.iter().map(|(i, g)| g.times(&g.embed(&self.points[i][c])));
             terms.reduce(|sum, term| sum.plus(&term))
@@ -130,7 +151,7 @@ impl Curve {
     #[must_use]
     pub fn point(&self, x: &BigRational, side: Side) -> Point {
         match Evaluator::new(&self.basis).values(x, side) {
-            Some(active) => self.combine(&active),
+            Some(active) => self.combine_unchecked(&active),
             None => vec![integer(0); self.dimension()],
         }
     }
@@ -139,7 +160,7 @@ impl Curve {
     #[must_use]
     pub fn jets(&self, x: &BigRational, side: Side, order: usize) -> Vec<Jet<BigRational>> {
         match Evaluator::new(&self.basis).jets(x, side, order) {
-            Some(active) => self.combine(&active),
+            Some(active) => self.combine_unchecked(&active),
             None => vec![Jet::constant(integer(0), order); self.dimension()],
         }
     }
@@ -152,7 +173,7 @@ impl Curve {
         let points = self.points.get(self.local(span)?)?;
         let ratio = self.basis.index().ratio().clone();
         let weights = PointWeights::new(self.basis.knots(), ratio, x.clone());
-        Some(de_boor(&weights, span, points))
+        de_boor(&weights, span, points)
     }
 
     /// j − k..=j, for k ≤ j ≤ n.

@@ -6,15 +6,19 @@
 use crate::scalar::RationalAlgebra;
 
 use super::basis::Basis;
-use super::knots::Span;
+use super::knots::{Span, SpanError};
 use super::weight::weight;
 
 /// Entry d, i is G_i^d at x, for 0 ≤ d ≤ k and 0 ≤ i ≤ m − d − 1, where x is a scalar of the closed span (a
 /// point, a jet, or the span coordinate as a variable) and the limit is taken in the span.
 ///
 /// G_i^0 is 1 on its own interval and 0 elsewhere; w_i^d is 0 where [t_i, t_{i+d}) does not contain the span.
-pub fn by_definition<S: RationalAlgebra>(basis: &Basis, span: Span, x: &S) -> Vec<Vec<S>> {
+///
+/// # Errors
+/// [`SpanError`] as for [`Basis::active`].
+pub fn by_definition<S: RationalAlgebra>(basis: &Basis, span: Span, x: &S) -> Result<Vec<Vec<S>>, SpanError> {
     let (knots, j) = (basis.knots(), span.index());
+    knots.ends_around(span, x)?;
     let ratio = x.embed(basis.index().ratio());
     let w = |i: usize, d: usize| {
         let inside = i <= j && j < i + d;
@@ -29,5 +33,5 @@ pub fn by_definition<S: RationalAlgebra>(basis: &Basis, span: Span, x: &S) -> Ve
         };
         table.push((0..knots.m() - d).map(function).collect());
     }
-    table
+    Ok(table)
 }

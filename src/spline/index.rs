@@ -120,7 +120,8 @@ impl std::str::FromStr for Index {
     type Err = IndexError;
 
     fn from_str(text: &str) -> Result<Self, IndexError> {
-        let lower = text.trim().trim_start_matches(['+', '-']).to_ascii_lowercase();
+        let trimmed = text.trim();
+        let lower = trimmed.strip_prefix(['+', '-']).unwrap_or(trimmed).to_ascii_lowercase();
         if ["inf", "infinity", "∞"].contains(&lower.as_str()) {
             return Ok(Self::infinity());
         }

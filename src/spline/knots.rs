@@ -1,9 +1,12 @@
 //! Knot vectors and their spans.
 
 use std::fmt;
+use std::hash::{DefaultHasher, Hash, Hasher};
 
 use num_rational::BigRational;
 use thiserror::Error;
+
+use crate::scalar::RationalAlgebra;
 
 /// The side from which a limit is taken. Everything here is right-continuous (D3.3), so a value at x is the
 /// limit from the right; at t_m it is the limit from the left on either side, as the paper has it.
@@ -25,15 +28,39 @@ impl fmt::Display for Side {
 }
 
 /// A non-empty interval [t_j, t_{j+1}) of a knot vector, by its index j.
+///
+/// It belongs to its knot vector, and to those that are equal: what takes a span refuses one of another vector.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Span {
     index: usize,
+    /// That of the knot vector.
+    fingerprint: u64,
+}
+
+/// Why a span, or a point on it, does not belong to a knot vector.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+pub enum SpanError {
+    /// It was taken from another one.
+    #[error("span {0} is one of another knot vector")]
+    Foreign(usize),
+    /// The point is outside of the closed span, or no number at all.
+    #[error("the point does not lie on the closed span [t_{0}, t_{next}]", next = .0 + 1)]
+    Outside(usize),
+    /// A degree that the knots have no function of.
+    #[error("there is no function of degree {degree} on {} knots", .m + 1)]
+    Degree {
+        /// k.
+        degree: usize,
+        /// m.
+        m: usize,
+    },
 }
 
 impl Span {
-    /// The span of index j where the knots are not numbers, and its being non-empty is known otherwise.
+    /// The span of index j where the knots are not numbers, and its being non-empty is known otherwise. No
+    /// [`KnotVector`] takes it for one of its own.
     pub(crate) fn assumed(index: usize) -> Self {
-        Self { index }
+        Self { index, fingerprint: 0 }
     }
 
     /// j.
@@ -55,9 +82,25 @@ impl Span {
 /// assert_eq!(knots.spans().map(|span| span.index()).collect::<Vec<_>>(), [2, 3, 4]);
 /// # Ok::<(), knotproof::spline::KnotError>(())
 /// ```
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone)]
 pub struct KnotVector {
     knots: Vec<BigRational>,
+    /// Tells its spans from those of other vectors; never 0.
+    fingerprint: u64,
+}
+
+impl PartialEq for KnotVector {
+    fn eq(&self, other: &Self) -> bool {
+        self.knots == other.knots
+    }
+}
+
+impl Eq for KnotVector {}
+
+impl Hash for KnotVector {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.knots.hash(state);
+    }
 }
 
 /// Why a list of numbers is not a knot vector.
@@ -76,6 +119,9 @@ pub enum KnotError {
         /// t_i.
         value: BigRational,
     },
+    /// A degree that asks for more knots than there can be.
+    #[error("degree {0} asks for more knots than a machine can hold")]
+    Degree(usize),
     /// t_0 = t_m.
     #[error(
         "all {count} knots are equal to {value}: there is no interval between them (D3.2 asks for a < b)"
@@ -107,16 +153,28 @@ impl KnotVector {
         if first == last {
             return Err(KnotError::AllEqual { count: knots.len(), value: first.clone() });
         }
-        Ok(Self { knots })
+        Ok(Self::of(knots))
+    }
+
+    /// Of numbers that do not decrease.
+    fn of(knots: Vec<BigRational>) -> Self {
+        let mut hasher = DefaultHasher::new();
+        for t in &knots {
+            (t.numer(), t.denom()).hash(&mut hasher);
+        }
+        Self { knots, fingerprint: hasher.finish().max(1) }
     }
 
     /// The knot vector of the Bernstein case of P3.3: a and b, k + 1 times each.
     ///
     /// # Errors
-    /// [`KnotError`] unless a < b.
+    /// [`KnotError`] unless a < b; [`KnotError::Degree`] if no machine can count the knots.
     pub fn bernstein(degree: usize, a: &BigRational, b: &BigRational) -> Result<Self, KnotError> {
-        let times = |value: &BigRational| std::iter::repeat_n(value.clone(), degree + 1);
-        Self::new(times(a).chain(times(b)).collect())
+        // So many that a vector of them could not even be asked for.
+        let most = isize::MAX.unsigned_abs() / (2 * size_of::<BigRational>());
+        let times = degree.checked_add(1).filter(|times| *times <= most).ok_or(KnotError::Degree(degree))?;
+        let repeated = |value: &BigRational| std::iter::repeat_n(value.clone(), times);
+        Self::new(repeated(a).chain(repeated(b)).collect())
     }
 
     /// t_0, …, t_m.
@@ -154,13 +212,35 @@ impl KnotVector {
 
     /// The non-empty spans [t_j, t_{j+1}), from left to right: there is at least one.
     pub fn spans(&self) -> impl DoubleEndedIterator<Item = Span> + '_ {
-        (0..self.m()).filter(|&j| self.knots[j] < self.knots[j + 1]).map(|index| Span { index })
+        (0..self.m()).filter_map(|index| self.span(index))
+    }
+
+    /// The span [t_j, t_{j+1}); `None` if that is empty, or not there.
+    #[must_use]
+    pub fn span(&self, j: usize) -> Option<Span> {
+        let (start, end) = (self.knots.get(j)?, self.knots.get(j.checked_add(1)?)?);
+        (start < end).then_some(Span { index: j, fingerprint: self.fingerprint })
     }
 
     /// (t_j, t_{j+1}).
-    #[must_use]
-    pub fn ends(&self, span: Span) -> (&BigRational, &BigRational) {
-        (self.t(span.index), self.t(span.index + 1))
+    ///
+    /// # Errors
+    /// [`SpanError::Foreign`] for a span of another knot vector.
+    pub fn ends(&self, span: Span) -> Result<(&BigRational, &BigRational), SpanError> {
+        let own = span.fingerprint == self.fingerprint;
+        let ends = self.knots.get(span.index).zip(self.knots.get(span.index + 1));
+        ends.filter(|_| own).ok_or(SpanError::Foreign(span.index))
+    }
+
+    /// The ends of a span on which x lies, as far as that can be told
+    /// ([`lies_outside`](crate::scalar::RationalAlgebra::lies_outside)).
+    pub(super) fn ends_around<S: RationalAlgebra>(
+        &self,
+        span: Span,
+        x: &S,
+    ) -> Result<(&BigRational, &BigRational), SpanError> {
+        let (start, end) = self.ends(span)?;
+        if x.lies_outside(start, end) { Err(SpanError::Outside(span.index)) } else { Ok((start, end)) }
     }
 
     /// The span in which the limit at x from the given side is taken; `None` where all functions are 0
@@ -170,7 +250,7 @@ impl KnotVector {
         let from_left = side == Side::Left || x == self.last();
         // The number of knots below the limit; j is the last of them.
         let below = self.knots.partition_point(|t| if from_left { t < x } else { t <= x });
-        (1..=self.m()).contains(&below).then(|| Span { index: below - 1 })
+        below.checked_sub(1).and_then(|j| self.span(j))
     }
 
     /// How often the value x occurs among the knots (D3.2).
@@ -192,14 +272,14 @@ impl KnotVector {
     /// The interior knots t_{k+1}, …, t_{m−k−1} of D3.2, by index: none if m ≤ 2k + 1.
     #[must_use]
     pub fn interior(&self, degree: usize) -> &[BigRational] {
-        let end = self.knots.len().saturating_sub(degree + 1);
-        self.knots.get(degree + 1..end).unwrap_or(&[])
+        let start = degree.saturating_add(1);
+        self.knots.get(start..self.knots.len().saturating_sub(start)).unwrap_or(&[])
     }
 
     /// Open for degree k (D3.2): t_0 = … = t_k and t_{m−k} = … = t_m.
     #[must_use]
     pub fn is_open(&self, degree: usize) -> bool {
-        self.m() >= 2 * degree && self.t(0) == self.t(degree) && self.t(self.m() - degree) == self.last()
+        degree <= self.m() / 2 && self.t(0) == self.t(degree) && self.t(self.m() - degree) == self.last()
     }
 
     /// Uniform for degree k (D3.2): t_{i+1} − t_i is the same for k ≤ i ≤ m − k − 1.
@@ -227,7 +307,7 @@ impl KnotVector {
     pub fn with_knot(&self, x: &BigRational) -> Self {
         let mut knots = self.knots.clone();
         knots.insert(knots.partition_point(|t| t <= x), x.clone());
-        Self { knots }
+        Self::of(knots)
     }
 }
 

@@ -21,6 +21,6 @@ pub use evaluator::{Evaluator, Unreduced};
 pub use factors::Factors;
 pub use fraction_free::FractionFree;
 pub use index::{Index, IndexError};
-pub use knots::{KnotError, KnotVector, Side, Span};
+pub use knots::{KnotError, KnotVector, Side, Span, SpanError};
 pub use triangle::{Active, Triangle, de_boor, triangle};
 pub use weight::{FormalWeights, PointWeights, Split, Weights, weight};

@@ -39,7 +39,7 @@ impl<S> Active<S> {
 
     /// Pairs (i, G_i).
     pub fn iter(&self) -> impl Iterator<Item = (usize, &S)> {
-        (self.first..).zip(&self.values)
+        self.values.iter().enumerate().map(|(place, value)| (self.first + place, value))
     }
 
     /// The same functions under a map.
@@ -55,7 +55,8 @@ impl<S> Active<S> {
 /// On the span only G_{j−d}^d, …, G_j^d live, as far as they exist (0 ≤ i ≤ m − d − 1); every weight between
 /// them belongs to an interval that contains the span, so none is empty and nothing is compared here.
 ///
-/// The degree must be less than m.
+/// # Panics
+/// Unless j < m and k < m: then there is no such span, or no function of the degree.
 pub fn triangle<W: Split>(weights: &W, span: Span, degree: usize, m: usize) -> Active<W::Scalar> {
     let mut triangle = Triangle::new(weights.one());
     triangle.run(weights, span, degree, m);
@@ -90,7 +91,15 @@ impl<S: Additive> Triangle<S> {
     }
 
     /// The whole recursion, from degree 0; [`triangle()`] says what it computes.
+    ///
+    /// # Panics
+    /// As [`triangle()`].
     pub fn run<W: Split<Scalar = S>>(&mut self, weights: &W, span: Span, degree: usize, m: usize) {
+        assert!(
+            span.index() < m && degree < m,
+            "a span of index {} and degree {degree} for m = {m}",
+            span.index()
+        );
         weights.set_one(&mut self.values[0]);
         (self.first, self.count) = (span.index(), 1);
         for d in 1..=degree {
@@ -121,7 +130,15 @@ impl<S: Additive> Triangle<S> {
     ///
     /// Each G_i^{d−1} is split in two: the part w goes to G_i^d, which is the next place in the list as it begins one
     /// index lower, and the part 1 − w to G_{i−1}^d, which is the same place.
+    ///
+    /// # Panics
+    /// Unless j < m and 0 < d < m.
     pub fn raise<W: Split<Scalar = S>>(&mut self, weights: &W, span: Span, d: usize, m: usize) {
+        assert!(
+            span.index() < m && 0 < d && d < m,
+            "a span of index {} and degree {d} for m = {m}",
+            span.index()
+        );
         for place in 0..self.count {
             let (i, value) = (self.first + place, &mut self.values[place]);
             match (i + d < m, i > 0) {
@@ -157,16 +174,21 @@ impl<S: Additive> Triangle<S> {
 /// The points d_i^r of de Boor's algorithm (T4.1) on the span [t_j, t_{j+1}): entry r of the result holds
 /// d_{j−k+r}^r, …, d_j^r, so the last entry is the one point of the curve.
 ///
-/// `points` are the k + 1 control points d_{j−k}, …, d_j, each a list of coordinates:
+/// `points` are the k + 1 control points d_{j−k}, …, d_j, each a list of as many coordinates:
 ///
 /// d_i^{r+1} = w_i^{k−r} d_i^r + (1 − w_i^{k−r}) d_{i−1}^r.
+///
+/// `None` if there is no point, if there are more than j + 1, or if they differ in their number of coordinates.
 pub fn de_boor<W: Weights>(
     weights: &W,
     span: Span,
     points: &[Vec<W::Scalar>],
-) -> Vec<Active<Vec<W::Scalar>>> {
-    let degree = points.len() - 1;
-    let mut levels = vec![Active { first: span.index() - degree, values: points.to_vec() }];
+) -> Option<Vec<Active<Vec<W::Scalar>>>> {
+    let degree = points.len().checked_sub(1)?;
+    if points.iter().any(|point| point.len() != points[0].len()) {
+        return None;
+    }
+    let mut levels = vec![Active { first: span.index().checked_sub(degree)?, values: points.to_vec() }];
     for r in 0..degree {
         let level = &levels[r];
         let first = level.first + 1;
@@ -181,5 +203,5 @@ pub fn de_boor<W: Weights>(
         let values = (first..).zip(level.values.windows(2)).map(blend).collect();
         levels.push(Active { first, values });
     }
-    levels
+    Some(levels)
 }

@@ -25,6 +25,8 @@
 //! the tree as they are needed. No recursion is deeper than the brackets of the text or the degree of a function, which
 //! have limits.
 
+#![forbid(unsafe_code)]
+
 mod driver;
 mod env;
 mod error;

@@ -287,7 +287,7 @@ impl Partition {
 
 /// The number of local maxima of one function, by its shape.
 fn count(basis: &Basis, i: usize) -> Option<usize> {
-    Some(Shape::of(basis, &Pieces::of(basis), i).local_maxima().count())
+    Some(Shape::of(&Pieces::of(basis), i).local_maxima().count())
 }
 
 /// The gaps between the knots, times a positive number that makes them integers.

@@ -47,7 +47,7 @@ fn unimodal(on: &Example<'_>, index: &Index) -> Option<String> {
         }
         let mut before = None;
         for span in pieces.spans() {
-            let (start, end) = basis.knots().ends(span.span);
+            let (start, end) = span.ends();
             if start < low || high < end {
                 continue;
             }

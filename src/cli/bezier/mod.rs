@@ -19,7 +19,8 @@ use super::progress::Progress;
 /// Converts a curve exactly: on every knot span a rational Bézier curve of the least degree.
 ///
 /// All weights are positive, and the first of each piece is 1. Before anything is printed, each piece is compared
-/// with the curve at so many points that they are equal for every x of the span.
+/// with the curve at so many points that they are equal for every x of the span. Up to degree 10, where a piece has degree
+/// up to 55.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLE)]
 pub(super) struct Args {
@@ -80,7 +81,8 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
 fn convert(curve: &Curve, label: Option<String>) -> Result<Conversion, CliError> {
     let (basis, knots) = (curve.basis(), curve.basis().knots());
     if basis.degree() > DEGREE_LIMIT {
-        return Err(CliError::TooHigh { degree: basis.degree(), limit: DEGREE_LIMIT });
+        let reason = "a piece has degree k(k + 1)/2, and the time grows with the sixth power of k";
+        return Err(CliError::TooHigh { degree: basis.degree(), limit: DEGREE_LIMIT, reason });
     }
     let progress = Progress::new(knots.spans().count());
     let checked = |piece: RationalBezier| {

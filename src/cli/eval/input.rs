@@ -5,11 +5,13 @@ use std::io::{self, BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
 
 use super::super::error::CliError;
-use super::line::{CsvLines, FilePoint, Form, PointError, from_json};
+use super::line::{CsvLines, FilePoint, Form, PointError, from_json, is_head};
 
 /// The longest line that is read: a number of so many digits is the largest that makes sense, and a device or a
 /// film given by mistake does no harm.
 const LINE_LIMIT: usize = 64 * 1024;
+/// The same for a line of an answer, which has the values of all functions as well.
+const ANSWER_LIMIT: usize = 16 * 1024 * 1024;
 
 /// Points as they are read.
 pub(super) struct PointFile {
@@ -24,6 +26,8 @@ pub(super) struct PointFile {
     number: u64,
     /// Has there been a line that counts: a header or a point?
     begun: bool,
+    /// Is it what `eval` has answered to another file of points?
+    answer: bool,
     points: u64,
     /// Bytes read, and how many there are if that is known.
     read: u64,
@@ -54,6 +58,7 @@ impl PointFile {
             line: Vec::new(),
             number: 0,
             begun: false,
+            answer: false,
             points: 0,
             read: 0,
             length,
@@ -108,7 +113,7 @@ impl PointFile {
     /// Reads a line, with a byte more than the limit at most; `false` at the end.
     fn next_line(&mut self) -> io::Result<bool> {
         self.line.clear();
-        let limit = u64::try_from(LINE_LIMIT + 1).unwrap_or(u64::MAX);
+        let limit = u64::try_from(ANSWER_LIMIT + 1).unwrap_or(u64::MAX);
         let count = self.input.by_ref().take(limit).read_until(b'\n', &mut self.line)?;
         self.read += u64::try_from(count).unwrap_or(0);
         self.number += 1;
@@ -121,14 +126,28 @@ impl PointFile {
         if line.is_empty() {
             return Ok(None);
         }
-        match self.form.get_or_insert(Form::of_line(line)) {
-            Form::JsonLines => from_json(line).map(Some),
-            Form::Csv if line.starts_with('#') => Ok(None),
-            Form::Csv => {
-                let first = !std::mem::replace(&mut self.begun, true);
-                if first && self.csv.is_header(line) { Ok(None) } else { self.csv.point(line).map(Some) }
-            }
+        let form = *self.form.get_or_insert(Form::of_line(line));
+        if form == Form::Csv && line.starts_with('#') {
+            return Ok(None);
         }
+        let first = !std::mem::replace(&mut self.begun, true);
+        let header = first
+            && match form {
+                Form::JsonLines => is_head(line),
+                Form::Csv => self.csv.is_header(line),
+            };
+        self.answer |= header;
+        if header {
+            return Ok(None);
+        }
+        if !self.answer && line.len() > LINE_LIMIT {
+            return Err(PointError::TooLong(LINE_LIMIT));
+        }
+        let point = match form {
+            Form::JsonLines => from_json(line, self.answer)?,
+            Form::Csv => self.csv.point(line)?,
+        };
+        Ok(Some(point))
     }
 }
 
@@ -138,8 +157,8 @@ fn unreadable(name: &Path, error: io::Error) -> CliError {
 
 /// The text of a line without white space around it, and of the first one without a byte order mark.
 fn text(line: &[u8], first: bool) -> Result<&str, PointError> {
-    if line.len() > LINE_LIMIT {
-        return Err(PointError::TooLong(LINE_LIMIT));
+    if line.len() > ANSWER_LIMIT {
+        return Err(PointError::TooLong(ANSWER_LIMIT));
     }
     if let Some(position) = line.iter().position(|&byte| byte == 0) {
         return Err(PointError::Nul(position + 1));

@@ -6,6 +6,7 @@ use num_rational::BigRational;
 use serde::Deserialize;
 use thiserror::Error;
 
+use crate::json;
 use crate::scalar::{NumberError, parse_rational};
 
 use super::super::exact::Exact;
@@ -32,6 +33,12 @@ pub enum PointError {
     /// More than x and side.
     #[error("there are more than two columns: write x, or x,side (a decimal number with a point: 0.4)")]
     Columns,
+    /// Not as many columns as the header names.
+    #[error("the header names {expected} columns, and here are not as many")]
+    Header {
+        /// The columns of the header.
+        expected: usize,
+    },
     /// A quotation mark without its partner.
     #[error("a quotation mark is not closed: a number needs none")]
     Quote,
@@ -94,29 +101,42 @@ impl Form {
     }
 }
 
-/// Reads a line of JSON without white space before it: a number, a string with one, or an object.
+/// Is the line what `eval` writes before the points of an answer?
+pub(super) fn is_head(line: &str) -> bool {
+    #[derive(Deserialize)]
+    struct Head {
+        schema: String,
+    }
+    json::read(line).is_ok_and(|Head { schema }| schema == super::SCHEMA)
+}
+
+/// Reads a line of JSON without white space before it: a number, a string with one, or an object. Of a line of an answer
+/// only the point counts.
 ///
 /// # Errors
 /// [`PointError::Json`].
-pub(super) fn from_json(line: &str) -> Result<FilePoint, PointError> {
+pub(super) fn from_json(line: &str, answer: bool) -> Result<FilePoint, PointError> {
     #[derive(Deserialize)]
     #[serde(deny_unknown_fields)]
-    struct Object {
+    struct Point {
         x: Exact,
         side: Option<OneSide>,
     }
+    #[derive(Deserialize)]
+    struct Answer {
+        x: Exact,
+        side: OneSide,
+    }
 
-    let point = if line.starts_with('{') {
-        serde_json::from_str(line).map(|Object { x: Exact(x), side }| FilePoint { x, side })
+    let point = if !line.starts_with('{') {
+        json::read(line).map(|Exact(x)| FilePoint { x, side: None })
+    } else if answer {
+        json::read(line).map(|Answer { x: Exact(x), side }| FilePoint { x, side: Some(side) })
     } else {
-        serde_json::from_str(line).map(|Exact(x)| FilePoint { x, side: None })
+        json::read(line).map(|Point { x: Exact(x), side }| FilePoint { x, side })
     };
-    point.map_err(|error| {
-        let (text, column) = (error.to_string(), error.column());
-        // The line of the file is known better.
-        let message = text.strip_suffix(&format!(" at line {} column {column}", error.line()));
-        PointError::Json { message: shortened(&message.unwrap_or(&text)), column }
-    })
+    // The line of the file is known better than the line in its text.
+    point.map_err(|error| PointError::Json { message: shortened(&error.message()), column: error.column() })
 }
 
 /// Reads lines of CSV. A line is a record, so an open quotation mark costs one line and not the rest of the file.
@@ -124,13 +144,16 @@ pub(super) fn from_json(line: &str) -> Result<FilePoint, PointError> {
 pub(super) struct CsvLines {
     parser: csv_core::Reader,
     fields: Vec<u8>,
+    ends: Vec<usize>,
+    /// The columns that a header has promised; without one there are at most two.
+    promised: Option<usize>,
 }
 
 impl CsvLines {
     /// A reader that has read nothing.
     pub(super) fn new() -> Self {
         // Not `default()`: that one has no tables, and takes every line for an empty one.
-        Self { parser: csv_core::Reader::new(), fields: Vec::new() }
+        Self { parser: csv_core::Reader::new(), fields: Vec::new(), ends: Vec::new(), promised: None }
     }
 
     /// The point of a line.
@@ -138,7 +161,14 @@ impl CsvLines {
     /// # Errors
     /// [`PointError`].
     pub(super) fn point(&mut self, line: &str) -> Result<FilePoint, PointError> {
-        let (x, side) = self.columns(line)?;
+        let (most, promised) = (self.promised.unwrap_or(2), self.promised);
+        let (x, side, count) = self.columns(line, most).map_err(|error| match (error, promised) {
+            (PointError::Columns, Some(expected)) => PointError::Header { expected },
+            (error, _) => error,
+        })?;
+        if let Some(expected) = promised.filter(|expected| *expected != count) {
+            return Err(PointError::Header { expected });
+        }
         let side = match side.map(str::trim) {
             None | Some("") => None,
             Some("left") => Some(OneSide::Left),
@@ -148,21 +178,31 @@ impl CsvLines {
         Ok(FilePoint { x: parse_rational(x).map_err(PointError::Number)?, side })
     }
 
-    /// Is the line a header: `x`, or `x,side`?
+    /// Is the line a header: `x`, or `x,side`, or that of an answer, which begins with `x,side,G_`? Of the other columns
+    /// of an answer there have to be as many in each line.
     pub(super) fn is_header(&mut self, line: &str) -> bool {
-        let columns = self.columns(line).map(|(x, side)| (x.trim(), side.map(str::trim)));
-        matches!(columns, Ok(("x", None | Some("side"))))
+        let columns = self.columns(line, line.len() + 1);
+        let columns = columns.map(|(x, side, count)| (x.trim(), side.map(str::trim), count));
+        match columns {
+            Ok(("x", None | Some("side"), 1 | 2)) => true,
+            Ok(("x", Some("side"), count)) if line.starts_with("x,side,G_") => {
+                self.promised = Some(count);
+                true
+            }
+            _ => false,
+        }
     }
 
-    /// The one or two columns of a line.
-    fn columns(&mut self, line: &str) -> Result<(&str, Option<&str>), PointError> {
+    /// The first two columns of a line, or the one, and how many there are: up to `most`.
+    fn columns(&mut self, line: &str, most: usize) -> Result<(&str, Option<&str>, usize), PointError> {
         if line.bytes().filter(|&byte| byte == b'"').count() % 2 == 1 {
             return Err(PointError::Quote);
         }
         self.parser.reset();
         // Unquoting makes nothing longer, and to the parser a buffer that is just long enough is full.
         self.fields.resize(line.len() + 1, 0);
-        let mut ends = [0; 2];
+        self.ends.resize(most, 0);
+        let ends = &mut self.ends;
         let (mut read, mut written, mut columns) = (0, 0, 0);
         loop {
             // The parser knows the end of a record by the end of the input, and that by an empty piece.
@@ -188,8 +228,8 @@ impl CsvLines {
             // Fields of UTF-8 text are UTF-8 text: they are cut at ASCII characters only.
             std::str::from_utf8(bytes).map_err(|error| PointError::Encoding(error.valid_up_to()))
         };
-        let second = (columns == 2).then(|| field(ends[0], ends[1])).transpose()?;
-        Ok((field(0, ends[0])?, second))
+        let second = (columns >= 2).then(|| field(ends[0], ends[1])).transpose()?;
+        Ok((field(0, ends[0])?, second, columns))
     }
 }
 
@@ -245,19 +285,34 @@ mod tests {
         for line in ["x", " x ", "\"x\"", "x,side", "x, side"] {
             assert!(CsvLines::new().is_header(line), "{line}");
         }
-        for line in ["1", "y", "side,x", "x,y", "x,side,", "xx", "\"x"] {
+        for line in ["1", "y", "side,x", "x,y", "x,side,", "x,side,y", "xx", "\"x"] {
             assert!(!CsvLines::new().is_header(line), "{line}");
         }
     }
 
     #[test]
+    fn an_answer_is_a_file_of_points() {
+        let mut lines = CsvLines::new();
+        assert!(lines.is_header("x,side,G_0,G_1,curve_0"));
+        assert_eq!(lines.point("1/3,left,1,0,1/2").unwrap(), point(rational(1, 3), Some(OneSide::Left)));
+        for line in ["1/3,left,1,0", "1/3,left,1,0,1/2,5", "1/3"] {
+            assert!(matches!(lines.point(line).unwrap_err(), PointError::Header { expected: 5 }), "{line}");
+        }
+        assert!(is_head(r#"{"schema":"knotproof.eval/1","degree":1}"#));
+        assert!(!is_head(r#"{"schema":"knotproof.shape/1"}"#) && !is_head(r#"{"x":1}"#) && !is_head("1"));
+        let answer = from_json(r#"{"x":"1/3","side":"left","values":["1"]}"#, true).unwrap();
+        assert_eq!(answer, point(rational(1, 3), Some(OneSide::Left)));
+        assert!(from_json(r#"{"x":"1/3","side":"left","values":["1"]}"#, false).is_err());
+    }
+
+    #[test]
     fn lines_of_json() {
         let third = || rational(1, 3);
-        assert_eq!(from_json("0.1").unwrap(), point(rational(1, 10), None));
-        assert_eq!(from_json("\"1/3\"").unwrap(), point(third(), None));
-        assert_eq!(from_json(r#"{"x": "1/3"}"#).unwrap(), point(third(), None));
+        assert_eq!(from_json("0.1", false).unwrap(), point(rational(1, 10), None));
+        assert_eq!(from_json("\"1/3\"", false).unwrap(), point(third(), None));
+        assert_eq!(from_json(r#"{"x": "1/3"}"#, false).unwrap(), point(third(), None));
         assert_eq!(
-            from_json(r#"{"side": "left", "x": "1/3"}"#).unwrap(),
+            from_json(r#"{"side": "left", "x": "1/3"}"#, false).unwrap(),
             point(third(), Some(OneSide::Left))
         );
         for (line, part) in [
@@ -269,10 +324,10 @@ mod tests {
             (r#"{"side": "left"}"#, "missing field `x`"),
             (r#"{"x": 1, "x": 2}"#, "duplicate field `x`"),
             (r#"{"x": 1, "y": 2}"#, "unknown field `y`"),
-            (r#"{"x": 1, "side": "up"}"#, "unknown variant `up`"),
+            (r#"{"x": 1, "side": "up"}"#, "unknown value `up`"),
             (r#"{"x": 1} 2"#, "trailing characters"),
         ] {
-            let message = from_json(line).unwrap_err().to_string();
+            let message = from_json(line, false).unwrap_err().to_string();
             assert!(message.contains(part) && !message.contains("at line"), "{line}: {message}");
         }
     }

@@ -72,6 +72,7 @@ Files of points are read and answered line by line, in constant memory:
       lines and lines that begin with # are skipped.
   JSON lines (.jsonl, .ndjson)
       A number, a string with an exact number, or {"x": "1/3", "side": "left"}.
+  What eval has answered to one file of points is another one, as CSV and as JSON lines.
   Under any other name, and on standard input, it is JSON lines if the first line begins with {.
 The answer has a line for each point, in the same order:
   --format text

@@ -87,7 +87,7 @@ pub(super) fn run(
             return Err(wrong(script.error(definition, message)));
         };
         let found = script.counterexample(definition, formal, function, span).map_err(wrong)?;
-        let ends = span.map(|span| basis.knots().ends(span));
+        let ends = span.and_then(|span| basis.knots().ends(span).ok());
         functions.push(Compared {
             index,
             interval: ends.map(|(from, to)| [from, to].map(|x| Exact(x.clone()))),

@@ -21,7 +21,7 @@ use super::output::Output;
 ///
 /// Numerators and denominators have integer coefficients and no common factor; the denominators are products of
 /// factors that are linear in x. With --alpha symbolic they hold for every α < 0 and every α > 1, and `alpha` is a
-/// letter in them; α = ∞ is no value of it, but --alpha inf gives those formulas.
+/// letter in them; α = ∞ is no value of it, but --alpha inf gives those formulas. Up to degree 8.
 ///
 /// With --equals they are not printed but compared with those in a file, exactly and for every x: quotients of polynomials in x, with
 /// `alpha` and `r` = alpha/(alpha − 1) too, in the syntax of Maxima. The file has definitions such as --as maxima prints, each of
@@ -125,7 +125,8 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     let case = every_index.as_ref().unwrap_or(&args.instance).resolve()?.only_case()?;
     let basis = &case.basis;
     let index = args.function.chosen(basis)?;
-    let too_high = CliError::TooHigh { degree: basis.degree(), limit: DEGREE_LIMIT };
+    let reason = "a numerator has up to (k + 2)²/4 powers of x; eval gives values of every degree";
+    let too_high = CliError::TooHigh { degree: basis.degree(), limit: DEGREE_LIMIT, reason };
     if basis.degree() > DEGREE_LIMIT {
         return Err(too_high);
     }

@@ -173,7 +173,7 @@ fn shapes(
     chosen
         .map(|i| {
             progress.step(&format!("G_{i}, α = {}", basis.index()));
-            let mut shape = FunctionShape::of(basis, &pieces, i);
+            let mut shape = FunctionShape::of(&pieces, i);
             shape.refine_to(width);
             Function::new(basis, i, &shape, notation)
         })

@@ -40,6 +40,9 @@ pub struct Errors {
 
 impl Errors {
     /// The errors of a formula at a case.
+    ///
+    /// # Panics
+    /// If the point of the case is not on its span, or that is none of its basis.
     #[must_use]
     pub fn of(formula: Formula, case: &Case) -> Self {
         let exact = Exact::of(case);
@@ -87,7 +90,10 @@ const BESIDE: i32 = -940;
 impl Exact {
     pub(super) fn of(case: &Case) -> Self {
         let x = exact_value(case.x).unwrap_or_else(|| integer(0));
-        let active = case.basis.exact().active(case.span, &x);
+        let exact = case.basis.exact();
+        // The knots in f64 are those of the exact basis, and so are the spans.
+        let active = exact.knots().span(case.span.index()).and_then(|span| exact.active(span, &x).ok());
+        let active = active.unwrap_or_else(|| unreachable!("x is a point of the closed span"));
         let offset = (active.first() + case.basis.degree()).saturating_sub(case.span.index());
         let least = exact_value(power(LEAST)).unwrap_or_else(|| integer(0));
         Self { first: active.first(), offset, values: active.values().to_vec(), least }

@@ -25,7 +25,7 @@ const TITLE: u32 = 14;
 /// # Errors
 /// [`PictureError`].
 pub(in crate::report) fn function(title: &str, basis: &Basis, i: usize) -> Result<String, PictureError> {
-    let mut shape = Shape::of(basis, &Pieces::of(basis), i);
+    let mut shape = Shape::of(&Pieces::of(basis), i);
     shape.refine_to(&rational(1, 1 << 40));
     let marks: Vec<Mark> = shape.extrema().iter().map(Mark::of).collect();
     let (low, high) = basis.support(i);

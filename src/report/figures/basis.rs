@@ -37,7 +37,7 @@ fn panel(canvas: &Canvas<'_>, cell: Cell, basis: &Basis) -> Drawn {
     levels(&panel, &[integer(0), rational(1, 2), integer(1)])?;
     knot_axis(&panel, basis.knots(), 0.0)?;
     let pieces = Pieces::of(basis);
-    let shapes: Vec<Shape> = (0..=basis.n()).map(|i| Shape::of(basis, &pieces, i)).collect();
+    let shapes: Vec<Shape> = (0..=basis.n()).map(|i| Shape::of(&pieces, i)).collect();
     for (i, shape) in shapes.iter().enumerate() {
         let pen = Pen::nth(i);
         graph(&panel, basis, i, pen)?;
@@ -58,7 +58,7 @@ pub(in crate::report) fn graph(panel: &Panel<'_>, basis: &Basis, i: usize, pen: 
     let Frame { x: (left, right), y: (bottom, top) } = panel.frame;
     let mut line: Vec<(f64, f64)> = Vec::new();
     for span in knots.spans() {
-        let (start, end) = knots.ends(span);
+        let (start, end) = (knots.t(span.index()), knots.t(span.index() + 1));
         if start < low || high < end {
             continue;
         }

@@ -195,7 +195,7 @@ fn curve(panel: &Panel<'_>, curve: &Curve, pen: Pen) -> Drawn {
     let tolerance = (panel.unit.0 / 2.0, panel.unit.1 / 2.0);
     let (mut line, mut joints) = (Vec::new(), Vec::new());
     for span in knots.spans() {
-        let (start, end) = knots.ends(span);
+        let (start, end) = (knots.t(span.index()), knots.t(span.index() + 1));
         line.extend(polygon(|x| curve_point(curve, span, x), (float(start), float(end)), tolerance));
         joints.extend(line.last().copied());
     }

@@ -71,7 +71,7 @@ fn curve_of(instance: &Instance, index: &Index) -> Result<Curve, PictureError> {
 fn trace(curve: &Curve, panel: &Panel<'_>) -> Vec<(f64, f64)> {
     let (knots, r) = (curve.basis().knots(), float(curve.basis().index().ratio()));
     let on = |span: Span| {
-        let (start, end) = knots.ends(span);
+        let (start, end) = (knots.t(span.index()), knots.t(span.index() + 1));
         let (start, end) = (float(start), float(end));
         let at = move |s: f64| curve_point(curve, span, start + (end - start) * s / (s + r * (1.0 - s)));
         polygon(at, (0.0, 1.0), (panel.unit.0 / 2.0, panel.unit.1 / 2.0))
@@ -106,7 +106,7 @@ impl Way {
     /// The point of the arc for y = s/(1 − s) divided by the length of the span (X.limit.arc), from one end to the other.
     fn on_arc(self, curve: &Curve, span: Span, s: f64) -> (f64, f64) {
         let (basis, knots) = (curve.basis(), curve.basis().knots());
-        let (start, end) = knots.ends(span);
+        let (start, end) = (knots.t(span.index()), knots.t(span.index() + 1));
         let length = float(&(end - start));
         let weight = |i: usize, d: usize| {
             // y·c/(1 + y·c) for the length c of the interval, times 1 − s above and below; for the first span its complement,

@@ -3,7 +3,7 @@
 use num_traits::ToPrimitive;
 
 use crate::scalar::BigRational;
-use crate::spline::{Active, Basis, Curve, Point, Span};
+use crate::spline::{Basis, Curve, Point, Span};
 
 /// The nearest `f64`, or one beside it.
 pub(in crate::report) fn float(x: &BigRational) -> f64 {
@@ -54,12 +54,12 @@ fn halve(
 
 /// G_i^k on a span, at an x of its closure.
 pub(in crate::report) fn value(basis: &Basis, i: usize, span: Span, x: f64) -> f64 {
-    basis.active(span, &x).get(i).copied().unwrap_or_default()
+    basis.active(span, &x).map_or(f64::NAN, |active| active.get(i).copied().unwrap_or_default())
 }
 
 /// A point of a curve on a span.
 pub(super) fn curve_point(curve: &Curve, span: Span, x: f64) -> (f64, f64) {
-    let active: Active<f64> = curve.basis().active(span, &x);
+    let Ok(active) = curve.basis().active(span, &x) else { return (f64::NAN, f64::NAN) };
     active.iter().fold((0.0, 0.0), |(a, b), (i, g)| {
         let (x, y) = planar(&curve.points()[i]);
         (a + g * x, b + g * y)

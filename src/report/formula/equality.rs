@@ -46,7 +46,7 @@ impl Script {
         span: Option<Span>,
     ) -> Result<Option<Counterexample>, ScriptError> {
         let mut ends: Vec<_> = function.pieces.iter().flat_map(|p| [p.from.clone(), p.to.clone()]).collect();
-        let domain = span.map(|span| formal.basis().knots().ends(span));
+        let domain = span.and_then(|span| formal.basis().knots().ends(span).ok());
         ends.extend(domain.iter().flat_map(|(from, to)| [(*from).clone(), (*to).clone()]));
         definition.body.ends(&mut ends);
         ends.sort();

@@ -105,7 +105,7 @@ fn of_basis(witness: &Witness, setting: &Setting) -> Vec<Working> {
         return Vec::new();
     }
     // Where the function turns from falling to rising, or jumps: there the count of maxima is decided.
-    let shape = Shape::of(basis, &Pieces::of(basis), i);
+    let shape = Shape::of(&Pieces::of(basis), i);
     let minima = shape.local_minima().filter_map(|minimum| match &minimum.place {
         Place::Point(x) => Some(x.clone()),
         _ => None,
@@ -128,7 +128,7 @@ fn difference(high: &BigRational, low: &BigRational) -> String {
 fn working(basis: &Basis, x: &BigRational, side: Side, derivatives: bool) -> Option<Working> {
     let (knots, k, m) = (basis.knots(), basis.degree(), basis.knots().m());
     let span = knots.span_at(x, side)?;
-    let (j, (start, end)) = (span.index(), knots.ends(span));
+    let (j, (start, end)) = (span.index(), knots.ends(span).ok()?);
     let ratio = basis.index().ratio();
     let limit = if x == end {
         ", limits from the left"

@@ -48,7 +48,7 @@ impl<'a> Found<'a> {
         let knots = self.knots();
         let side = if x == knots.last() { Side::Left } else { side };
         let span = knots.span_at(x, side)?;
-        let (start, end) = knots.ends(span);
+        let (start, end) = knots.ends(span).ok()?;
         Some(if x == start {
             term(Place::start(span.index()))
         } else if x == end {

@@ -25,7 +25,7 @@ fn rises_and_drops(found: &Found<'_>, i: usize) -> Refuted {
     let (low, high) = found.basis.support(i);
     let mut goals = String::new();
     for span in knots.spans() {
-        let (start, end) = knots.ends(span);
+        let (start, end) = knots.ends(span).ok()?;
         if low <= start && end <= high {
             let _ = write!(goals, "(> {} 0)", Place::inside(span.index()).value("DG", i, k));
             if start != low {
@@ -91,7 +91,7 @@ fn equal_maxima(found: &Found<'_>, i: usize) -> Refuted {
         let higher = found.text(&format!("side at the {which} α"))?;
         let height = found.number(&format!("value at the {which} α"))?;
         let basis = found.basis.with_index(index.clone());
-        let shape = Shape::of(&basis, &Pieces::of(&basis), i);
+        let shape = Shape::of(&Pieces::of(&basis), i);
         let on_left = |x: &BigRational| x < &c;
         // Points close to the maxima, high enough on the higher side: or the values could not have been told apart.
         let maxima: Vec<_> = shape.local_maxima().map(|maximum| close_to(&maximum.place)).collect();
@@ -101,7 +101,7 @@ fn equal_maxima(found: &Found<'_>, i: usize) -> Refuted {
         let mut goals = format!("(> {} {height})", value(peak, Side::Right)?);
         let (low, high) = basis.support(i);
         for span in basis.knots().spans() {
-            let (start, end) = basis.knots().ends(span);
+            let (start, end) = basis.knots().ends(span).ok()?;
             let on_lower_side = if higher == "left" { &c <= start } else { end <= &c };
             if on_lower_side && low <= start && end <= high {
                 let value = Place::inside(span.index()).value("G", i, k);

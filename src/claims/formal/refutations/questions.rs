@@ -97,11 +97,11 @@ fn not_nested(found: &Found<'_>, i: usize) -> Refuted {
     let fine = Basis::new(refined.clone(), k, found.basis.index().clone()).ok()?;
     let pieces = Pieces::of(&fine);
     for span in pieces.spans() {
-        let (start, _) = refined.ends(span.span);
+        let (start, _) = span.ends();
         let old = found.knots().span_at(start, Side::Right)?;
-        let (a, b) = found.knots().ends(old);
+        let (a, b) = found.knots().ends(old).ok()?;
         // The old function at the points of the new span.
-        let active = found.basis.active(old, &span.x);
+        let active = found.basis.active(old, &span.x).ok()?;
         let Some(value) = active.get(i) else { continue };
         if is_combination(span.functions.values(), value) {
             continue;
