@@ -9,11 +9,16 @@
 
 mod approximation;
 mod basis;
+mod captions;
 mod case;
 mod cause;
 mod claim;
+mod classical;
 mod closeness;
 mod curve;
+mod curve_ends;
+mod de_boor_range;
+mod definitions;
 mod drawn;
 mod formal;
 mod free_weights;
@@ -22,9 +27,11 @@ mod illustrated_bases;
 mod illustrated_curves;
 mod illustrations;
 mod independence;
+mod influence;
 mod instances;
 mod limits;
 mod maximum;
+mod proofs_steps;
 mod questions;
 mod reflection;
 mod register;
@@ -36,6 +43,7 @@ mod symmetric_curves;
 mod two_maxima;
 mod verdict;
 mod weight;
+mod weight_effect;
 
 pub use case::{BasisCase, Case, Origin, WeightCase};
 pub use cause::{Cause, Severity, Source};

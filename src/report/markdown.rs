@@ -142,8 +142,9 @@ pub fn markdown(report: &Report) -> String {
     let sections: String = report.claims.iter().map(section).collect();
     let table = verdict_table(&Baseline::of(&report.claims), false);
     let drifts = drift_table(&report.float);
+    let paper = plain(&report.paper.to_string());
     format!(
-        "# Report on the paper's claims\n\n{SCOPES}\n\n## Verdicts\n\n{table}\n## Claim by claim\n\n{sections}## f64 against exact\n\n{FLOATS}\n\n{drifts}"
+        "# Report on the paper's claims\n\n{paper}\n\n{SCOPES}\n\n## Verdicts\n\n{table}\n## Claim by claim\n\n{sections}## f64 against exact\n\n{FLOATS}\n\n{drifts}"
     )
 }
 

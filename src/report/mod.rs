@@ -8,6 +8,7 @@ mod formula;
 mod heat;
 mod markdown;
 mod page;
+mod paper;
 mod record;
 
 use std::collections::{BTreeMap, HashMap, HashSet};
@@ -29,6 +30,7 @@ pub use formula::{Counterexample, Definition, Form, Language, Script, ScriptErro
 pub use heat::heat_map;
 pub use markdown::{END, START, markdown, with_verdict_table};
 pub use page::{PageError, PageSource, page};
+pub use paper::{PAPER, Paper};
 pub use record::{DegreeFinding, Finding, Grounds, Record, Stated};
 
 /// All that one run found: the data of `report.json`.
@@ -36,6 +38,8 @@ pub use record::{DegreeFinding, Finding, Grounds, Record, Stated};
 pub struct Report {
     /// `knotproof.report/1`.
     pub schema: &'static str,
+    /// What was read.
+    pub paper: Paper,
     /// One record a claim, in the order of the paper.
     pub claims: Vec<Record>,
     /// `f64` against exact, on every instance of the paper.
@@ -93,7 +97,7 @@ impl Report {
             records.push(Record::new(claim, &judged, &certificates));
         }
         progress("f64 against exact");
-        Ok(Self { schema: "knotproof.report/1", claims: records, float: drifts(), steps })
+        Ok(Self { schema: "knotproof.report/1", paper: PAPER, claims: records, float: drifts(), steps })
     }
 }
 
