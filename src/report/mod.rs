@@ -2,6 +2,7 @@
 
 mod baseline;
 mod conjecture;
+mod corners;
 pub mod figures;
 mod formula;
 mod heat;
@@ -22,6 +23,7 @@ use crate::spline::Basis;
 
 pub use baseline::{Baseline, BaselineError, Difference, Entry};
 pub use conjecture::conjecture_page;
+pub use corners::{Corner, Turn, corners};
 pub use figures::PictureError;
 pub use formula::{Form, Language, expression, formula};
 pub use heat::heat_map;
