@@ -386,7 +386,7 @@ fn a_refuted_claim_is_explained_with_witness_and_amendment() {
         "As printed: refuted\n",
         "  Partition of unity: ",
         "  witness: k = 1, U = (0, 0, 1, 2), α = -1, j = 2, x = 3/2: the claim says Σ G_i^1(3/2) = 1, but the sum is 2/3\n",
-        "  again: knotproof eval --degree 1 --knots 0,0,1,2 --alpha -1 --x 3/2 --derivatives 1\n",
+        "  again: knotproof eval --degree 1 --knots 0,0,1,2 --alpha -1 --x 3/2\n",
         "  why: All functions that exist",
         "  certificate: proofs/certs/T3.5.3.printed.statement",
         "As amended: proved (knots, k = 0–8)\n",

@@ -5,7 +5,7 @@ use std::fmt;
 use serde::Serialize;
 
 use crate::claims::{Claim, Form, claims, formal, formal_for_degree, refutation};
-use crate::report::{Baseline, DegreeFinding, Finding};
+use crate::report::{Baseline, DegreeFinding, Finding, again};
 
 use super::error::CliError;
 use super::exit::Exit;
@@ -121,9 +121,7 @@ impl fmt::Display for Explanation {
             }
             if let Some(witness) = &finding.witness {
                 writeln!(f, "  witness: {witness}")?;
-                if let Some(command) = &witness.reproduce {
-                    writeln!(f, "  again: {command}")?;
-                }
+                writeln!(f, "  again: {}", again(self.id, witness))?;
             }
             if let Some(reason) = &finding.reason {
                 writeln!(f, "  {reason}")?;

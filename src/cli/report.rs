@@ -4,17 +4,20 @@ use std::fmt;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use anstyle::{AnsiColor, Style};
+use schemars::schema_for;
 use serde::Serialize;
 
-use crate::claims::{Claim, claims};
+use crate::claims::{Claim, Source, claims};
 use crate::report::{
-    Baseline, Difference, Drift, PageSource, Report, conjecture_page, figures, markdown, page,
-    with_verdict_table,
+    Baseline, Difference, Drift, Errata, PageSource, Record, Report, by_severity, conjecture_page,
+    dependence_picture, errata_page, figures, markdown, opening, page, with_verdict_table,
 };
 
+use super::atomic::write_atomically;
 use super::error::CliError;
 use super::exit::Exit;
-use super::file::read;
+use super::file::{InstanceFile, read};
 use super::output::Output;
 use super::progress::Progress;
 use super::table::plain;
@@ -24,8 +27,8 @@ use super::verdict::{Tally, styled};
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLE)]
 pub(super) struct Args {
-    /// Writes report.json, report.md and index.html, a page to read in a browser, into this folder, which is made if it is
-    /// not there; if all claims are judged, also conjecture.md, the page on Conjecture 3.1, with its pictures.
+    /// Writes report.json, report.md, errata.md and index.html, a page to read in a browser, into this folder, which is made
+    /// if it is not there; if all claims are judged, also conjecture.md, the page on Conjecture 3.1, with its pictures.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Compares with the verdicts in this file, instead of those recorded with the program.
@@ -34,6 +37,10 @@ pub(super) struct Args {
     /// Judges only this claim; may be repeated.
     #[arg(long, value_name = "CLAIM")]
     claim: Vec<String>,
+    /// Prints the errata of the paper, one entry for each cause, ready to be sent: from the recorded verdicts or those of
+    /// --baseline, without judging anything. With --out, errata.md and errata.json are written.
+    #[arg(long, conflicts_with = "record")]
+    errata: bool,
     /// Accepts the verdicts: rewrites proofs/verdicts.json, docs/conjecture.md with its pictures, and the table in
     /// README.md below the current folder.
     #[arg(long, conflicts_with_all = ["claim", "baseline"])]
@@ -44,11 +51,17 @@ const EXAMPLE: &str = "\
 Examples:
   knotproof report --out report
   knotproof report --claim T3.5.3 --claim P3.2 --format json
+  knotproof report --errata
 Exit code 0: every verdict is as recorded, refuted claims included. Exit code 1: one differs.";
 
 const JSON: &str = "report.json";
 const MARKDOWN: &str = "report.md";
 const PAGE: &str = "index.html";
+const ERRATA: &str = "errata.md";
+const ERRATA_JSON: &str = "errata.json";
+const CONJECTURE: &str = "conjecture.md";
+const SCHEMA: &str = "instance.schema.json";
+const DEPENDENCE: &str = "dependence.svg";
 /// The folder and the file of the recorded verdicts, and the file with their table, below the current folder.
 const PROOFS: &str = "proofs";
 const VERDICTS: &str = "verdicts.json";
@@ -84,9 +97,15 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     }
     if let Some(folder) = &args.out {
         fs::create_dir_all(folder).map_err(|error| unwritable("--out", folder, error))?;
-        writable("--out", &folder.join(JSON))?;
-        writable("--out", &folder.join(MARKDOWN))?;
-        writable("--out", &folder.join(PAGE))?;
+    }
+    if args.errata {
+        let recorded = Baseline::recorded().map_err(CliError::Recorded)?;
+        return errata(&Report::recorded(&chosen, &baseline.unwrap_or(recorded)), args, output);
+    }
+    if let Some(folder) = &args.out {
+        for name in [JSON, MARKDOWN, PAGE, ERRATA] {
+            writable("--out", &folder.join(name))?;
+        }
     }
 
     let progress = Progress::new(chosen.len() + 1);
@@ -102,8 +121,13 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     let mut outcome = Outcome { report, differences, written };
     if let Some(folder) = &args.out {
         let json = serde_json::to_string_pretty(&outcome).map_err(std::io::Error::from)?;
-        let mut files =
-            vec![(JSON.to_owned(), json + "\n"), (MARKDOWN.to_owned(), markdown(&outcome.report))];
+        let mut files = vec![
+            (JSON.to_owned(), json + "\n"),
+            (MARKDOWN.to_owned(), markdown(&outcome.report)),
+            (ERRATA.to_owned(), errata_page(&Errata::of(&outcome.report.claims))),
+            (DEPENDENCE.to_owned(), dependence_picture(&outcome.report)?),
+            (SCHEMA.to_owned(), serde_json::to_string_pretty(&schema_for!(InstanceFile)).map_err(std::io::Error::from)? + "\n"),
+        ];
         // The page on the conjecture is about claims that have to be there.
         let pictures = if partial { Vec::new() } else { conjecture_page(&found)? };
         let mut shown = pictures.clone();
@@ -115,10 +139,16 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
             None => "the recorded verdicts".to_owned(),
         };
         let certificates = certificates_from(folder);
+        let mut beside = vec![("the errata", ERRATA), ("this report as data", JSON), ("and as text", MARKDOWN)];
+        if !partial {
+            beside.push(("the page on Conjecture 3.1", CONJECTURE));
+        }
+        beside.push(("the schema of instance files", SCHEMA));
         let source = PageSource {
             compared: (!args.record).then_some((name.as_str(), outcome.differences.as_slice())),
             pictures: &shown,
             certificates: certificates.as_deref(),
+            beside: &beside,
         };
         files.push((PAGE.to_owned(), page(&outcome.report, &source)?));
         files.extend(pictures);
@@ -128,6 +158,19 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     }
     output.result(&outcome)?;
     Ok(if outcome.differences.is_empty() { Exit::Holds } else { Exit::Refuted })
+}
+
+/// Writes and prints the errata.
+fn errata(report: &Report, args: &Args, output: &Output) -> Result<Exit, CliError> {
+    let errata = Errata::of(&report.claims);
+    if let Some(folder) = &args.out {
+        let json = serde_json::to_string_pretty(&errata).map_err(std::io::Error::from)?;
+        for (name, text) in [(ERRATA, errata_page(&errata)), (ERRATA_JSON, json + "\n")] {
+            write_atomically("--out", &folder.join(name), text)?;
+        }
+    }
+    output.result(&errata)?;
+    Ok(Exit::Holds)
 }
 
 /// The claims of these identifiers, or all if there are none.
@@ -200,30 +243,52 @@ fn unwritable(argument: &'static str, path: &Path, error: std::io::Error) -> Cli
     CliError::File { argument, action: "write", path: path.to_owned(), error }
 }
 
-/// The table of verdicts, and what is not as recorded.
+/// The verdict on a printed statement: in red only if the idea fails.
+fn printed(record: &Record) -> String {
+    let finding = &record.as_printed.finding;
+    let colour = match (finding.is_refuted(), record.is_serious()) {
+        (true, true) => AnsiColor::Red,
+        (true, false) => AnsiColor::Yellow,
+        (false, _) => return styled(finding),
+    };
+    let style = Style::new().fg_color(Some(colour.into()));
+    format!("{style}{}{style:#}", record.words())
+}
+
+/// A row for each claim, the worst refutations first.
+fn table(records: &[&Record]) -> comfy_table::Table {
+    let header = ["claim", "where", "as printed", "as amended", "statement"];
+    let mut table = plain(header.map(str::to_owned).to_vec());
+    for record in records {
+        let amended = record.amended.as_ref().map(|stated| styled(&stated.finding)).unwrap_or_default();
+        table.add_row([
+            record.id.clone(),
+            record.locator.clone(),
+            printed(record),
+            amended,
+            record.statement.clone(),
+        ]);
+    }
+    table
+}
+
+/// What matters, the tables of verdicts, and what is not as recorded.
 impl fmt::Display for Outcome {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut table = plain(
-            ["claim", "where", "as printed", "as amended", "certificate", "checked by"]
-                .map(str::to_owned)
-                .to_vec(),
-        );
-        for record in &self.report.claims {
-            // The statement that stands: the amended one, where the printed one falls.
-            let standing = &record.amended.as_ref().unwrap_or(&record.as_printed).finding;
-            let amended = record.amended.as_ref().map(|stated| styled(&stated.finding)).unwrap_or_default();
-            table.add_row([
-                record.id.clone(),
-                record.locator.clone(),
-                styled(&record.as_printed.finding),
-                amended,
-                standing.certificate.clone().unwrap_or_default(),
-                standing.checked_by.join(", "),
-            ]);
+        for line in opening(&self.report) {
+            writeln!(f, "{line}")?;
         }
-        writeln!(f, "{table}\n")?;
-        let printed: Tally = self.report.claims.iter().map(|record| &record.as_printed.finding).collect();
-        writeln!(f, "As printed: {printed}.")?;
+        let summary = &self.report.summary;
+        for (title, source, counts) in [
+            ("The paper", Source::Paper, &summary.paper),
+            ("Our questions", Source::Question, &summary.questions),
+        ] {
+            if counts.statements > 0 {
+                let table = table(&by_severity(&self.report.claims, source));
+                writeln!(f, "\n{title}, {}\n\n{table}", counts.words())?;
+            }
+        }
+        writeln!(f)?;
         let amended = self.report.claims.iter().filter_map(|record| record.amended.as_ref());
         let amended: Vec<_> = amended.map(|stated| &stated.finding).collect();
         if !amended.is_empty() {
@@ -239,7 +304,7 @@ impl fmt::Display for Outcome {
                 let Drift { instance, degree, alpha, .. } = drift;
                 writeln!(
                     f,
-                    "f64 against exact, {title}: at most {error} ULP, on {instance} with k = {degree}, α = {alpha}."
+                    "f64 against exact, {title}: largest found {error} ULP, on {instance} with k = {degree}, α = {alpha}."
                 )?;
             }
         }

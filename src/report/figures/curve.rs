@@ -60,7 +60,7 @@ pub(super) fn svg(title: &str, names: &[&str], panels: Panels, hull: bool) -> Re
     };
     let mut notes = vec![note];
     if panels == Panels::Conjugates && instances.len() > 1 {
-        notes.push("Which α the paper draws, beyond ∞ and −1, cannot be read in the scan: these nine are those of Fig. 22.");
+        notes.push("Of the paper's α only ∞ and −1 can be read in the scan: those of the other nine panels are ours.");
     }
     Sheet { title, subtitle: &subtitle, notes: &notes, cells: all.len(), panel }.svg(|canvas, number, cell| {
         if all[number].is_empty() {

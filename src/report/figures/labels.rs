@@ -112,7 +112,7 @@ pub(super) struct Label {
 }
 
 /// Free pixels around a label.
-const AIR: f64 = 2.0;
+const AIR: f64 = 2.5;
 /// How far from a point or a line a label may be, in pixels.
 const REACH: [f64; 8] = [4.0, 6.0, 9.0, 13.0, 18.0, 24.0, 32.0, 42.0];
 /// Directions from above, clockwise, in sixteenths of a turn: sines and cosines.
