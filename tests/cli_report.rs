@@ -88,7 +88,8 @@ fn the_claims_asked_for_and_the_study_of_floats() {
 /// Each refutation has its cause and its severity; counts are of the paper and of our questions apart.
 #[test]
 fn the_summary_counts_the_paper_and_our_questions_apart() {
-    let (_, found) = report(&["--claim", "P2.1.3", "--claim", "T3.5.1", "--claim", "R2.2.1", "--claim", "X.linear"]);
+    let (_, found) =
+        report(&["--claim", "P2.1.3", "--claim", "T3.5.1", "--claim", "R2.2.1", "--claim", "X.linear"]);
     let field = |id: &str, name: &str| {
         let claim = found["claims"].as_array().unwrap().iter().find(|claim| claim["id"] == id).unwrap();
         claim[name].as_str().map(str::to_owned)
@@ -130,7 +131,8 @@ fn the_summary_counts_the_paper_and_our_questions_apart() {
 fn errata_are_printed_without_judging() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("errata");
-    let output = knotproof(&["report", "--errata", "--format", "json", "--out", out.to_str().unwrap()]).assert();
+    let output =
+        knotproof(&["report", "--errata", "--format", "json", "--out", out.to_str().unwrap()]).assert();
     let output = output.success().stderr("").get_output().stdout.clone();
     let found: Value = serde_json::from_slice(&output).unwrap();
     assert_eq!(found["schema"], "knotproof.errata/1");
@@ -213,7 +215,8 @@ fn the_text_has_a_row_for_each_claim_and_the_counts() {
     };
     assert_eq!(row("claim"), "claim where as printed as amended statement");
     assert!(
-        row("P2.1.3").starts_with("P2.1.3 Proposition 2.1 (3) refuted (hypothesis) proved (knots) T affine, strictly"),
+        row("P2.1.3")
+            .starts_with("P2.1.3 Proposition 2.1 (3) refuted (hypothesis) proved (knots) T affine, strictly"),
         "{text}"
     );
     assert!(row("R2.2.1").starts_with("R2.2.1 Remark 2.2 (1) proved (knots) "), "{text}");

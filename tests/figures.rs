@@ -226,7 +226,10 @@ fn read(group: &resvg::usvg::Group, sheet: &mut Sheet) {
                 let Some(stroke) = path.stroke() else { continue };
                 let Paint::Color(colour) = stroke.paint() else { continue };
                 let transform = path.abs_transform();
-                let pen = Pen { colour: [colour.red, colour.green, colour.blue], width: stroke.width().get() * transform.sx };
+                let pen = Pen {
+                    colour: [colour.red, colour.green, colour.blue],
+                    width: stroke.width().get() * transform.sx,
+                };
                 let at = |point: resvg::tiny_skia::Point| {
                     let mut point = point;
                     transform.map_point(&mut point);
@@ -263,7 +266,8 @@ fn distance([x, y]: [f32; 2], line: &[[f32; 2]]) -> f32 {
         let ([a, b], [c, d]) = (two[0], two[1]);
         let (across, down) = (c - a, d - b);
         let length = across * across + down * down;
-        let share = if length > 0.0 { (((x - a) * across + (y - b) * down) / length).clamp(0.0, 1.0) } else { 0.0 };
+        let share =
+            if length > 0.0 { (((x - a) * across + (y - b) * down) / length).clamp(0.0, 1.0) } else { 0.0 };
         (x - a - share * across).hypot(y - b - share * down)
     };
     line.windows(2).map(of_segment).fold(f32::INFINITY, f32::min)
@@ -288,9 +292,8 @@ fn gap([left, top, right, bottom]: Area, line: &[[f32; 2]]) -> f32 {
             return 0.0;
         }
         let of_corners = corners.iter().map(|corner| distance(*corner, two)).fold(f32::INFINITY, f32::min);
-        let off = |[x, y]: [f32; 2]| {
-            (left - x).max(x - right).max(0.0).hypot((top - y).max(y - bottom).max(0.0))
-        };
+        let off =
+            |[x, y]: [f32; 2]| (left - x).max(x - right).max(0.0).hypot((top - y).max(y - bottom).max(0.0));
         of_corners.min(off([a, b])).min(off([c, d]))
     };
     line.windows(2).map(of_segment).fold(f32::INFINITY, f32::min)
@@ -320,7 +323,10 @@ fn no_text_is_struck_by_a_line_or_by_another_text_or_cut_off() {
             }
             for other in &sheet.texts[i + 1..] {
                 if meet(*area, other.ink) {
-                    faults.push(format!("{name}: “{text}” and “{}” stand on each other at {area:?}", other.words));
+                    faults.push(format!(
+                        "{name}: “{text}” and “{}” stand on each other at {area:?}",
+                        other.words
+                    ));
                 }
             }
             let dark = sheet.lines.iter().filter(|(pen, _)| !pen.is_pale());
@@ -375,7 +381,8 @@ fn views<'a>(sheet: &'a Sheet) -> Vec<View<'a>> {
         let end = next.map(|other| other.ink[1]).fold(f32::INFINITY, f32::min);
         let inside = |[x, y]: [f32; 2]| left - 42.0 < x && x < left + 358.0 && top < y && y < end;
         let texts: Vec<&Text> = sheet.texts.iter().filter(|text| inside(text.middle())).collect();
-        let lines = sheet.lines.iter().filter(|(_, points)| points.iter().all(|point| inside(*point))).collect();
+        let lines =
+            sheet.lines.iter().filter(|(_, points)| points.iter().all(|point| inside(*point))).collect();
         let numbers = texts.iter().filter_map(|text| Some((number(&text.words)?, *text)));
         let (up, along): (Vec<_>, Vec<_>) = numbers.partition(|(_, text)| text.ink[2] < left);
         let x: Vec<_> = along.iter().map(|(value, text)| (*value, text.middle()[0])).collect();
@@ -415,7 +422,9 @@ fn places(knots: &KnotVector) -> Vec<(BigRational, Side)> {
     let mut places = Vec::new();
     for span in knots.spans() {
         let (start, end) = knots.ends(span);
-        for (part, side) in [(0, Side::Right), (1, Side::Right), (3, Side::Right), (5, Side::Right), (8, Side::Left)] {
+        for (part, side) in
+            [(0, Side::Right), (1, Side::Right), (3, Side::Right), (5, Side::Right), (8, Side::Left)]
+        {
             places.push((start + (end - start) * rational(part, 8), side));
         }
     }
@@ -426,8 +435,10 @@ fn places(knots: &KnotVector) -> Vec<(BigRational, Side)> {
 #[test]
 fn the_curves_of_a_basis_pass_through_exact_points_and_labels_are_at_their_functions() {
     let mut panels = 0;
-    for figure in all().iter().filter(|figure| figure.number.is_some_and(|number| (4..=21).contains(&number))) {
-        let (name, degree) = figure.title.split_once(": ").and_then(|(_, rest)| rest.split_once(", degree ")).unwrap();
+    for figure in all().iter().filter(|figure| figure.number.is_some_and(|number| (4..=21).contains(&number)))
+    {
+        let (name, degree) =
+            figure.title.split_once(": ").and_then(|(_, rest)| rest.split_once(", degree ")).unwrap();
         let degree: usize = degree.parse().unwrap();
         let instances = instances_named(name);
         let instance = instances.iter().find(|instance| instance.degree == degree).unwrap();
@@ -451,8 +462,12 @@ fn the_curves_of_a_basis_pass_through_exact_points_and_labels_are_at_their_funct
                         assert!(off < NEAR, "{here}: the line is {off} pixels off ({x}, {value})");
                     }
                 }
-                let (own, other) = (view.gap(label.ink, COLOURS[i], true), view.gap(label.ink, COLOURS[i], false));
-                assert!(own < other && own < 15.0, "{here}: its label is {own} from it and {other} from another");
+                let (own, other) =
+                    (view.gap(label.ink, COLOURS[i], true), view.gap(label.ink, COLOURS[i], false));
+                assert!(
+                    own < other && own < 15.0,
+                    "{here}: its label is {own} from it and {other} from another"
+                );
             }
             panels += 1;
         }
@@ -475,7 +490,8 @@ fn curves_pass_through_exact_points_and_labels_are_at_their_control_points() {
             for (i, instance) in instances.iter().enumerate() {
                 let polygon = instance.points.clone().unwrap();
                 for (j, index) in view.indices().into_iter().enumerate() {
-                    let here = format!("{}, {}, k = {}, α = {index}", figure.name, view.heading, instance.degree);
+                    let here =
+                        format!("{}, {}, k = {}, α = {index}", figure.name, view.heading, instance.degree);
                     let basis = Basis::new(instance.knots.clone(), instance.degree, index).unwrap();
                     let curve = Curve::new(basis, polygon.clone()).unwrap();
                     let colour = COLOURS[i + j];
@@ -488,7 +504,9 @@ fn curves_pass_through_exact_points_and_labels_are_at_their_control_points() {
                 }
                 // Of several polygons, those that differ in one point, the labels name what all have.
                 for label in view.texts.iter().filter(|text| text.words.starts_with('d')) {
-                    let digits = label.words.chars().skip(1).map_while(|c| (0x2080..0x208a).contains(&u32::from(c)).then(|| u32::from(c) - 0x2080));
+                    let digits = label.words.chars().skip(1).map_while(|c| {
+                        (0x2080..0x208a).contains(&u32::from(c)).then(|| u32::from(c) - 0x2080)
+                    });
                     let named = digits.fold(0, |number, digit| 10 * number + digit as usize);
                     let from = |point: &Vec<BigRational>| {
                         let [a, b] = view.spot(&point[0], &point[1]);
@@ -496,7 +514,12 @@ fn curves_pass_through_exact_points_and_labels_are_at_their_control_points() {
                     };
                     let own = from(&polygon[named]);
                     let others = polygon.iter().filter(|point| **point != polygon[named]).map(from);
-                    assert!(own < 45.0 && others.fold(f32::INFINITY, f32::min) > own, "{}: “{}” is {own} off", figure.name, label.words);
+                    assert!(
+                        own < 45.0 && others.fold(f32::INFINITY, f32::min) > own,
+                        "{}: “{}” is {own} off",
+                        figure.name,
+                        label.words
+                    );
                 }
             }
         }
@@ -542,10 +565,17 @@ fn each_panel_of_weights_has_a_legend_of_its_own() {
     let svg = svg("fig3");
     let sheet = sheet(&svg);
     let beside = |top: f32| {
-        let entries = sheet.texts.iter().filter(|text| text.ink[0] > 480.0 && (top..top + 120.0).contains(&text.ink[1]));
+        let entries = sheet
+            .texts
+            .iter()
+            .filter(|text| text.ink[0] > 480.0 && (top..top + 120.0).contains(&text.ink[1]));
         entries.map(|text| text.words.clone()).collect::<Vec<_>>()
     };
-    let expected = [["α = −1/3", "α = 4/3", "α = ∞"], ["α = −1", "α = 2", "α = ∞"], ["α = −20", "α = 21", "α = ∞"]];
-    let headings: Vec<_> = views(&sheet).iter().map(|view| sheet.texts.iter().find(|text| text.words == view.heading).unwrap().ink[3]).collect();
+    let expected =
+        [["α = −1/3", "α = 4/3", "α = ∞"], ["α = −1", "α = 2", "α = ∞"], ["α = −20", "α = 21", "α = ∞"]];
+    let headings: Vec<_> = views(&sheet)
+        .iter()
+        .map(|view| sheet.texts.iter().find(|text| text.words == view.heading).unwrap().ink[3])
+        .collect();
     assert_eq!(headings.into_iter().map(beside).collect::<Vec<_>>(), expected);
 }

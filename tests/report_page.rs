@@ -4,8 +4,8 @@ use std::sync::LazyLock;
 
 use knotproof::claims::{Severity, Source, claims};
 use knotproof::report::{
-    Baseline, Dependence, Difference, Errata, PageSource, Record, Report, Summary, by_severity, corners, errata_page,
-    markdown, opening, page,
+    Baseline, Dependence, Difference, Errata, PageSource, Record, Report, Summary, by_severity, corners,
+    errata_page, markdown, opening, page,
 };
 use knotproof::scalar::rational;
 use knotproof::spline::{Basis, KnotVector, Side};
@@ -32,9 +32,8 @@ static RECORDED: LazyLock<Report> =
 
 /// The part of the page about a claim.
 fn section<'a>(page: &'a str, claim: &str) -> &'a str {
-    let start = page
-        .find(&format!("<details class=\"claim\" id=\"{claim}\""))
-        .expect("the claim has a section");
+    let start =
+        page.find(&format!("<details class=\"claim\" id=\"{claim}\"")).expect("the claim has a section");
     let rest = &page[start..];
     &rest[..rest[1..].find("<details class=\"claim\"").map_or(rest.len(), |end| end + 1)]
 }
@@ -65,7 +64,10 @@ fn the_page_stands_alone_and_is_the_same_every_time() {
         assert!(!html.contains(outside), "the page loads something: {outside}");
     }
     assert_eq!(html.matches("href=\"http").count(), 1, "one link leads away: to the paper");
-    assert!(html.contains("<a href=\"https://arxiv.org/abs/1805.04433\">") && html.contains("<a href=\"errata.md\">"));
+    assert!(
+        html.contains("<a href=\"https://arxiv.org/abs/1805.04433\">")
+            && html.contains("<a href=\"errata.md\">")
+    );
     assert!(html.contains("href=\"../proofs/certs/T3.5.2.printed.proof\""));
     assert!(!page(&REPORT, &PageSource { certificates: None, ..SOURCE }).unwrap().contains("../proofs"));
     assert_eq!(html, page(&REPORT, &SOURCE).unwrap());
@@ -150,10 +152,15 @@ fn the_counts_are_those_of_the_records() {
     let Summary { paper, questions } = &RECORDED.summary;
     for (source, counts) in [(Source::Paper, paper), (Source::Question, questions)] {
         let of = |status: &str| {
-            let same = |record: &&Record| (record.source, record.as_printed.finding.status.as_str()) == (source, status);
+            let same = |record: &&Record| {
+                (record.source, record.as_printed.finding.status.as_str()) == (source, status)
+            };
             RECORDED.claims.iter().filter(same).count()
         };
-        assert_eq!(counts.statements, RECORDED.claims.iter().filter(|record| record.source == source).count());
+        assert_eq!(
+            counts.statements,
+            RECORDED.claims.iter().filter(|record| record.source == source).count()
+        );
         assert_eq!(counts.proved, of("proved"));
         assert_eq!(counts.refuted, of("refuted"));
         assert_eq!(counts.undecided, of("undecided"));
@@ -163,7 +170,12 @@ fn the_counts_are_those_of_the_records() {
             assert!(!parts.contains_key("unassigned"), "a refutation has no cause: {parts:?}");
         }
     }
-    assert!(RECORDED.claims.iter().all(|record| (record.source == Source::Question) == record.id.starts_with("X.")));
+    assert!(
+        RECORDED
+            .claims
+            .iter()
+            .all(|record| (record.source == Source::Question) == record.id.starts_with("X."))
+    );
     // Both are on the page, in the text, and nowhere added up.
     let (html, text) = (page(&RECORDED, &SOURCE).unwrap(), markdown(&RECORDED));
     for counts in [paper, questions] {
@@ -176,7 +188,13 @@ fn the_counts_are_those_of_the_records() {
 
 /// The cells of the rows of a table.
 fn rows(html: &str, id: &str) -> Vec<Vec<String>> {
-    let table = html.split(&format!("<table id=\"{id}\"")).nth(1).expect("the table").split("</table>").next().unwrap();
+    let table = html
+        .split(&format!("<table id=\"{id}\""))
+        .nth(1)
+        .expect("the table")
+        .split("</table>")
+        .next()
+        .unwrap();
     let body = table.split("<tbody>").nth(1).expect("its body");
     let cells = |row: &str| row.split("</t").map(text).collect();
     body.split("<tr").skip(1).map(|row| cells(&format!("<tr{row}"))).collect()
@@ -215,10 +233,16 @@ fn the_tables_are_ordered_by_severity_and_each_row_is_the_record() {
             assert_eq!(letters(&row[1]), letters(&squeezed(&record.statement)), "{}", record.id);
             // In the same order in Markdown.
             let start = format!("| `{}` | ", record.id);
-            let line = lines.find(|line| line.starts_with(&start)).unwrap_or_else(|| panic!("{start} is out of order"));
+            let line = lines
+                .find(|line| line.starts_with(&start))
+                .unwrap_or_else(|| panic!("{start} is out of order"));
             assert!(line.contains(&format!("| {} |", record.words())), "{line}");
         }
-        let ranks: Vec<_> = records.iter().filter(|record| record.as_printed.finding.is_refuted()).map(|record| record.severity).collect();
+        let ranks: Vec<_> = records
+            .iter()
+            .filter(|record| record.as_printed.finding.is_refuted())
+            .map(|record| record.severity)
+            .collect();
         assert!(ranks.is_sorted_by(|a, b| a >= b), "{ranks:?}");
         let last = records.iter().rposition(|record| record.as_printed.finding.is_refuted()).unwrap();
         assert!(records[..last].iter().all(|record| record.as_printed.finding.is_refuted()));
@@ -258,7 +282,8 @@ fn no_theorem_falls_and_the_sentence_changes_if_one_did() {
     assert!(changed("T3.5.4", &|record| record.amended = None).ends_with("1 falls: T3.5.4."));
     let refute = |record: &mut Record| record.as_printed.finding.status = "refuted".into();
     assert!(changed("T4.1", &refute).contains("falls: T4.1"));
-    let undecided = |record: &mut Record| record.amended.as_mut().unwrap().finding.status = "undecided".into();
+    let undecided =
+        |record: &mut Record| record.amended.as_mut().unwrap().finding.status = "undecided".into();
     assert!(changed("P4.3", &undecided).contains("falls: P4.3"));
     // An idea that fails is not saved by an amendment.
     assert!(changed("P4.2.1", &|record| record.severity = Some(Severity::Serious)).contains("falls: P4.2.1"));
@@ -288,8 +313,12 @@ fn the_opening_is_five_lines_from_the_data() {
     // The head of both: what was read, and what it is close to.
     let (html, text) = (page(&RECORDED, &SOURCE).unwrap(), markdown(&RECORDED));
     for part in ["Juhász and Á. Róth", "1805.04433", "33 figures"] {
-        let at = [&html, &text].map(|document| document.find(part).unwrap_or_else(|| panic!("{part} is missing")));
-        assert!(at[0] < html.find("id=\"verdicts\"").unwrap() && at[1] < text.find("## The paper").unwrap(), "{part}");
+        let at =
+            [&html, &text].map(|document| document.find(part).unwrap_or_else(|| panic!("{part} is missing")));
+        assert!(
+            at[0] < html.find("id=\"verdicts\"").unwrap() && at[1] < text.find("## The paper").unwrap(),
+            "{part}"
+        );
     }
 }
 
@@ -307,10 +336,29 @@ fn errata_have_one_entry_a_cause_with_all_its_claims() {
         let witness = record(&one.witness.claim).as_printed.finding.witness.as_ref().unwrap().to_string();
         assert_eq!(one.witness.text, witness);
         // Of those in the same standing, none is shorter.
-        let shorter = one.claims.iter().map(record).filter(|other| other.by_degree.is_empty() == record(&one.witness.claim).by_degree.is_empty());
-        assert!(shorter.into_iter().all(|other| other.as_printed.finding.witness.as_ref().unwrap().to_string().chars().count() >= witness.chars().count()));
+        let shorter =
+            one.claims.iter().map(record).filter(|other| {
+                other.by_degree.is_empty() == record(&one.witness.claim).by_degree.is_empty()
+            });
+        assert!(
+            shorter.into_iter().all(|other| other
+                .as_printed
+                .finding
+                .witness
+                .as_ref()
+                .unwrap()
+                .to_string()
+                .chars()
+                .count()
+                >= witness.chars().count())
+        );
         for text in &text {
-            for part in one.locators.iter().chain([&one.witness.text, &one.witness.again]).chain(one.amended.iter().map(|amendment| &amendment.statement)) {
+            for part in one
+                .locators
+                .iter()
+                .chain([&one.witness.text, &one.witness.again])
+                .chain(one.amended.iter().map(|amendment| &amendment.statement))
+            {
                 assert!(text.contains(part.as_str()), "{part} is not in {text}");
             }
         }
@@ -319,11 +367,19 @@ fn errata_have_one_entry_a_cause_with_all_its_claims() {
             assert_eq!((&amendment.statement, amended.finding.is_proved()), (&amended.statement, true));
         }
     }
-    let serious: Vec<_> = errata.errata.iter().filter(|one| one.severity == "serious").map(|one| one.cause).collect();
+    let serious: Vec<_> =
+        errata.errata.iter().filter(|one| one.severity == "serious").map(|one| one.cause).collect();
     assert_eq!(serious, ["conjecture"]);
     assert_eq!(errata.errata[0].cause, "conjecture", "the worst stands first");
-    assert!(errata.errata[0].witness.again.starts_with("knotproof shape --degree 3"), "{:?}", errata.errata[0].witness);
-    assert!(errata.errata.iter().flat_map(|one| &one.claims).all(|id| !id.starts_with("X.")), "only what the paper says");
+    assert!(
+        errata.errata[0].witness.again.starts_with("knotproof shape --degree 3"),
+        "{:?}",
+        errata.errata[0].witness
+    );
+    assert!(
+        errata.errata.iter().flat_map(|one| &one.claims).all(|id| !id.starts_with("X.")),
+        "only what the paper says"
+    );
 }
 
 #[test]
@@ -333,8 +389,17 @@ fn corners_are_shown_as_they_are_computed() {
     let corners = corners();
     assert_eq!(shown.len(), corners.len());
     for (row, corner) in shown.iter().zip(&corners) {
-        let (angle, ratio) = corner.turn.as_ref().map_or(("–", "–"), |turn| (&turn.angle_degrees, &turn.speed_ratio));
-        let expected = [corner.instance, &corner.degree.to_string(), &corner.alpha.to_string(), &corner.knot.to_string(), &corner.multiplicity.to_string(), angle, ratio];
+        let (angle, ratio) =
+            corner.turn.as_ref().map_or(("–", "–"), |turn| (&turn.angle_degrees, &turn.speed_ratio));
+        let expected = [
+            corner.instance,
+            &corner.degree.to_string(),
+            &corner.alpha.to_string(),
+            &corner.knot.to_string(),
+            &corner.multiplicity.to_string(),
+            angle,
+            ratio,
+        ];
         assert_eq!(row[..7], expected);
         assert!(text.contains(&format!("| {} |\n", expected.join(" | "))), "{expected:?}");
     }
@@ -354,7 +419,10 @@ fn the_family_of_two_maxima_has_an_example_with_numbers() {
 fn again_is_the_shortest_command() {
     let html = page(&RECORDED, &SOURCE).unwrap();
     for (claim, command) in [
-        ("Conj3.1.strong.continuous", "knotproof shape --degree 3 --knots 0,0,0,0,1,2,4,4 --alpha 5/2 --index 2"),
+        (
+            "Conj3.1.strong.continuous",
+            "knotproof shape --degree 3 --knots 0,0,0,0,1,2,4,4 --alpha 5/2 --index 2",
+        ),
         ("T3.5.1", "knotproof eval --degree 1 --knots 0,0,1,1 --alpha -1 --x 0"),
         ("T3.5.2", "knotproof report --claim T3.5.2"),
     ] {

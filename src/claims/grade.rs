@@ -48,7 +48,11 @@ impl Cause {
     /// Can the severity be read off the statements? A reading or an idea can't be.
     fn is_derived(self) -> bool {
         match self {
-            Self::EndPoints | Self::EndKnots | Self::InnerMultiplicity | Self::IndexRange | Self::ProofStep => true,
+            Self::EndPoints
+            | Self::EndKnots
+            | Self::InnerMultiplicity
+            | Self::IndexRange
+            | Self::ProofStep => true,
             // It fails on whole intervals of x; that its witness is at an end of one says nothing.
             Self::OutsideInterval => false,
             Self::Picture | Self::VagueWords | Self::Conjecture => false,
@@ -109,17 +113,27 @@ fn stated(cause: Cause) -> Grade {
     let (severity, because) = match cause {
         Cause::EndPoints => (Severity::Slip, "stated: only the end points of an interval are wrong"),
         Cause::IndexRange => (Severity::Slip, "stated: only the range of an index is wrong"),
-        Cause::OutsideInterval => (Severity::Hypothesis, "stated: the amended statement asks for x in the interval"),
-        Cause::EndKnots => (Severity::Hypothesis, "stated: the proofs assume end knots of multiplicity k + 1"),
-        Cause::InnerMultiplicity => {
-            (Severity::Hypothesis, "stated: the amended statement leaves out knots of multiplicity greater than k")
+        Cause::OutsideInterval => {
+            (Severity::Hypothesis, "stated: the amended statement asks for x in the interval")
         }
-        Cause::ProofStep => {
-            (Severity::Hypothesis, "stated: the step needs more than it says; the statement that it is to prove is true")
+        Cause::EndKnots => {
+            (Severity::Hypothesis, "stated: the proofs assume end knots of multiplicity k + 1")
         }
+        Cause::InnerMultiplicity => (
+            Severity::Hypothesis,
+            "stated: the amended statement leaves out knots of multiplicity greater than k",
+        ),
+        Cause::ProofStep => (
+            Severity::Hypothesis,
+            "stated: the step needs more than it says; the statement that it is to prove is true",
+        ),
         Cause::Picture => (Severity::Reading, "stated: a picture was read so; no proof rests on it"),
-        Cause::VagueWords => (Severity::Reading, "stated: the words have another reading, in which they are true"),
-        Cause::Conjecture => (Severity::Serious, "stated: the idea fails, and no hypothesis on the knots alone saves it"),
+        Cause::VagueWords => {
+            (Severity::Reading, "stated: the words have another reading, in which they are true")
+        }
+        Cause::Conjecture => {
+            (Severity::Serious, "stated: the idea fails, and no hypothesis on the knots alone saves it")
+        }
     };
     Grade { severity, because }
 }
@@ -151,7 +165,8 @@ fn compare<H: Eq + Hash>(printed: &[H], amended: &[H]) -> Added {
 
 /// Is the x of the witness one of its knots, or an end of its interval [a, b]?
 fn at_an_end(witness: &Witness) -> bool {
-    let given = |name: &str| witness.given.iter().find(|(known, _)| known == name).map(|(_, value)| value.as_str());
+    let given =
+        |name: &str| witness.given.iter().find(|(known, _)| known == name).map(|(_, value)| value.as_str());
     let Some(x) = given("x").and_then(|x| parse_rational(x).ok()) else { return false };
     let knots = given("U").and_then(|list| list.strip_prefix('(')?.strip_suffix(')')).unwrap_or_default();
     let ends = knots.split(", ").chain(given("a")).chain(given("b"));
@@ -204,7 +219,10 @@ mod tests {
     fn names_are_those_of_the_data() {
         let name = |value: serde_json::Value| value.as_str().map(str::to_owned);
         for severity in Severity::ALL {
-            assert_eq!(name(serde_json::to_value(severity).expect("a word")).as_deref(), Some(severity.name()));
+            assert_eq!(
+                name(serde_json::to_value(severity).expect("a word")).as_deref(),
+                Some(severity.name())
+            );
         }
         for cause in claims().iter().filter_map(|claim| claim.cause) {
             assert_eq!(name(serde_json::to_value(cause).expect("a word")).as_deref(), Some(cause.name()));

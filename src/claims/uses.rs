@@ -41,7 +41,11 @@ pub const USES: &[Use] = &[
     survives("P4.2.2", "T3.11.3a", END_KNOTS),
     survives("P4.2.2", "T3.11.3b", END_KNOTS),
     survives("P3.2", "proof.P3.2.induction", "orders at the first knot of a span take the place of the step"),
-    survives("Rem5.1.conj", "Conj3.1.strong", "a remark on pictures; Illustration 5.2 says no more than that its figures seem to confirm it"),
+    survives(
+        "Rem5.1.conj",
+        "Conj3.1.strong",
+        "a remark on pictures; Illustration 5.2 says no more than that its figures seem to confirm it",
+    ),
 ];
 
 #[cfg(test)]
@@ -55,7 +59,10 @@ mod tests {
         let known = |id: &str| all.iter().position(|claim| claim.id == id);
         for one in USES {
             assert!(known(one.claim).is_some() && known(one.rests_on).is_some(), "{one:?}");
-            assert!(all[known(one.rests_on).expect("a claim")].cause.is_some(), "{one:?}: the premise does not fail");
+            assert!(
+                all[known(one.rests_on).expect("a claim")].cause.is_some(),
+                "{one:?}: the premise does not fail"
+            );
         }
         // Every chain ends.
         for start in USES {

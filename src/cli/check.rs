@@ -10,12 +10,13 @@ use crate::certificate::{Form as Of, certify_for_degree};
 use crate::claims::{
     BasisCase, Claim, Fault, Form, Origin, Scope, Source, Statement, Verdict, WeightCase, claims, judge,
 };
-use crate::report::Finding;
+use crate::report::{Baseline, Finding};
 use crate::spline::Basis;
 
 use super::error::CliError;
 use super::exit::Exit;
 use super::instance::InstanceArgs;
+use super::offered::claim_name;
 use super::output::Output;
 use super::progress::Progress;
 use super::verdict::{Tally, styled};
@@ -26,10 +27,20 @@ use super::verdict::{Tally, styled};
 pub(super) struct Args {
     #[command(flatten)]
     instance: InstanceArgs,
-    /// Only this claim, such as T3.5.3; may be repeated. Without it, every claim of the paper that is about a
-    /// weight, a basis or a curve in general; the questions X.… are judged where they are named.
-    #[arg(long, value_name = "CLAIM")]
+    /// Only this claim, such as T3.5.3; may be repeated. Without it, every claim of the paper about bases and curves
+    /// in general: what depends on the instance.
+    #[arg(long, value_name = "CLAIM", value_parser = claim_name(), hide_possible_values = true)]
     property: Vec<String>,
+    /// Every statement that can be judged on an instance: also those about the weight alone, which are the same on any
+    /// instance, and the questions X.….
+    #[arg(long, conflicts_with = "property")]
+    all: bool,
+    /// Judges the amended statement in place of the printed one, where there is one.
+    #[arg(long)]
+    amended: bool,
+    /// Exit code 1 only where something is refuted that is recorded as proved.
+    #[arg(long)]
+    baseline: bool,
     /// The least scope that counts: a claim that is proved for less is called undecided.
     #[arg(long, value_name = "S", default_value = "instance", value_parser = scope_parser())]
     scope: Scope,
@@ -38,7 +49,10 @@ pub(super) struct Args {
 const EXAMPLE: &str = r#"Examples:
   knotproof check --degree 2 --knots "0 0 0 1 1 1 2 2 2" --alpha -1
   knotproof check --instance U4 --property T3.5.4 --property X.G1 --format json
-Exit code 1 means that some claim is refuted as printed; the witness says where."#;
+  knotproof check --instance U4 --alpha -1 --amended
+  knotproof check --instance U4 --alpha -1 --all --baseline
+Exit code 1 means that some claim is refuted, the first two and many others as printed; the witness says where. The
+last two end with 0: what is known to be true holds here too."#;
 
 fn scope_parser() -> impl clap::builder::TypedValueParser<Value = Scope> {
     PossibleValuesParser::new(Scope::ALL.map(Scope::name))
@@ -61,9 +75,15 @@ struct Check {
 struct Property {
     id: &'static str,
     alpha: String,
+    /// Is it the printed statement, or the amended one?
+    #[serde(serialize_with = "named")]
+    form: Of,
     statement: &'static str,
     #[serde(flatten)]
     finding: Finding,
+    /// Under `--baseline`: is it what the recorded verdict lets one expect?
+    #[serde(skip_serializing_if = "Option::is_none")]
+    as_recorded: Option<bool>,
     /// The amended statement, where the printed one is refuted.
     #[serde(skip_serializing_if = "Option::is_none")]
     amended: Option<Amended>,
@@ -76,21 +96,27 @@ struct Amended {
     finding: Finding,
 }
 
+fn named<S: serde::Serializer>(form: &Of, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_str(form)
+}
+
 /// Judges and prints.
 pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     let subject = args.instance.resolve()?;
-    let chosen = choose(claims(), &args.property)?;
+    let chosen = choose(claims(), args)?;
+    let recorded = args.baseline.then(Baseline::recorded).transpose().map_err(CliError::Recorded)?;
     let progress = Progress::new(chosen.len() * subject.cases.len());
     let mut properties = Vec::new();
     for case in &subject.cases {
         let cases = UserCases::new(&case.basis);
         for claim in &chosen {
             progress.step(claim.id);
-            properties.push(cases.property(claim, args.scope)?);
+            properties.push(cases.property(claim, args, recorded.as_ref())?);
         }
     }
     drop(progress);
-    let tally: Tally = properties.iter().map(|property| &property.finding).collect();
+    let unexpected = properties.iter().filter(|property| property.as_recorded != Some(true));
+    let counted: Tally = unexpected.map(|property| &property.finding).collect();
     let first = &subject.cases[0].basis;
     let check = Check {
         schema: "knotproof.check/1",
@@ -100,13 +126,13 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         label: subject.label,
     };
     output.result(&check)?;
-    Ok(tally.exit())
+    Ok(counted.exit())
 }
 
-/// The claims asked for, or all that are about instances in general.
-fn choose(all: Vec<Claim>, names: &[String]) -> Result<Vec<Claim>, CliError> {
+/// The claims asked for: by name, all that can be judged on an instance, or those that depend on it.
+fn choose(all: Vec<Claim>, args: &Args) -> Result<Vec<Claim>, CliError> {
     let ids: Vec<_> = all.iter().map(|claim| claim.id).collect();
-    for name in names {
+    for name in &args.property {
         match all.iter().find(|claim| claim.id == name) {
             None => return Err(CliError::unknown_claim("--property", name, &ids)),
             Some(claim) if !claim.printed.is_general() => {
@@ -115,11 +141,26 @@ fn choose(all: Vec<Claim>, names: &[String]) -> Result<Vec<Claim>, CliError> {
             Some(_) => {}
         }
     }
-    let wanted = |claim: &Claim| match names {
-        [] => claim.source() == Source::Paper && claim.printed.is_general(),
+    let wanted = |claim: &Claim| match args.property.as_slice() {
+        [] if args.all => claim.printed.is_general(),
+        [] => claim.source() == Source::Paper && matches!(claim.printed, Form::Basis(_)),
         names => names.iter().any(|name| name == claim.id),
     };
     Ok(all.into_iter().filter(wanted).collect())
+}
+
+/// Does the recorded verdict on the statement, in that degree, let one expect what was found? Only what is refuted
+/// and was proved is news: proofs are about all instances, refutations about some.
+fn as_recorded(baseline: &Baseline, id: &str, form: Of, degree: usize, found: &Finding) -> bool {
+    let entry = baseline.claims.iter().find(|entry| entry.id == id);
+    let recorded = entry.and_then(|entry| match form {
+        Of::Amended => entry.amended.as_ref(),
+        _ => {
+            let of_degree = entry.by_degree.iter().find(|of| of.degree == degree).map(|of| &of.finding);
+            of_degree.or(Some(&entry.as_printed))
+        }
+    });
+    found.witness.is_none() || recorded.is_some_and(|recorded| recorded.witness.is_some())
 }
 
 /// What the claims are judged on: the basis, and the intervals of its weights.
@@ -183,17 +224,29 @@ impl UserCases {
         judge(statement, &self.bases)
     }
 
-    fn property(&self, claim: &Claim, scope: Scope) -> Result<Property, CliError> {
+    fn property(
+        &self,
+        claim: &Claim,
+        args: &Args,
+        recorded: Option<&Baseline>,
+    ) -> Result<Property, CliError> {
+        let (form, stated) = match &claim.amended {
+            Some(amended) if args.amended => (Of::Amended, amended),
+            _ => (Of::Printed, &claim.printed),
+        };
         let nothing = || (&Verdict::NotApplicable("there is nothing to judge".into())).into();
-        let finding = self.verdict(claim, Of::Printed, scope)?.unwrap_or_else(nothing);
+        let finding = self.verdict(claim, form, args.scope)?.unwrap_or_else(nothing);
         let amended = match &claim.amended {
-            Some(form) if finding.witness.is_some() => self
-                .verdict(claim, Of::Amended, scope)?
-                .map(|finding| Amended { statement: form.text(), finding }),
+            Some(amended) if finding.witness.is_some() && form == Of::Printed => self
+                .verdict(claim, Of::Amended, args.scope)?
+                .map(|finding| Amended { statement: amended.text(), finding }),
             _ => None,
         };
-        let alpha = self.bases[0].basis().index().to_string();
-        Ok(Property { id: claim.id, alpha, statement: claim.printed.text(), finding, amended })
+        let basis = self.bases[0].basis();
+        let as_recorded =
+            recorded.map(|recorded| as_recorded(recorded, claim.id, form, basis.degree(), &finding));
+        let alpha = basis.index().to_string();
+        Ok(Property { id: claim.id, alpha, form, statement: stated.text(), finding, as_recorded, amended })
     }
 }
 
@@ -204,13 +257,21 @@ impl fmt::Display for Check {
             writeln!(f, "{label}")?;
         }
         writeln!(f, "k = {}, U = ({})", self.degree, self.knots.join(", "))?;
+        let width = if self.properties.iter().any(|property| property.form == Of::Amended) { 35 } else { 26 };
         let mut alpha = None;
         for property in &self.properties {
             if alpha != Some(&property.alpha) {
                 writeln!(f, "\nα = {}, for every x:", property.alpha)?;
                 alpha = Some(&property.alpha);
             }
-            write!(f, "  {:26} {}", property.id, styled(&property.finding))?;
+            let form = if property.form == Of::Amended { ", amended" } else { "" };
+            let name = format!("{}{form}", property.id);
+            write!(f, "  {name:width$} {}", styled(&property.finding))?;
+            match property.as_recorded {
+                Some(false) => write!(f, ", not as recorded")?,
+                Some(true) if property.finding.witness.is_some() => write!(f, ", as recorded")?,
+                _ => {}
+            }
             match &property.finding.reason {
                 Some(reason) => writeln!(f, ": {reason}")?,
                 None => writeln!(f)?,

@@ -1,14 +1,13 @@
 //! The command `figures`: the paper's figures, and ours beside them, as SVG and PNG.
 
 use std::fmt;
-use std::fs;
 use std::path::PathBuf;
 
 use serde::Serialize;
 
 use crate::report::figures::{Figure, all, figure, png};
 
-use super::atomic::write_atomically;
+use super::atomic::Folder;
 use super::error::CliError;
 use super::exit::Exit;
 use super::output::Output;
@@ -51,26 +50,23 @@ struct Entry {
 /// Draws, writes and prints.
 pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     let chosen = choose(&args.figures)?;
-    fs::create_dir_all(&args.out).map_err(|error| CliError::File {
-        argument: "--out",
-        action: "write",
-        path: args.out.clone(),
-        error,
-    })?;
+    Folder::try_out("--out", &args.out)?;
     let progress = Progress::new(chosen.len());
-    let (mut files, mut figures) = (Vec::new(), Vec::new());
+    let mut drawn = Vec::new();
     for figure in chosen {
         progress.step(figure.name);
         let svg = figure.svg()?;
-        let pictures = [("svg", svg.clone().into_bytes()), ("png", png(&svg)?)];
-        for (extension, content) in pictures {
-            let path = args.out.join(format!("{}.{extension}", figure.name));
-            write_atomically("--out", &path, content)?;
-            files.push(path);
-        }
-        figures.push(Entry { name: figure.name, title: figure.title, claims: figure.claims });
+        drawn.push((figure, png(&svg)?, svg));
     }
     drop(progress);
+    let folder = Folder::beside("--out", &args.out)?;
+    let (mut files, mut figures) = (Vec::new(), Vec::new());
+    for (figure, png, svg) in drawn {
+        files.push(folder.write(&format!("{}.svg", figure.name), svg)?);
+        files.push(folder.write(&format!("{}.png", figure.name), png)?);
+        figures.push(Entry { name: figure.name, title: figure.title, claims: figure.claims });
+    }
+    folder.put_in_place()?;
     output.result(&Drawn { schema: "knotproof.figures/1", files, figures })?;
     Ok(Exit::Holds)
 }

@@ -1,7 +1,6 @@
 //! The command `float`: ways to compute in `f64` against exact arithmetic on the same floats.
 
 use std::fmt;
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use num_rational::BigRational;
@@ -12,6 +11,7 @@ use crate::report::heat_map;
 use crate::scalar::{RationalAlgebra, integer, parse_rational};
 use crate::spline::{Basis, Side};
 
+use super::atomic::Folder;
 use super::error::CliError;
 use super::exit::Exit;
 use super::instance::{InstanceArgs, whole_number};
@@ -146,17 +146,13 @@ fn maps(folder: &Path, field: &Field) -> Result<Vec<PathBuf>, CliError> {
         },
         Field::Cases(_) => return Ok(Vec::new()),
     };
-    let failed = |path: &Path| {
-        let path = path.to_owned();
-        move |error| CliError::File { argument: "--out", action: "write", path, error }
-    };
-    fs::create_dir_all(folder).map_err(failed(folder))?;
+    let folder = Folder::beside("--out", folder)?;
     let write = |formula: Formula| {
-        let path = folder.join(format!("error-{}.svg", formula.name()));
-        fs::write(&path, heat_map(formula, &knots, degree)?).map_err(failed(&path))?;
-        Ok(path)
+        folder.write(&format!("error-{}.svg", formula.name()), heat_map(formula, &knots, degree)?)
     };
-    Formula::ALL.into_iter().map(write).collect()
+    let files = Formula::ALL.into_iter().map(write).collect::<Result<_, _>>()?;
+    folder.put_in_place()?;
+    Ok(files)
 }
 
 /// The basis in floats.

@@ -8,13 +8,14 @@ use std::str::FromStr;
 use num_rational::BigRational;
 use thiserror::Error;
 
-use crate::claims::{Instance, instances, instances_named};
+use crate::claims::{Instance, instances_named};
 use crate::spline::{Basis, Curve, CurveError, Index, IndexError, KnotError, KnotVector, Point};
 
 use super::error::CliError;
 use super::exact::Exact;
 use super::file::InstanceFile;
 use super::lists::{numbers, points};
+use super::offered::{instance_name, instance_names};
 use super::place::Place;
 
 /// What a command works on. Options override what an instance brings along.
@@ -22,7 +23,7 @@ use super::place::Place;
 pub(super) struct InstanceArgs {
     /// An instance of the paper (U0 to U13, C5, C6a, C6b, C7a to C7c, S1 to S7), or a JSON file as in
     /// `knotproof schema`.
-    #[arg(long, value_name = "NAME|FILE")]
+    #[arg(long, value_name = "NAME|FILE", value_parser = instance_name(), hide_possible_values = true)]
     instance: Option<OsString>,
     /// The degree k; chooses among the degrees of an instance that has several.
     #[arg(long, value_name = "K", value_parser = whole_number, allow_hyphen_values = true)]
@@ -263,11 +264,8 @@ fn from_file(path: &Path) -> Result<Given, CliError> {
     })
 }
 
-/// The paper's names, once each.
 fn unknown(path: &Path) -> CliError {
-    let mut names: Vec<_> = instances().iter().map(|instance| instance.name).collect();
-    names.dedup();
-    CliError::UnknownInstance { name: path.display().to_string(), names }
+    CliError::UnknownInstance { name: path.display().to_string(), names: instance_names() }
 }
 
 fn knot_vector(knots: Vec<BigRational>, place: &Place) -> Result<KnotVector, CliError> {

@@ -1,7 +1,6 @@
 //! The command `man`.
 
 use std::fmt;
-use std::fs;
 use std::path::PathBuf;
 
 use clap::CommandFactory;
@@ -9,7 +8,7 @@ use clap_mangen::Man;
 use serde::Serialize;
 
 use super::Program;
-use super::atomic::write_atomically;
+use super::atomic::Folder;
 use super::error::CliError;
 use super::exit::Exit;
 use super::output::Output;
@@ -26,6 +25,9 @@ pub(super) struct Args {
 const EXAMPLE: &str = "Example, after which `man knotproof-eval` shows a page:
   knotproof man --out ~/.local/share/man/man1";
 
+/// A command that is broken at a hyphen is no command any more.
+const NO_HYPHENS: &[u8] = b".nh\n";
+
 /// The result: its fields are the JSON.
 #[derive(Debug, Serialize)]
 struct Pages {
@@ -37,21 +39,15 @@ struct Pages {
 pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     let mut program = Program::command();
     program.build();
-    fs::create_dir_all(&args.out).map_err(|error| CliError::File {
-        argument: "--out",
-        action: "write",
-        path: args.out.clone(),
-        error,
-    })?;
+    let folder = Folder::beside("--out", &args.out)?;
     let mut files = Vec::new();
     for command in std::iter::once(&program).chain(program.get_subcommands()) {
         let page = Man::new(command.clone());
-        let mut text = Vec::new();
+        let mut text = NO_HYPHENS.to_vec();
         page.render(&mut text)?;
-        let path = args.out.join(page.get_filename());
-        write_atomically("--out", &path, &text)?;
-        files.push(path);
+        files.push(folder.write(&page.get_filename(), &text)?);
     }
+    folder.put_in_place()?;
     output.result(&Pages { schema: "knotproof.man/1", files })?;
     Ok(Exit::Holds)
 }

@@ -22,6 +22,7 @@ mod instance;
 mod lists;
 mod man;
 mod merge;
+mod offered;
 mod output;
 mod place;
 mod progress;

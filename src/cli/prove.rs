@@ -9,6 +9,7 @@ use serde::Serialize;
 use crate::certificate::{Certificate, certify};
 use crate::claims::{Cases, claims};
 
+use super::atomic::Folder;
 use super::error::CliError;
 use super::exit::Exit;
 use super::output::Output;
@@ -50,32 +51,29 @@ struct Proved {
 /// Proves, checks, writes and prints.
 pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     let chosen = choose(claims(), &args.claim)?;
-    fs::create_dir_all(&args.out).map_err(|error| unwritable(&args.out, error))?;
+    Folder::try_out("--out", &args.out)?;
     let progress = Progress::new(chosen.len());
     let cases = Cases::all();
-    let (mut checked, mut names) = (Vec::new(), Vec::new());
+    let (mut checked, mut proved) = (Vec::new(), Vec::new());
     for claim in &chosen {
         progress.step(claim.id);
         for certificate in certify(claim, &claim.judge(&cases)?)? {
             checked.push(Checked::certificate(&certificate)?);
-            write(&args.out, &certificate)?;
-            names.push(certificate.name());
+            proved.push(certificate);
         }
     }
     drop(progress);
+    let folder = Folder::beside("--out", &args.out)?;
+    for certificate in &proved {
+        folder.write(&format!("{}.statement", certificate.name()), certificate.statement_text())?;
+        folder.write(&format!("{}.proof", certificate.name()), certificate.proof_text())?;
+    }
+    folder.put_in_place()?;
+    let names: Vec<_> = proved.iter().map(Certificate::name).collect();
     let stale = if args.claim.is_empty() { stale(&args.out, &names)? } else { Vec::new() };
     let proved = Proved { schema: "knotproof.prove/1", checked, written: args.out.clone(), stale };
     output.result(&proved)?;
     Ok(if proved.stale.is_empty() { Exit::Holds } else { Exit::Refuted })
-}
-
-fn write(folder: &Path, certificate: &Certificate) -> Result<(), CliError> {
-    let files = [("statement", certificate.statement_text()), ("proof", certificate.proof_text())];
-    for (extension, text) in files {
-        let path = folder.join(format!("{}.{extension}", certificate.name()));
-        fs::write(&path, text).map_err(|error| unwritable(&path, error))?;
-    }
-    Ok(())
 }
 
 /// The certificates in the folder that are none of these.

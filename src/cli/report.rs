@@ -14,7 +14,7 @@ use crate::report::{
     dependence_picture, errata_page, figures, markdown, opening, page, with_verdict_table,
 };
 
-use super::atomic::write_atomically;
+use super::atomic::{Folder, write_atomically};
 use super::error::CliError;
 use super::exit::Exit;
 use super::file::{InstanceFile, read};
@@ -96,16 +96,11 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         recordable()?;
     }
     if let Some(folder) = &args.out {
-        fs::create_dir_all(folder).map_err(|error| unwritable("--out", folder, error))?;
+        Folder::try_out("--out", folder)?;
     }
     if args.errata {
         let recorded = Baseline::recorded().map_err(CliError::Recorded)?;
         return errata(&Report::recorded(&chosen, &baseline.unwrap_or(recorded)), args, output);
-    }
-    if let Some(folder) = &args.out {
-        for name in [JSON, MARKDOWN, PAGE, ERRATA] {
-            writable("--out", &folder.join(name))?;
-        }
     }
 
     let progress = Progress::new(chosen.len() + 1);
@@ -120,13 +115,13 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     let differences = baseline.map(|baseline| baseline.differences(&found, partial)).unwrap_or_default();
     let mut outcome = Outcome { report, differences, written };
     if let Some(folder) = &args.out {
-        let json = serde_json::to_string_pretty(&outcome).map_err(std::io::Error::from)?;
+        let [json, schema] = [pretty(&outcome)?, pretty(&schema_for!(InstanceFile))?];
         let mut files = vec![
-            (JSON.to_owned(), json + "\n"),
+            (JSON.to_owned(), json),
             (MARKDOWN.to_owned(), markdown(&outcome.report)),
             (ERRATA.to_owned(), errata_page(&Errata::of(&outcome.report.claims))),
             (DEPENDENCE.to_owned(), dependence_picture(&outcome.report)?),
-            (SCHEMA.to_owned(), serde_json::to_string_pretty(&schema_for!(InstanceFile)).map_err(std::io::Error::from)? + "\n"),
+            (SCHEMA.to_owned(), schema),
         ];
         // The page on the conjecture is about claims that have to be there.
         let pictures = if partial { Vec::new() } else { conjecture_page(&found)? };
@@ -139,7 +134,8 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
             None => "the recorded verdicts".to_owned(),
         };
         let certificates = certificates_from(folder);
-        let mut beside = vec![("the errata", ERRATA), ("this report as data", JSON), ("and as text", MARKDOWN)];
+        let mut beside =
+            vec![("the errata", ERRATA), ("this report as data", JSON), ("and as text", MARKDOWN)];
         if !partial {
             beside.push(("the page on Conjecture 3.1", CONJECTURE));
         }
@@ -152,22 +148,31 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         };
         files.push((PAGE.to_owned(), page(&outcome.report, &source)?));
         files.extend(pictures);
+        let folder = Folder::beside("--out", folder)?;
         for (name, text) in files {
-            write_file("--out", &folder.join(name), &text, &mut outcome.written)?;
+            outcome.written.push(folder.write(&name, text)?);
         }
+        folder.put_in_place()?;
     }
     output.result(&outcome)?;
     Ok(if outcome.differences.is_empty() { Exit::Holds } else { Exit::Refuted })
+}
+
+/// JSON for a file.
+fn pretty(value: &impl Serialize) -> Result<String, CliError> {
+    Ok(serde_json::to_string_pretty(value).map_err(std::io::Error::from)? + "\n")
 }
 
 /// Writes and prints the errata.
 fn errata(report: &Report, args: &Args, output: &Output) -> Result<Exit, CliError> {
     let errata = Errata::of(&report.claims);
     if let Some(folder) = &args.out {
-        let json = serde_json::to_string_pretty(&errata).map_err(std::io::Error::from)?;
-        for (name, text) in [(ERRATA, errata_page(&errata)), (ERRATA_JSON, json + "\n")] {
-            write_atomically("--out", &folder.join(name), text)?;
+        let json = pretty(&errata)?;
+        let folder = Folder::beside("--out", folder)?;
+        for (name, text) in [(ERRATA, errata_page(&errata)), (ERRATA_JSON, json)] {
+            folder.write(name, text)?;
         }
+        folder.put_in_place()?;
     }
     output.result(&errata)?;
     Ok(Exit::Holds)
@@ -190,7 +195,13 @@ fn read_baseline(path: &Path) -> Result<Baseline, CliError> {
 
 /// The way from the folder to the certificates, if both are below the current folder.
 fn certificates_from(folder: &Path) -> Option<String> {
-    let (here, there) = (Path::new(".").canonicalize().ok()?, folder.canonicalize().ok()?);
+    let here = Path::new(".").canonicalize().ok()?;
+    // It need not be there yet; the folder around it is.
+    let there = folder.canonicalize().or_else(|_| {
+        let around = folder.parent().filter(|around| *around != Path::new("")).unwrap_or(Path::new("."));
+        Ok::<_, std::io::Error>(around.canonicalize()?.join(folder.file_name().unwrap_or_default()))
+    });
+    let there = there.ok()?;
     let depth = there.strip_prefix(&here).ok()?.components().count();
     Path::new(CERTIFICATES).is_dir().then(|| "../".repeat(depth) + CERTIFICATES)
 }
@@ -214,18 +225,11 @@ fn readme_with(verdicts: &Baseline) -> Result<String, CliError> {
 fn record(found: &Baseline, written: &mut Vec<PathBuf>) -> Result<(), CliError> {
     let readme = readme_with(found)?;
     let page = conjecture_page(found)?;
-    let json = serde_json::to_string_pretty(found).map_err(std::io::Error::from)?;
-    write_file("--record", &Path::new(PROOFS).join(VERDICTS), &(json + "\n"), written)?;
+    write_file("--record", &Path::new(PROOFS).join(VERDICTS), &pretty(found)?, written)?;
     for (name, text) in page {
         write_file("--record", &Path::new(DOCS).join(name), &text, written)?;
     }
     write_file("--record", Path::new(README), &readme, written)
-}
-
-/// Can the file be written? Makes it if it is not there, and changes nothing in it.
-fn writable(argument: &'static str, path: &Path) -> Result<(), CliError> {
-    let opened = fs::OpenOptions::new().create(true).append(true).open(path);
-    opened.map(drop).map_err(|error| unwritable(argument, path, error))
 }
 
 fn write_file(
@@ -234,7 +238,7 @@ fn write_file(
     text: &str,
     written: &mut Vec<PathBuf>,
 ) -> Result<(), CliError> {
-    fs::write(path, text).map_err(|error| unwritable(argument, path, error))?;
+    write_atomically(argument, path, text)?;
     written.push(path.to_owned());
     Ok(())
 }

@@ -11,8 +11,11 @@ const DERIVATIVES: [&str; 5] = ["DG", "derivative", "differentiable", "slope", "
 /// about values; elsewhere the claim is judged on the witness's knots, or with all its cases.
 #[must_use]
 pub fn again(claim: &str, witness: &Witness) -> String {
-    let given = |name: &str| witness.given.iter().find(|(known, _)| known == name).map(|(_, value)| value.as_str());
-    let says = |words: &[&str]| words.iter().any(|word| witness.claimed.contains(word) || witness.found.contains(word));
+    let given =
+        |name: &str| witness.given.iter().find(|(known, _)| known == name).map(|(_, value)| value.as_str());
+    let says = |words: &[&str]| {
+        words.iter().any(|word| witness.claimed.contains(word) || witness.found.contains(word))
+    };
     let basis = || {
         let knots = given("U")?.strip_prefix('(')?.strip_suffix(')')?.replace(", ", ",");
         Some(format!("--degree {} --knots {knots} --alpha {}", given("k")?, given("α")?))
@@ -34,7 +37,12 @@ mod tests {
 
     fn witness(given: &[(&str, &str)], claimed: &str, reproduce: Option<&str>) -> Witness {
         let given = given.iter().map(|(name, value)| ((*name).to_owned(), (*value).to_owned())).collect();
-        Witness { given, claimed: claimed.into(), found: String::new(), reproduce: reproduce.map(str::to_owned) }
+        Witness {
+            given,
+            claimed: claimed.into(),
+            found: String::new(),
+            reproduce: reproduce.map(str::to_owned),
+        }
     }
 
     #[test]
@@ -46,7 +54,10 @@ mod tests {
         let command = "knotproof eval --x 0 --derivatives 1";
         assert_eq!(again("C", &witness(&basis, "G_2(0) = 0", Some(command))), "knotproof eval --x 0");
         assert_eq!(again("C", &witness(&basis, "DG_2(0) = 0", Some(command))), command);
-        assert_eq!(again("C", &witness(&basis, "left = right", None)), format!("knotproof check {numbers} --property C"));
+        assert_eq!(
+            again("C", &witness(&basis, "left = right", None)),
+            format!("knotproof check {numbers} --property C")
+        );
         let example = [&[("instance", "S7")], &basis[..]].concat();
         for given in [&example[..], &[("a", "0")]] {
             assert_eq!(again("C", &witness(given, "left = right", None)), "knotproof report --claim C");

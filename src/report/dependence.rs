@@ -79,7 +79,12 @@ impl Dependence {
                     (false, true) => State::Survives,
                     (false, false) => State::Broken,
                 };
-                Some(Dependency { claim: one.claim.into(), rests_on: one.rests_on.into(), state, why: one.survives })
+                Some(Dependency {
+                    claim: one.claim.into(),
+                    rests_on: one.rests_on.into(),
+                    state,
+                    why: one.survives,
+                })
             })
             .collect();
         let theorems: Vec<&Record> =

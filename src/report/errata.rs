@@ -71,7 +71,8 @@ impl Errata {
     /// Those of the paper's statements among the records.
     #[must_use]
     pub fn of(records: &[Record]) -> Self {
-        let refuted = |record: &&Record| record.source == Source::Paper && record.as_printed.finding.is_refuted();
+        let refuted =
+            |record: &&Record| record.source == Source::Paper && record.as_printed.finding.is_refuted();
         let refuted: Vec<&Record> = records.iter().filter(refuted).collect();
         let mut causes: Vec<Option<Cause>> = Vec::new();
         for record in &refuted {
@@ -80,13 +81,17 @@ impl Errata {
             }
         }
         let of = |cause: &Option<Cause>| {
-            let of_cause: Vec<&Record> = refuted.iter().copied().filter(|record| record.cause == *cause).collect();
+            let of_cause: Vec<&Record> =
+                refuted.iter().copied().filter(|record| record.cause == *cause).collect();
             let worst = of_cause.iter().map(|record| record.severity).max().flatten();
             (worst, Erratum::of(*cause, worst, &of_cause))
         };
         let mut errata: Vec<_> = causes.iter().map(of).collect();
         errata.sort_by_key(|(worst, _)| std::cmp::Reverse(*worst));
-        Self { schema: "knotproof.errata/1", errata: errata.into_iter().filter_map(|(_, erratum)| erratum).collect() }
+        Self {
+            schema: "knotproof.errata/1",
+            errata: errata.into_iter().filter_map(|(_, erratum)| erratum).collect(),
+        }
     }
 }
 
@@ -94,12 +99,15 @@ impl Erratum {
     fn of(cause: Option<Cause>, worst: Option<Severity>, records: &[&Record]) -> Option<Self> {
         let witnesses = records.iter().filter_map(|record| {
             let witness = record.as_printed.finding.witness.as_ref()?;
-            Some((record.by_degree.is_empty(), ErratumWitness {
-                claim: record.id.clone(),
-                locator: record.locator.clone(),
-                text: witness.to_string(),
-                again: again(&record.id, witness),
-            }))
+            Some((
+                record.by_degree.is_empty(),
+                ErratumWitness {
+                    claim: record.id.clone(),
+                    locator: record.locator.clone(),
+                    text: witness.to_string(),
+                    again: again(&record.id, witness),
+                },
+            ))
         });
         let (_, witness) = witnesses.min_by_key(|(once, witness)| (*once, witness.text.chars().count()))?;
         let mut locators: Vec<String> = Vec::new();
@@ -130,7 +138,8 @@ impl Erratum {
 }
 
 fn head(errata: &Errata) -> String {
-    let (causes, claims) = (errata.errata.len(), errata.errata.iter().map(|one| one.claims.len()).sum::<usize>());
+    let (causes, claims) =
+        (errata.errata.len(), errata.errata.iter().map(|one| one.claims.len()).sum::<usize>());
     format!(
         "“{}” (arXiv {}). {claims} statements fail as printed, by {causes} {}. Each has a counterexample in exact numbers; one is \
          given for each cause.",
@@ -145,7 +154,13 @@ impl fmt::Display for Errata {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "Errata: {}", head(self))?;
         for (number, one) in (1..).zip(&self.errata) {
-            writeln!(f, "\n{number}. {} ({}): {}.", capitalised(one.title), one.severity, one.locators.join(", "))?;
+            writeln!(
+                f,
+                "\n{number}. {} ({}): {}.",
+                capitalised(one.title),
+                one.severity,
+                one.locators.join(", ")
+            )?;
             writeln!(f, "   {}: {}.", one.witness.locator, one.witness.text)?;
             writeln!(f, "   Again: {}", one.witness.again)?;
             for amendment in &one.amended {
@@ -175,7 +190,8 @@ pub fn errata_page(errata: &Errata) -> String {
         );
         for amendment in &one.amended {
             let Amendment { claim, locator, statement, verdict } = amendment;
-            let _ = writeln!(text, "- Instead, {} (`{claim}`): {} *{verdict}*", plain(locator), plain(statement));
+            let _ =
+                writeln!(text, "- Instead, {} (`{claim}`): {} *{verdict}*", plain(locator), plain(statement));
         }
     }
     text

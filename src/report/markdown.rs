@@ -140,7 +140,8 @@ fn drift_table(drifts: &[Drift]) -> String {
 fn table(report: &Report, source: Source) -> String {
     let row = |record: &Record| {
         let amended = record.amended.as_ref().map(|stated| stated.finding.words()).unwrap_or_default();
-        let (id, locator, statement, words) = (&record.id, &record.locator, &record.statement, record.words());
+        let (id, locator, statement, words) =
+            (&record.id, &record.locator, &record.statement, record.words());
         format!("| `{id}` | {} | {} | {words} | {amended} |\n", plain(locator), plain(statement))
     };
     let rows: String = by_severity(&report.claims, source).into_iter().map(row).collect();
@@ -177,7 +178,8 @@ fn dependence(uses: &[Dependency]) -> String {
 fn corner_table(corners: &[Corner]) -> String {
     let row = |corner: &Corner| {
         let Corner { instance, degree, alpha, knot, multiplicity, turn, .. } = corner;
-        let (angle, ratio) = turn.as_ref().map_or(("–", "–"), |turn| (&turn.angle_degrees, &turn.speed_ratio));
+        let (angle, ratio) =
+            turn.as_ref().map_or(("–", "–"), |turn| (&turn.angle_degrees, &turn.speed_ratio));
         format!("| {instance} | {degree} | {alpha} | {knot} | {multiplicity} | {angle} | {ratio} |\n")
     };
     let rows: String = corners.iter().map(row).collect();
@@ -190,7 +192,9 @@ fn corner_table(corners: &[Corner]) -> String {
 fn source(paper: &Paper) -> String {
     let Paper { title, authors, arxiv, read, related } = paper;
     let by = if authors.is_empty() { String::new() } else { format!(" by {}", authors.join(", ")) };
-    format!("On “{title}”{by}, [arXiv {arxiv}](https://arxiv.org/abs/{arxiv}). Read was {read}.\n\nRelated: {related}")
+    format!(
+        "On “{title}”{by}, [arXiv {arxiv}](https://arxiv.org/abs/{arxiv}). Read was {read}.\n\nRelated: {related}"
+    )
 }
 
 /// The whole report.

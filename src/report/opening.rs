@@ -88,8 +88,10 @@ fn errata(report: &Report) -> Option<String> {
     let refuted = report.summary.paper.refuted;
     let causes = &report.summary.paper.refutations.by_cause;
     let serious = report.claims.iter().filter(|record| record.is_serious());
-    let serious: std::collections::BTreeSet<_> =
-        serious.filter(|record| record.source == crate::claims::Source::Paper).map(|record: &Record| record.cause).collect();
+    let serious: std::collections::BTreeSet<_> = serious
+        .filter(|record| record.source == crate::claims::Source::Paper)
+        .map(|record: &Record| record.cause)
+        .collect();
     (refuted > 0).then(|| {
         format!(
             "{refuted} of the paper's {} statements fail as printed, by {} {}, {} of them serious: the errata are ready to be sent.",

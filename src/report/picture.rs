@@ -2,16 +2,16 @@
 
 use std::collections::BTreeMap;
 
-use plotters::style::{BLACK, RGBColor};
 use plotters::style::text_anchor::HPos;
+use plotters::style::{BLACK, RGBColor};
 
+use super::Report;
 use super::dependence::State;
 use super::figures::PictureError;
 use super::figures::canvas::{
     Canvas, Cell, Dash, Drawn, Frame, GREEN, GREY, LARGE, Panel, Pen, SMALL, VERMILION,
 };
 use super::record::Record;
-use super::Report;
 
 /// In pixels: the sheet, and the box of a claim with what is between two of them.
 const WIDTH: u32 = 800;
@@ -34,8 +34,12 @@ struct Node<'a> {
 /// # Errors
 /// [`PictureError`], a bug of this program.
 pub fn dependence_picture(report: &Report) -> Result<String, PictureError> {
-    let uses: Vec<(&str, &str, State)> =
-        report.dependence.uses.iter().map(|one| (one.claim.as_str(), one.rests_on.as_str(), one.state)).collect();
+    let uses: Vec<(&str, &str, State)> = report
+        .dependence
+        .uses
+        .iter()
+        .map(|one| (one.claim.as_str(), one.rests_on.as_str(), one.state))
+        .collect();
     let (nodes, height) = placed(report, &uses);
     let columns = nodes.values().map(|node| node.column + 1).max().unwrap_or(1);
     let title = "What rests on what that fails as printed";
@@ -50,7 +54,12 @@ pub fn dependence_picture(report: &Report) -> Result<String, PictureError> {
         let across = |node: &Node<'_>| place(node.column, columns);
         for (claim, premise, state) in &uses {
             if let (Some(from), Some(to)) = (nodes.get(premise), nodes.get(claim)) {
-                arrow(&panel, (across(from) + BOX.0 / 2.0, from.y), (across(to) - BOX.0 / 2.0, to.y), *state)?;
+                arrow(
+                    &panel,
+                    (across(from) + BOX.0 / 2.0, from.y),
+                    (across(to) - BOX.0 / 2.0, to.y),
+                    *state,
+                )?;
             }
         }
         nodes.values().try_for_each(|node| claim(canvas, &panel, node, (across(node), node.y)))
@@ -80,17 +89,23 @@ fn placed<'a>(report: &'a Report, uses: &[(&str, &str, State)]) -> (BTreeMap<&'a
         // The band of the first: all that it is joined with.
         let mut band = vec![first.id.as_str()];
         loop {
-            let joined: Vec<&str> = records.iter().map(|record| record.id.as_str()).filter(|id| {
-                !band.contains(id) && uses.iter().any(|(claim, premise, _)| {
-                    (claim == id && band.contains(premise)) || (premise == id && band.contains(claim))
+            let joined: Vec<&str> = records
+                .iter()
+                .map(|record| record.id.as_str())
+                .filter(|id| {
+                    !band.contains(id)
+                        && uses.iter().any(|(claim, premise, _)| {
+                            (claim == id && band.contains(premise)) || (premise == id && band.contains(claim))
+                        })
                 })
-            }).collect();
+                .collect();
             if joined.is_empty() {
                 break;
             }
             band.extend(joined);
         }
-        let (here, rest): (Vec<_>, Vec<_>) = left.into_iter().partition(|record| band.contains(&record.id.as_str()));
+        let (here, rest): (Vec<_>, Vec<_>) =
+            left.into_iter().partition(|record| band.contains(&record.id.as_str()));
         let mut columns: BTreeMap<usize, Vec<&Record>> = BTreeMap::new();
         for record in here {
             columns.entry(depth(&record.id, uses)).or_default().push(record);
@@ -112,7 +127,11 @@ fn placed<'a>(report: &'a Report, uses: &[(&str, &str, State)]) -> (BTreeMap<&'a
 
 /// The longest way from a premise; the uses have no circle, which a test of theirs says.
 fn depth(id: &str, uses: &[(&str, &str, State)]) -> usize {
-    uses.iter().filter(|(claim, ..)| *claim == id).map(|(_, premise, _)| depth(premise, uses) + 1).max().unwrap_or(0)
+    uses.iter()
+        .filter(|(claim, ..)| *claim == id)
+        .map(|(_, premise, _)| depth(premise, uses) + 1)
+        .max()
+        .unwrap_or(0)
 }
 
 fn arrow(panel: &Panel<'_>, from: (f64, f64), to: (f64, f64), state: State) -> Drawn {
@@ -124,9 +143,7 @@ fn arrow(panel: &Panel<'_>, from: (f64, f64), to: (f64, f64), state: State) -> D
     let (across, down) = (to.0 - from.0, to.1 - from.1);
     let length = across.hypot(down).max(1.0);
     let (along, aside) = ((across / length, down / length), (-down / length, across / length));
-    let back = |side: f64| {
-        (to.0 - 8.0 * along.0 + side * aside.0, to.1 - 8.0 * along.1 + side * aside.1)
-    };
+    let back = |side: f64| (to.0 - 8.0 * along.0 + side * aside.0, to.1 - 8.0 * along.1 + side * aside.1);
     panel.area(&[to, back(3.0), back(-3.0)], pen.colour)
 }
 

@@ -268,14 +268,15 @@ impl Record {
         // A degree in which there is nothing to judge is left out.
         let said =
             judged.by_degree.iter().filter(|(_, verdict)| !matches!(verdict, Verdict::NotApplicable(_)));
-        Self::of(claim, Stated::new(&claim.printed, &judged.printed, of(CertificateForm::Printed)))
-            .with(amended, said
-                .map(|(degree, verdict)| DegreeFinding {
-                    degree: *degree,
-                    finding: Finding::from(verdict).certified(of(CertificateForm::Degree(*degree))),
-                    rests_on: Grounds::of(verdict),
-                })
-                .collect())
+        Self::of(claim, Stated::new(&claim.printed, &judged.printed, of(CertificateForm::Printed))).with(
+            amended,
+            said.map(|(degree, verdict)| DegreeFinding {
+                degree: *degree,
+                finding: Finding::from(verdict).certified(of(CertificateForm::Degree(*degree))),
+                rests_on: Grounds::of(verdict),
+            })
+            .collect(),
+        )
     }
 
     /// The record of a claim with the verdicts that were recorded: nothing is judged, and nothing is said of grounds.
@@ -320,7 +321,11 @@ impl Record {
     pub fn words(&self) -> String {
         let finding = &self.as_printed.finding;
         match finding.is_refuted() {
-            true => format!("{} ({})", finding.status, self.severity.map_or("severity unassigned", Severity::name)),
+            true => format!(
+                "{} ({})",
+                finding.status,
+                self.severity.map_or("severity unassigned", Severity::name)
+            ),
             false => finding.words(),
         }
     }
@@ -328,7 +333,8 @@ impl Record {
     /// Does the idea fail? Only that is shown in red.
     #[must_use]
     pub fn is_serious(&self) -> bool {
-        self.as_printed.finding.is_refuted() && self.severity.is_none_or(|severity| severity == Severity::Serious)
+        self.as_printed.finding.is_refuted()
+            && self.severity.is_none_or(|severity| severity == Severity::Serious)
     }
 
     /// Is it true as printed, or is an amended statement, and is the idea sound?

@@ -96,8 +96,11 @@ impl Counts {
             (self.not_formal, "not-formal".to_owned()),
             (self.not_applicable, "not-applicable".to_owned()),
         ];
-        let parts: Vec<_> =
-            parts.iter().filter(|(count, _)| *count > 0).map(|(count, words)| format!("{count} {words}")).collect();
+        let parts: Vec<_> = parts
+            .iter()
+            .filter(|(count, _)| *count > 0)
+            .map(|(count, words)| format!("{count} {words}"))
+            .collect();
         let noun = if self.statements == 1 { "statement" } else { "statements" };
         format!("{} {noun}: {}", self.statements, parts.join(", "))
     }

@@ -20,7 +20,8 @@ const NOTE: &str = "Below the axis: knots, and how often they occur. ● value (
 /// [`PictureError`].
 pub(super) fn svg(title: &str, instance: &Instance) -> Result<String, PictureError> {
     let subtitle = format!("Basis functions of degree {} on U = {}", instance.degree, knots(&instance.knots));
-    let sheet = Sheet { title, subtitle: &subtitle, notes: &[NOTE], cells: instance.indices.len(), panel: 190 };
+    let sheet =
+        Sheet { title, subtitle: &subtitle, notes: &[NOTE], cells: instance.indices.len(), panel: 190 };
     sheet.svg(|canvas, number, cell| {
         let basis = Basis::new(instance.knots.clone(), instance.degree, instance.indices[number].clone())
             .map_err(super::canvas::failed)?;

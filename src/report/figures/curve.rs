@@ -62,22 +62,24 @@ pub(super) fn svg(title: &str, names: &[&str], panels: Panels, hull: bool) -> Re
     if panels == Panels::Conjugates && instances.len() > 1 {
         notes.push("Of the paper's α only ∞ and −1 can be read in the scan: those of the other nine panels are ours.");
     }
-    Sheet { title, subtitle: &subtitle, notes: &notes, cells: all.len(), panel }.svg(|canvas, number, cell| {
-        if all[number].is_empty() {
-            return canvas.legend(cell, &legend(&instances));
-        }
-        let panel = canvas.panel(cell, frame.with_equal_scales(cell));
-        let names: Vec<String> = all[number].iter().map(alpha).collect();
-        heading(
-            canvas,
-            cell,
-            &match names.as_slice() {
-                [one, two] => format!("k = {}, α = {one} (solid) and α = {two} (dashed)", first.degree),
-                _ => format!("{}α = {}", degree(&instances), names.join(", ")),
-            },
-        )?;
-        draw(&panel, &instances, &all[number], panels, hull)
-    })
+    Sheet { title, subtitle: &subtitle, notes: &notes, cells: all.len(), panel }.svg(
+        |canvas, number, cell| {
+            if all[number].is_empty() {
+                return canvas.legend(cell, &legend(&instances));
+            }
+            let panel = canvas.panel(cell, frame.with_equal_scales(cell));
+            let names: Vec<String> = all[number].iter().map(alpha).collect();
+            heading(
+                canvas,
+                cell,
+                &match names.as_slice() {
+                    [one, two] => format!("k = {}, α = {one} (solid) and α = {two} (dashed)", first.degree),
+                    _ => format!("{}α = {}", degree(&instances), names.join(", ")),
+                },
+            )?;
+            draw(&panel, &instances, &all[number], panels, hull)
+        },
+    )
 }
 
 /// The degree, if there is one for all.

@@ -28,20 +28,25 @@ impl Area {
     }
 
     fn meets(self, other: Self) -> bool {
-        self.left < other.right && other.left < self.right && self.top < other.bottom && other.top < self.bottom
+        self.left < other.right
+            && other.left < self.right
+            && self.top < other.bottom
+            && other.top < self.bottom
     }
 
     fn within(self, other: Self) -> bool {
-        other.left <= self.left && self.right <= other.right && other.top <= self.top && self.bottom <= other.bottom
+        other.left <= self.left
+            && self.right <= other.right
+            && other.top <= self.top
+            && self.bottom <= other.bottom
     }
 
     /// Is a point of the segment inside? (Liang and Barsky: the part of it between two lines, and between two others.)
     fn struck(self, (from, to): (Spot, Spot)) -> bool {
         let (mut first, mut last) = (0.0_f64, 1.0_f64);
-        for (at, step, low, high) in [
-            (from.0, to.0 - from.0, self.left, self.right),
-            (from.1, to.1 - from.1, self.top, self.bottom),
-        ] {
+        for (at, step, low, high) in
+            [(from.0, to.0 - from.0, self.left, self.right), (from.1, to.1 - from.1, self.top, self.bottom)]
+        {
             if step == 0.0 {
                 if at < low || high < at {
                     return false;
@@ -121,8 +126,22 @@ const TURN: [(f64, f64); 16] = {
     const C: f64 = 0.923_879_532_511_286_7;
     const D: f64 = std::f64::consts::FRAC_1_SQRT_2;
     [
-        (0.0, -1.0), (S, -C), (D, -D), (C, -S), (1.0, 0.0), (C, S), (D, D), (S, C),
-        (0.0, 1.0), (-S, C), (-D, D), (-C, S), (-1.0, 0.0), (-C, -S), (-D, -D), (-S, -C),
+        (0.0, -1.0),
+        (S, -C),
+        (D, -D),
+        (C, -S),
+        (1.0, 0.0),
+        (C, S),
+        (D, D),
+        (S, C),
+        (0.0, 1.0),
+        (-S, C),
+        (-D, D),
+        (-C, S),
+        (-1.0, 0.0),
+        (-C, -S),
+        (-D, -D),
+        (-S, -C),
     ]
 };
 
@@ -148,7 +167,9 @@ impl Scene {
         let Ink { width, above, below } = ink(&label.text, SMALL);
         let half = (width / 2.0, (above + below) / 2.0);
         let mut candidates = match &label.named {
-            Named::Point(at, best) => around(*at, half, |way| 5.0 * (1.0 - (way.0 * best.0 + way.1 * best.1))),
+            Named::Point(at, best) => {
+                around(*at, half, |way| 5.0 * (1.0 - (way.0 * best.0 + way.1 * best.1)))
+            }
             Named::Line(points, _) => beside(points, half),
         };
         candidates.sort_by(|one, two| one.0.total_cmp(&two.0));
@@ -174,14 +195,18 @@ impl Scene {
         let dots = self.dots.iter().filter(|dot| wide.meets(**dot)).count();
         let texts = self.texts.iter().filter(|text| area.grown(2.0 * AIR).meets(**text)).count();
         let drawn = || self.strokes.iter().filter(|(pen, _)| !pen.is_pale());
-        let lines = drawn().filter(|(_, points)| points.windows(2).any(|two| wide.struck((two[0], two[1])))).count();
+        let lines =
+            drawn().filter(|(_, points)| points.windows(2).any(|two| wide.struck((two[0], two[1])))).count();
         let outside = usize::from(!wide.within(bounds));
         let ambiguous = match &label.named {
             Named::Point(..) => false,
             Named::Line(_, own) => {
                 let near = |of_own: bool| {
                     let strokes = drawn().filter(|(pen, _)| (pen == own) == of_own && pen.width == own.width);
-                    strokes.flat_map(|(_, points)| points.windows(2)).map(|two| gap(area, (two[0], two[1]))).fold(f64::INFINITY, f64::min)
+                    strokes
+                        .flat_map(|(_, points)| points.windows(2))
+                        .map(|two| gap(area, (two[0], two[1])))
+                        .fold(f64::INFINITY, f64::min)
                 };
                 near(false) < near(true) + 2.0 * AIR
             }
@@ -197,7 +222,8 @@ fn gap(area: Area, (from, to): (Spot, Spot)) -> f64 {
         return 0.0;
     }
     let ends = area.from(from).min(area.from(to));
-    let corners = [(area.left, area.top), (area.right, area.top), (area.left, area.bottom), (area.right, area.bottom)];
+    let corners =
+        [(area.left, area.top), (area.right, area.top), (area.left, area.bottom), (area.right, area.bottom)];
     corners.into_iter().map(|corner| off(corner, (from, to))).fold(ends, f64::min)
 }
 
@@ -205,7 +231,8 @@ fn gap(area: Area, (from, to): (Spot, Spot)) -> f64 {
 fn off((x, y): Spot, ((a, b), (c, d)): (Spot, Spot)) -> f64 {
     let (across, down) = (c - a, d - b);
     let length = across.mul_add(across, down * down);
-    let share = if length == 0.0 { 0.0 } else { (((x - a) * across + (y - b) * down) / length).clamp(0.0, 1.0) };
+    let share =
+        if length == 0.0 { 0.0 } else { (((x - a) * across + (y - b) * down) / length).clamp(0.0, 1.0) };
     (x - share.mul_add(across, a)).hypot(y - share.mul_add(down, b))
 }
 
@@ -273,14 +300,22 @@ mod tests {
         let mut scene = Scene::default();
         let (one, two) = (Pen::thick(BLUE, Dash::Solid), Pen::thick(VERMILION, Dash::Solid));
         // Both end at the same highest point.
-        let (left, right) = (vec![(20.0, 180.0), (90.0, 90.0), (150.0, 20.0)], vec![(150.0, 20.0), (210.0, 90.0), (280.0, 180.0)]);
+        let (left, right) = (
+            vec![(20.0, 180.0), (90.0, 90.0), (150.0, 20.0)],
+            vec![(150.0, 20.0), (210.0, 90.0), (280.0, 180.0)],
+        );
         scene.stroke(one, left.clone());
         scene.stroke(two, right.clone());
         scene.place(&label("G₂", Named::Line(left.clone(), one)), BOUNDS);
         scene.place(&label("G₃", Named::Line(right.clone(), two)), BOUNDS);
-        let nearest = |area: Area, line: &[Spot]| line.windows(2).map(|two| gap(area, (two[0], two[1]))).fold(f64::INFINITY, f64::min);
+        let nearest = |area: Area, line: &[Spot]| {
+            line.windows(2).map(|two| gap(area, (two[0], two[1]))).fold(f64::INFINITY, f64::min)
+        };
         let [first, second] = scene.texts[..] else { panic!("two texts") };
-        assert!(nearest(first, &left) < nearest(first, &right) && nearest(second, &right) < nearest(second, &left));
+        assert!(
+            nearest(first, &left) < nearest(first, &right)
+                && nearest(second, &right) < nearest(second, &left)
+        );
         assert!(!first.meets(second));
     }
 }

@@ -24,14 +24,17 @@ pub(super) fn ink(text: &str, size: u32) -> Ink {
     let em = f64::from(size);
     let font = FontRef::new(FONT).ok();
     // In units of an em.
-    let metrics = font.as_ref().map(|font| (font.charmap(), font.glyph_metrics(Size::new(1.0), LocationRef::default())));
+    let metrics = font
+        .as_ref()
+        .map(|font| (font.charmap(), font.glyph_metrics(Size::new(1.0), LocationRef::default())));
     let mut ink = Ink { width: 0.0, above: 0.0, below: 0.0 };
     for c in text.chars() {
         let found = metrics.as_ref().and_then(|(map, metrics)| {
             let glyph = map.map(c)?;
             Some((metrics.advance_width(glyph)?, metrics.bounds(glyph)))
         });
-        let (advance, bounds) = found.map_or((UNKNOWN, None), |(advance, bounds)| (f64::from(advance), bounds));
+        let (advance, bounds) =
+            found.map_or((UNKNOWN, None), |(advance, bounds)| (f64::from(advance), bounds));
         ink.width += advance * em;
         if let Some(bounds) = bounds {
             ink.above = ink.above.max(f64::from(bounds.y_max) * em);

@@ -227,9 +227,11 @@ impl<'a> Section<'a> {
             }
         };
         let mut parts = vec![part("As printed", badge(record), record.words(), &record.as_printed)];
-        parts.extend(record.amended.as_ref().map(|stated| {
-            part("As amended", stated.finding.status.clone(), stated.finding.words(), stated)
-        }));
+        parts.extend(
+            record.amended.as_ref().map(|stated| {
+                part("As amended", stated.finding.status.clone(), stated.finding.words(), stated)
+            }),
+        );
         let cause = record.severity.zip(record.severity_because.as_ref()).map(|(severity, because)| {
             let cause = record.cause.map_or(UNASSIGNED, |cause| cause.words());
             formula::html(&format!("Cause: {cause}. Severity: {}, {because}.", severity.name()))

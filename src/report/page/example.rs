@@ -64,9 +64,21 @@ pub(super) fn example() -> Option<Example> {
     };
     let lines = [
         format!("k = {DEGREE}, α = {index}, so r = {r}, c = r(r − 1)^2/(8(r + 1)^2) = {c} and κ = {kappa}."),
-        format!("With x = {x}: y − x = x((k − 2)r − κc) = {} and z − y = xc = {c}, so y = {y} and z = {z}.", &y - &x),
-        format!("On U = (0, 0, 0, 0, {x}, {y}, {z}, {z}, {z}, {z}) the function G_2^3 rises to {}, falls, and rises again to {}.", near(left), near(right)),
-        format!("Between them it has a minimum at the knot {}, where it is {} ≈ {}: less than both. Its slopes there are worked out below.", minimum.0, minimum.1, decimal(&minimum.1, DIGITS)),
+        format!(
+            "With x = {x}: y − x = x((k − 2)r − κc) = {} and z − y = xc = {c}, so y = {y} and z = {z}.",
+            &y - &x
+        ),
+        format!(
+            "On U = (0, 0, 0, 0, {x}, {y}, {z}, {z}, {z}, {z}) the function G_2^3 rises to {}, falls, and rises again to {}.",
+            near(left),
+            near(right)
+        ),
+        format!(
+            "Between them it has a minimum at the knot {}, where it is {} ≈ {}: less than both. Its slopes there are worked out below.",
+            minimum.0,
+            minimum.1,
+            decimal(&minimum.1, DIGITS)
+        ),
     ];
     let lines = lines.iter().map(|line| formula::html(line)).collect();
     let sides = [Side::Left, Side::Right];

@@ -1,0 +1,44 @@
+//! Arguments for which a shell offers names, though others are read too.
+
+use std::ffi::OsStr;
+
+use clap::builder::{OsStringValueParser, PossibleValue, StringValueParser, TypedValueParser};
+use clap::{Arg, Command, Error};
+
+use crate::claims::{claims, instances};
+
+/// Reads as `parser` does, and offers the names.
+#[derive(Clone)]
+pub(super) struct Offered<P> {
+    parser: P,
+    names: fn() -> Vec<&'static str>,
+}
+
+/// The identifier of a claim.
+pub(super) fn claim_name() -> Offered<StringValueParser> {
+    Offered { parser: StringValueParser::new(), names: || claims().iter().map(|claim| claim.id).collect() }
+}
+
+/// The name of an instance of the paper, or a file.
+pub(super) fn instance_name() -> Offered<OsStringValueParser> {
+    Offered { parser: OsStringValueParser::new(), names: instance_names }
+}
+
+/// The names of the paper's instances, once each.
+pub(super) fn instance_names() -> Vec<&'static str> {
+    let mut names: Vec<_> = instances().iter().map(|instance| instance.name).collect();
+    names.dedup();
+    names
+}
+
+impl<P: TypedValueParser> TypedValueParser for Offered<P> {
+    type Value = P::Value;
+
+    fn parse_ref(&self, command: &Command, arg: Option<&Arg>, value: &OsStr) -> Result<P::Value, Error> {
+        self.parser.parse_ref(command, arg, value)
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        Some(Box::new((self.names)().into_iter().map(PossibleValue::new)))
+    }
+}
