@@ -5,6 +5,7 @@ use std::fs;
 use assert_cmd::Command;
 use knotproof::claims::{claims, instances_named};
 use knotproof::report::figures::{all, figure, png};
+use knotproof::report::{Baseline, Report, State, conjecture_page, dependence_picture};
 use knotproof::scalar::{BigRational, integer, rational};
 use knotproof::spline::{Basis, Curve, Index, KnotVector, Side, weight};
 use num_traits::ToPrimitive;
@@ -301,10 +302,13 @@ fn gap([left, top, right, bottom]: Area, line: &[[f32; 2]]) -> f32 {
 
 /// Every figure that people see: the paper's, ours, and those of the page on the conjecture.
 fn pictures() -> Vec<(String, String)> {
-    let recorded = knotproof::report::Baseline::recorded().expect("the recorded verdicts");
-    let page = knotproof::report::conjecture_page(&recorded).expect("the page on the conjecture");
+    let recorded = Baseline::recorded().expect("the recorded verdicts");
+    let page = conjecture_page(&recorded).expect("the page on the conjecture");
     let numbered = all().iter().map(|figure| (figure.file(), figure.svg().expect("it can be drawn")));
-    numbered.chain(page.into_iter().filter(|(name, _)| name.ends_with(".svg"))).collect()
+    let report = Report::recorded(&claims(), &recorded);
+    let dependence = dependence_picture(&report).expect("the drawing of what depends on what");
+    let drawing = std::iter::once(("dependence.svg".to_owned(), dependence));
+    numbered.chain(drawing).chain(page.into_iter().filter(|(name, _)| name.ends_with(".svg"))).collect()
 }
 
 #[test]
@@ -342,8 +346,8 @@ fn no_text_is_struck_by_a_line_or_by_another_text_or_cut_off() {
 /// The colours of the first, second, … curve of a panel.
 const COLOURS: [[u8; 3]; 7] =
     [[0, 114, 178], [213, 94, 0], [0, 158, 115], [170, 75, 130], [200, 130, 0], [40, 140, 200], [0; 3]];
-/// How far a line may be from an exact point, in pixels: half of what is between two dashes, and what labels of axes are off.
-const NEAR: f32 = 3.5;
+/// How far a line may be from an exact point, in pixels: what is between two dashes, and what labels of axes are off.
+const NEAR: f32 = 5.5;
 
 /// A panel: what is below a heading, with its two scales as its own labels say them.
 struct View<'a> {
@@ -578,4 +582,40 @@ fn each_panel_of_weights_has_a_legend_of_its_own() {
         .map(|view| sheet.texts.iter().find(|text| text.words == view.heading).unwrap().ink[3])
         .collect();
     assert_eq!(headings.into_iter().map(beside).collect::<Vec<_>>(), expected);
+}
+
+/// The drawing has what the data have: a box with its verdict for every claim, and an arrow for every use.
+#[test]
+fn what_depends_on_what_is_drawn_from_the_data() {
+    let report = Report::recorded(&claims(), &Baseline::recorded().expect("the recorded verdicts"));
+    let uses = &report.dependence.uses;
+    assert!(uses.len() > 10);
+    let drawn = sheet(&dependence_picture(&report).expect("it can be drawn"));
+    let place = |id: &str| {
+        drawn.texts.iter().find(|text| text.words == id).unwrap_or_else(|| panic!("{id}")).middle()
+    };
+    for one in uses {
+        let (from, to) = (place(&one.rests_on), place(&one.claim));
+        // From the right side of the one box to the left side of the other.
+        let is_arrow = |points: &[[f32; 2]]| match points {
+            [a, b] => {
+                (a[0] - from[0] - 79.0).abs() < 2.0
+                    && (b[0] - to[0] + 79.0).abs() < 2.0
+                    && (a[1] - from[1]).abs() < 12.0
+                    && (b[1] - to[1]).abs() < 12.0
+            }
+            _ => false,
+        };
+        assert!(drawn.lines.iter().any(|(_, points)| is_arrow(points)), "{} to {}", one.rests_on, one.claim);
+    }
+    let mut broken = report.clone();
+    broken.dependence.uses[0].state = State::Broken;
+    let red = |report: &Report| {
+        sheet(&dependence_picture(report).expect("it can be drawn"))
+            .lines
+            .iter()
+            .filter(|(pen, _)| pen.colour == COLOURS[1])
+            .count()
+    };
+    assert!(red(&broken) > red(&report), "what is broken is red");
 }

@@ -196,7 +196,7 @@ fn rows(html: &str, id: &str) -> Vec<Vec<String>> {
         .next()
         .unwrap();
     let body = table.split("<tbody>").nth(1).expect("its body");
-    let cells = |row: &str| row.split("</t").map(text).collect();
+    let cells = |row: &str| row.replace("</th>", "</td>").split("</td>").map(text).collect();
     body.split("<tr").skip(1).map(|row| cells(&format!("<tr{row}"))).collect()
 }
 

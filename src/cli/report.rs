@@ -4,7 +4,6 @@ use std::fmt;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use anstyle::{AnsiColor, Style};
 use schemars::schema_for;
 use serde::Serialize;
 
@@ -21,7 +20,7 @@ use super::file::{InstanceFile, read};
 use super::output::Output;
 use super::progress::Progress;
 use super::table::plain;
-use super::verdict::{Tally, styled};
+use super::verdict::{Tally, styled, styled_as_printed};
 
 /// Judges every claim of the paper on its own instances and on small cases; the main job.
 #[derive(Debug, clap::Args)]
@@ -247,18 +246,6 @@ fn unwritable(argument: &'static str, path: &Path, error: std::io::Error) -> Cli
     CliError::File { argument, action: "write", path: path.to_owned(), error }
 }
 
-/// The verdict on a printed statement: in red only if the idea fails.
-fn printed(record: &Record) -> String {
-    let finding = &record.as_printed.finding;
-    let colour = match (finding.is_refuted(), record.is_serious()) {
-        (true, true) => AnsiColor::Red,
-        (true, false) => AnsiColor::Yellow,
-        (false, _) => return styled(finding),
-    };
-    let style = Style::new().fg_color(Some(colour.into()));
-    format!("{style}{}{style:#}", record.words())
-}
-
 /// A row for each claim, the worst refutations first.
 fn table(records: &[&Record]) -> comfy_table::Table {
     let header = ["claim", "where", "as printed", "as amended", "statement"];
@@ -268,7 +255,7 @@ fn table(records: &[&Record]) -> comfy_table::Table {
         table.add_row([
             record.id.clone(),
             record.locator.clone(),
-            printed(record),
+            styled_as_printed(record),
             amended,
             record.statement.clone(),
         ]);

@@ -54,7 +54,7 @@ export async function layout({ evaluate, send }, check) {
     }
   }
   // The measure sees what it is to see.
-  const seen = await evaluate(`{ const move = document.querySelector(".opening li"); move.style.transform = "translateY(1.2rem)"; const { found } = (${overprinted})(); move.style.transform = ""; found.length; }`);
+  const seen = await evaluate(`{ const move = document.querySelector(".opening li"); move.style.transform = "translateY(2.05rem)"; const { found } = (${overprinted})(); move.style.transform = ""; found.length; }`);
   check("a text that is moved onto another one is noticed", seen > 0, seen);
   await evaluate(`document.querySelectorAll("details").forEach((details) => { details.open = false; })`);
   await send("Emulation.clearDeviceMetricsOverride");

@@ -50,10 +50,10 @@ mod tests {
 
     #[test]
     fn digits_are_as_wide_as_each_other_and_letters_go_below_the_line() {
-        let (digits, index) = (ink("1111", 20), ink("G₂", 20));
+        let (digits, index, letter) = (ink("1111", 20), ink("G₂", 20), ink("p", 20));
         assert_eq!(digits, ink("7777", 20));
-        assert!(digits.width > 40.0 && digits.width < 60.0, "{digits:?}");
-        assert!(digits.below == 0.0 && index.below > 1.0 && index.above > 10.0, "{index:?}");
+        assert!(digits.width > 40.0 && digits.width < 60.0 && digits.below == 0.0, "{digits:?}");
+        assert!(letter.below > 3.0 && index.below < 1.0 && index.above > 10.0, "{letter:?}, {index:?}");
         assert!((ink("G₂", 40).width / index.width - 2.0).abs() < 1e-6);
     }
 }

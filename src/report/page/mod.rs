@@ -69,7 +69,6 @@ struct Page<'a> {
     instances: String,
     version: &'static str,
     paper: Paper,
-    related: String,
     /// What matters, in lines of HTML, and the picture of the conjecture.
     opening: Vec<String>,
     picture: Option<Figure<'a>>,
@@ -114,7 +113,6 @@ pub fn page(report: &Report, source: &PageSource<'_>) -> Result<String, PageErro
         instances: instances::json(),
         version: env!("CARGO_PKG_VERSION"),
         paper: report.paper,
-        related: formula::html(report.paper.related),
         opening: opening(report).iter().map(|line| formula::html(line)).collect(),
         picture: figures(CONJECTURE, source.pictures).into_iter().next(),
         count: rows.len(),
