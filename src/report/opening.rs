@@ -55,7 +55,8 @@ fn variation(report: &Report) -> Option<String> {
 /// The largest turn of the tangent, and the largest jump of the speed, where the classical curve has neither.
 fn corners(report: &Report) -> Option<String> {
     let smooth = || report.corners.iter().filter(|corner| corner.multiplicity < corner.degree);
-    let turns = || smooth().filter_map(|corner| Some((corner, corner.turn.as_ref()?)));
+    // Of equals the first is shown; the search keeps the last.
+    let turns = || smooth().filter_map(|corner| Some((corner, corner.turn.as_ref()?))).rev();
     let (sharpest, turn) = turns().max_by(|(_, a), (_, b)| sharpness(a).cmp(&sharpness(b)))?;
     let (fastest, jump) = turns().max_by(|(_, a), (_, b)| jump(a).cmp(&jump(b)))?;
     Some(format!(
