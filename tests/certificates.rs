@@ -258,7 +258,7 @@ fn places(count: usize, limit: usize) -> Vec<usize> {
 /// Which tokens of a proof are changed: all, if statement and proof have at most 600 tokens; of longer ones some at an even
 /// stride, the fewer the longer they are; and the least of those where a check takes long, or would with fewer unknowns.
 fn proof_places(files: &Files, count: usize) -> Vec<usize> {
-    const SLOW: [&str; 11] = [
+    const SLOW: [&str; 19] = [
         "X.maxima.printed",
         "X.maxima.degree-7",
         "X.maxima.degree-8",
@@ -270,6 +270,14 @@ fn proof_places(files: &Files, count: usize) -> Vec<usize> {
         "P4.1.3.printed",
         "P4.1.4.printed",
         "T4.1.printed",
+        "T4.1.range.amended",
+        "P4.2.tangent.amended",
+        "abstract.classical.amended",
+        "C6.classical.amended",
+        "Ill5.8.remarkable.amended",
+        "proof.T3.5.3.iff.amended",
+        "proof.P4.1.2.iff.amended",
+        "proof.P4.3.bisector.amended",
     ];
     let size = count + tokens(&files.statement).len();
     match (SLOW.contains(&files.name.as_str()), size) {

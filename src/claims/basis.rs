@@ -97,7 +97,10 @@ pub(super) fn positivity(threshold: BigRational) -> impl Fn(&BasisCase, &mut Led
 }
 
 /// Σ_{i=0}^n G_i^k = Σ_{i=j−k}^j G_i^k = total on every span j; with `only_base`, exactly on those with k ≤ j ≤ n.
-fn partition_of_unity(only_base: bool, total: BigRational) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
+pub(super) fn partition_of_unity(
+    only_base: bool,
+    total: BigRational,
+) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
     move |case, ledger| {
         let wanted = crate::analysis::constant(total.clone());
         for pieces in case.pieces().spans() {

@@ -16,7 +16,7 @@ use super::verdict::{Judgement, Ledger, Stop};
 
 /// G_j = 0 for x in [t_0, t_m] outside of [t_j, t_{j+k+1}); with `exceptions`, except at x = t_m if
 /// t_j < t_{j+1} = t_m, where it is 1.
-fn local_control(exceptions: bool) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
+pub(super) fn local_control(exceptions: bool) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
     move |case, ledger| {
         let knots = case.knots();
         for j in 0..=case.n() {
@@ -71,7 +71,7 @@ fn local_sum(lag: usize) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
 }
 
 /// Σ G_i = total on every span and so, by continuity from one side, at every x of [t_0, t_m].
-fn affine_invariance(total: BigRational) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
+pub(super) fn affine_invariance(total: BigRational) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
     move |case, ledger| {
         for pieces in case.pieces().spans() {
             let sum = pieces.functions.values().iter().fold(case.pieces().zero(), |sum, g| sum.plus(g));
@@ -129,7 +129,7 @@ impl Weights for Mapped<'_> {
 
 /// On every span k ≤ j ≤ n, for every r: Σ_i d_i^r G_i^{k−r} = Σ_i d_i G_i^k, with the unit vectors as control
 /// points, so for all control points at once. For r = k this is d_j^k.
-fn de_boor_algorithm(
+pub(super) fn de_boor_algorithm(
     map: fn((Piece, Piece)) -> (Piece, Piece),
 ) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
     move |case, ledger| {
@@ -169,7 +169,7 @@ fn de_boor_algorithm(
 }
 
 /// P4.2.2: the derivatives at both ends. Where an end knot is repeated too often the formula divides by 0.
-fn tangents(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
+pub(super) fn tangents(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
     let (knots, k, n) = (case.knots(), case.k(), case.n());
     let ends = [(knots.first(), knots.t(k + 1), "t_{k+1} − t_0"), (knots.t(n), knots.last(), "t_m − t_n")];
     for (low, high, length) in ends {

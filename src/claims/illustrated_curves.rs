@@ -1,6 +1,6 @@
 //! Illustrations 5.5 to 5.7: the curves C5 to C7.
 
-use crate::analysis::Enclosure;
+use crate::analysis::{Enclosure, Piece};
 use crate::scalar::{BigRational, RationalAlgebra, Ring, integer, rational, rationals_between};
 use crate::spline::{Index, Side};
 
@@ -14,25 +14,30 @@ use super::illustrations::{
 use super::instances::Instance;
 use super::verdict::{Judgement, Ledger, Stop};
 
-/// An enclosure of sup |G_α(x) − G_∞(x)|².
-fn squared_distance(instance: &Instance, index: &Index) -> Result<Enclosure, Stop> {
+/// |G_α(x) − G_∞(x)|² on every span.
+pub(super) fn squared_distances(instance: &Instance, index: &Index) -> Vec<Piece> {
     let (curve, classical) = (Drawn::new(instance, index), Drawn::new(instance, &Index::infinity()));
     let spans = curve.everywhere().into_iter().zip(classical.everywhere());
     let squares = spans.filter_map(|(one, two)| {
         let difference: Vec<_> = one.iter().zip(&two).map(|(one, two)| one.minus(two)).collect();
         squared_length(&difference)
     });
-    largest(&squares.collect::<Vec<_>>())
+    squares.collect()
+}
+
+/// An enclosure of sup |G_α(x) − G_∞(x)|².
+fn squared_distance(instance: &Instance, index: &Index) -> Result<Enclosure, Stop> {
+    largest(&squared_distances(instance, index))
 }
 
 /// |G_α(x) − G_∞(x)|² at one x.
-fn squared_distance_at(x: &BigRational, instance: &Instance, index: &Index) -> BigRational {
+pub(super) fn squared_distance_at(x: &BigRational, instance: &Instance, index: &Index) -> BigRational {
     let at = |index: &Index| Drawn::new(instance, index).curve.point(x, Side::Right);
     at(index).iter().zip(at(&Index::infinity())).map(|(a, b)| (a - &b) * (a - &b)).sum()
 }
 
 /// |G_α(x) − G_∞(x)|² ≤ bound for all x and the given indices.
-fn close_to_classical(
+pub(super) fn close_to_classical(
     indices: &'static [&'static str],
     bound: BigRational,
 ) -> impl Fn(&Illustration, &mut Ledger) -> Judgement {

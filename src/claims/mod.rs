@@ -8,10 +8,15 @@
 //! One file for each part of the paper holds the conclusions and the claims made of them.
 
 mod basis;
+mod captions;
 mod case;
 mod cause;
 mod claim;
+mod classical;
 mod curve;
+mod curve_ends;
+mod de_boor_range;
+mod definitions;
 mod drawn;
 mod formal;
 mod grade;
@@ -20,8 +25,10 @@ mod illustrated_bases;
 mod illustrated_curves;
 mod illustrations;
 mod independence;
+mod influence;
 mod instances;
 mod maximum;
+mod proofs_steps;
 mod questions;
 mod reflection;
 mod register;
@@ -34,6 +41,7 @@ mod two_maxima;
 mod uses;
 mod verdict;
 mod weight;
+mod weight_effect;
 
 pub use case::{BasisCase, Case, Origin, WeightCase};
 pub use cause::{Cause, Severity, Source};

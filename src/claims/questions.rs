@@ -102,7 +102,7 @@ fn near(case: &BasisCase, x: &BigRational, first: usize) -> Option<NegativeMinor
 /// A curve that a line meets more often than its polygon. From a negative minor: with f = Σ c_i G_i equal to
 /// 1, −1, 1 at its points, the c_i have the signs −, +, −, so f changes its sign there twice, and twice more where
 /// the outer functions, alone near the ends of their supports, make it negative.
-fn variation(case: &BasisCase, _: &mut Ledger) -> Judgement {
+pub(super) fn variation(case: &BasisCase, _: &mut Ledger) -> Judgement {
     let Some(NegativeMinor { first, rows, minor, .. }) = negative_minor(case) else {
         return Err(Stop::Undecided("no curve was found that a line meets too often, near any knot".into()));
     };
@@ -142,7 +142,7 @@ fn sign_changes(pieces: &Pieces, c: &[BigRational]) -> usize {
 }
 
 /// Minors of order 3 near the knots.
-fn total_positivity(case: &BasisCase, _: &mut Ledger) -> Judgement {
+pub(super) fn total_positivity(case: &BasisCase, _: &mut Ledger) -> Judgement {
     let Some(NegativeMinor { first, points, rows, minor }) = negative_minor(case) else {
         return Err(Stop::Undecided("no negative minor of order 3 was found near any knot".into()));
     };
@@ -172,7 +172,7 @@ fn determinant(rows: &[Vec<BigRational>]) -> BigRational {
 }
 
 /// x ↦ x is a combination of the basis on [t_k, t_{n+1}].
-fn linear_precision(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
+pub(super) fn linear_precision(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
     // On one span first: what fails there fails on the whole interval.
     for pieces in case.pieces().spans() {
         if (case.k()..=case.n()).contains(&pieces.span.index())
@@ -188,7 +188,7 @@ fn linear_precision(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
 }
 
 /// Every function for U is a combination of those for U with one more knot, in the middle of any span.
-fn nested(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
+pub(super) fn nested(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
     for coarse in case.pieces().spans() {
         let (start, end) = case.knots().ends(coarse.span);
         let knot = (start + end) / integer(2);

@@ -188,13 +188,9 @@ fn corner_table(corners: &[Corner]) -> String {
     )
 }
 
-/// Who wrote it, where it is, and what was read.
+/// What was read, and what it is close to.
 fn source(paper: &Paper) -> String {
-    let Paper { title, authors, arxiv, read, related } = paper;
-    let by = if authors.is_empty() { String::new() } else { format!(" by {}", authors.join(", ")) };
-    format!(
-        "On “{title}”{by}, [arXiv {arxiv}](https://arxiv.org/abs/{arxiv}). Read was {read}.\n\nRelated: {related}"
-    )
+    format!("{}\n\nRelated: {}", plain(&paper.to_string()), plain(paper.related))
 }
 
 /// The whole report.

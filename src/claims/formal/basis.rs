@@ -13,7 +13,7 @@ pub(super) const OFF_SUPPORT: &str = "(section (window A (- 0 k) (each s (- 0 k)
     (each i 1 3 (= (G i k (in A 0)) 0) (= (G i k (from A 0)) 0))))";
 
 /// The value at the first knot of G_0, which occurs q times from t_0 on.
-const AT_FIRST_KNOT: &str = "(section (each q 1 k) (window A (- 0 k) (each s (- 0 k) -1 any) (each s 0 (- q 2) 0) some \
+pub(super) const AT_FIRST_KNOT: &str = "(section (each q 1 k) (window A (- 0 k) (each s (- 0 k) -1 any) (each s 0 (- q 2) 0) some \
     (each s q (+ q k) any)) (goals (= (G 0 k (from A (- q 1))) 0)))\
     (section (window A (- 0 k) (each s (- 0 k) -1 any) (each s 1 k 0) some (each s 1 k any)) (goals \
     (= (G 0 k (from A k)) 1)))";
@@ -24,11 +24,11 @@ pub(super) const AT_LAST_KNOT: &str = "(section (each q 1 k) (window A (- 0 (+ k
     (section (window A (- 0 k) (each s (- 0 k) -1 any) some (each s 1 k 0) (each s 1 k any)) (goals \
     (= (G 0 k (to A 0)) 1)))";
 
-const POSITIVE_INSIDE: &str = "(section (window A (- 0 k) (each s (- 0 k) -1 any) some (each s 1 k any)) (goals \
+pub(super) const POSITIVE_INSIDE: &str = "(section (window A (- 0 k) (each s (- 0 k) -1 any) some (each s 1 k any)) (goals \
     (each i (- 0 k) 0 (> (G i k (in A 0)) 0))))";
 
 /// At a knot t_0 of multiplicity q inside of the support.
-const POSITIVE_AT_KNOTS: &str = "(section (each q 1 k) (window A (- 0 k) (each s (- 0 k) (- -1 q) any) some (each s (- 1 q) -1 0) some \
+pub(super) const POSITIVE_AT_KNOTS: &str = "(section (each q 1 k) (window A (- 0 k) (each s (- 0 k) (- -1 q) any) some (each s (- 1 q) -1 0) some \
     (each s 1 k any)) (goals (each i (- 0 k) (- 0 q) (> (G i k (from A 0)) 0))))";
 
 pub(super) const SUM_IS_ONE: &str = "(section (window A (- 0 k) (each s (- 0 k) -1 any) some (each s 1 k any)) (goals \
@@ -39,31 +39,31 @@ pub(super) const SUM_IS_ONE: &str = "(section (window A (- 0 k) (each s (- 0 k) 
 pub(super) const CONTINUITY: &str = "(section (each p 1 k) (window A (- -1 k) (each s 1 k any) some (each s 1 (- p 1) 0) some \
     (each s 1 k any)) (goals (each i (- -1 k) (- p 1) (= (G i k (to A -1)) (G i k (from A (- p 1)))))))";
 
-const MIRRORED: &str = "(section (window A (- 0 k) (each s (- 0 k) -1 any) some (each s 1 k any)) \
+pub(super) const MIRRORED: &str = "(section (window A (- 0 k) (each s (- 0 k) -1 any) some (each s 1 k any)) \
     (window B (- 0 k) (each s (- 0 k) k (A (- 0 s)))) (goals (each i (- 0 k) 0 \
     (= (at ((u (/ 1 u))) (G i k (in A 0))) (at ((r (/ 1 r))) (G (- (- 0 i) k) k (in B 0)))) \
     (= (G i k (from A 0)) (at ((r (/ 1 r))) (G (- (- 0 i) k) k (to B 0)))))))";
 
 /// At a knot of multiplicity > k: G_{−k} begins there with the value 1; its mirror image, G_0 of B, ends at
 /// t_1 = … = t_{k+1} and is 0 from there on.
-const UNSYMMETRIC: &str = "(section (window A (- 0 k) (each s 1 k 0) some (each s 1 k any)) (goals \
+pub(super) const UNSYMMETRIC: &str = "(section (window A (- 0 k) (each s 1 k 0) some (each s 1 k any)) (goals \
     (= (G (- 0 k) k (from A 0)) 1)))\
     (section (window B 0 some (each s 1 k 0) some (each s 1 k any)) (goals (= (G 0 k (from B (+ k 1))) 0)))";
 
 /// The order at t_0 of G_0, whose first knot occurs q times from t_0 on.
-const ORDERS: &str = "(section (each q 1 (+ k 1)) (window A (- 0 k) (each s (- 0 k) -1 any) (each s 0 (- q 2) 0) some \
+pub(super) const ORDERS: &str = "(section (each q 1 (+ k 1)) (window A (- 0 k) (each s (- 0 k) -1 any) (each s 0 (- q 2) 0) some \
     (each s q (+ q k) any)) (goals (order 0 k (in A (- q 1)) (- (+ k 1) q))))";
 
 const DEFINED: &str = "(section (window A (- 0 k) (each s (- 0 k) -1 any) some (each s 1 k any)) (goals (each i (- 0 k) 0 \
     (defined (G i k (in A 0))) (defined (G i k (from A 0))) (defined (G i k (to A 0))))))";
 
 /// t_0 = … = t_k < t_{k+1}, and the mirror image.
-const ENDS: &str = "(section (window A 0 (each s 1 k 0) some (each s 1 k any)) (goals (= (G 0 k (from A k)) 1) \
+pub(super) const ENDS: &str = "(section (window A 0 (each s 1 k 0) some (each s 1 k any)) (goals (= (G 0 k (from A k)) 1) \
     (each i 1 k (= (G i k (from A k)) 0))))\
     (section (window A (- 0 k) (each s 1 k any) some (each s 1 k 0)) (goals (= (G 0 k (to A 0)) 1) \
     (each i (- 0 k) -1 (= (G i k (to A 0)) 0))))";
 
-const LIVING: &str = "By D3.3 a function is 0 on a span [t_j, t_{j+1}) unless j−k ≤ i ≤ j, and there it depends on t_{j−k+1}, …, t_{j+k} only; so one span with all the knots around it, at any distance ≥ 0, stands for every span of every knot vector. Near the ends of a vector, think of it as continued by any knots: a function that exists does not depend on them.";
+pub(super) const LIVING: &str = "By D3.3 a function is 0 on a span [t_j, t_{j+1}) unless j−k ≤ i ≤ j, and there it depends on t_{j−k+1}, …, t_{j+k} only; so one span with all the knots around it, at any distance ≥ 0, stands for every span of every knot vector. Near the ends of a vector, think of it as continued by any knots: a function that exists does not depend on them.";
 
 pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
     let statement = |degrees: RangeInclusive<usize>, because: &str, sections: &[&str]| {

@@ -45,7 +45,7 @@ pub(super) fn jumps(on: &Example<'_>, jumping: &[(usize, [u8; 2])]) -> String {
 }
 
 /// G_i of α at t_0 + t_m − x is G_{n−i} of 1 − α at x.
-fn symmetric_functions(on: &Example<'_>) -> String {
+pub(super) fn symmetric_functions(on: &Example<'_>) -> String {
     let spans = on.spans();
     let goal = |(span, partner): (&usize, &usize)| -> String {
         let goal = |i: usize| {

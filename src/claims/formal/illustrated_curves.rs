@@ -76,7 +76,7 @@ pub(super) fn squared(differences: [String; 2]) -> String {
 }
 
 /// The squared distance from the curve for ∞ at a place.
-fn from_classical(on: &Example<'_>, place: Place) -> String {
+pub(super) fn from_classical(on: &Example<'_>, place: Place) -> String {
     squared([0, 1].map(|c| {
         let coordinate = on.coordinate(c, place);
         format!("(- {coordinate} (at ((r 1)) {coordinate}))")

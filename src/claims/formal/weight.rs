@@ -19,7 +19,7 @@ fn denominator(place: Place) -> String {
 }
 
 /// The formula of D2.3 is the weight in terms of r.
-fn printed_formula() -> String {
+pub(super) fn printed_formula() -> String {
     let place = Place::inside(0);
     let (w, x) = (place.value("w", 0, 1), place.x());
     for_both(&format!("(= {w} (/ (* alpha (- (+ a {x}) a)) {}))", denominator(place)))
@@ -32,7 +32,7 @@ const CLIMBS: &str = "(section (positive s) (window A 0 some) (goals (defined (w
     (= (w 0 1 (from A 0)) 0) (= (w 0 1 (to A 0)) 1)))";
 const CONJUGATE: &str = "(= (/ (- 1 alpha) (- (- 1 alpha) 1)) (/ 1 r))";
 
-const FORMULA: &str =
+pub(super) const FORMULA: &str =
     "The first two sections show that the weight of D2.3 is w with r = α/(α − 1), for α < 0 and for α > 1.";
 
 pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {

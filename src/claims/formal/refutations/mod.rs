@@ -3,8 +3,11 @@
 mod basis;
 mod found;
 mod illustrations;
+mod influence;
 mod maximum;
+mod proofs_steps;
 mod questions;
+mod sentences;
 mod weight;
 
 use crate::claims::verdict::{Scope, Witness};
@@ -18,8 +21,15 @@ type Refuted = Option<(&'static str, String)>;
 pub(super) fn refutation(claim: &str, witness: &Witness) -> Option<Formal> {
     let found = Found::new(witness);
     let of_basis = |found| {
-        let parts =
-            [basis::refutation, maximum::refutation, illustrations::refutation, questions::refutation];
+        let parts = [
+            sentences::refutation,
+            basis::refutation,
+            maximum::refutation,
+            illustrations::refutation,
+            influence::refutation,
+            proofs_steps::refutation,
+            questions::refutation,
+        ];
         parts.iter().find_map(|part| part(claim, found))
     };
     // The witness of a claim about the weight alone has no basis.
