@@ -424,7 +424,7 @@ fn an_illustration_is_explained() {
     for part in [
         "Ill5.1.fig7 (Illustration 5.1, Fig. 7)\n",
         "  witness: instance = U0, k = 3, ",
-        "As amended: proved (alpha, k = 3)\n",
+        "As amended: proved (alpha, for k = 3)\n",
         "  why: At x = t_{i+1} the value of G_i rises strictly with r",
         "proofs/certs/Ill5.1.fig7.amended.statement",
         "Note: The figure misleads",
@@ -437,7 +437,7 @@ fn an_illustration_is_explained() {
 #[test]
 fn what_has_no_certificate_is_explained_without_one() {
     let (_, found) = text(&["explain", "X.maxima.classical", "--goals"]);
-    let (formal, by_cases) = found.split_once("\nDegree 4: proved (instance, k = 4)\n").unwrap();
+    let (formal, by_cases) = found.split_once("\nDegree 4: proved (instance, for k = 4)\n").unwrap();
     for word in ["certificate:", "why:", "goals:"] {
         assert!(formal.contains(word) && !by_cases.contains(word), "{word}: {found}");
     }

@@ -58,7 +58,9 @@ fn corners(report: &Report) -> Option<String> {
     // Of equals the first is shown; the search keeps the last.
     let turns = || smooth().filter_map(|corner| Some((corner, corner.turn.as_ref()?))).rev();
     let (sharpest, turn) = turns().max_by(|(_, a), (_, b)| sharpness(a).cmp(&sharpness(b)))?;
-    let (fastest, jump) = turns().max_by(|(_, a), (_, b)| jump(a).cmp(&jump(b)))?;
+    // Of a curve and its mirror image, the one that gets faster.
+    let speed = |turn: &Turn| (jump(turn), turn.speed_ratio_squared.clone());
+    let (fastest, jump) = turns().max_by(|(_, a), (_, b)| speed(a).cmp(&speed(b)))?;
     Some(format!(
         "Curves of the paper have corners at knots where the classical curve is smooth: the tangent turns by up to {}° ({}), and the \
          speed jumps by a factor of up to {} ({}).",
