@@ -542,7 +542,7 @@ fn a_proved_claim_is_explained() {
     assert_eq!(code, 0);
     for part in [
         "T3.5.2 (Theorem 3.5 (2))\n",
-        "As printed: proved (knots, k = 0–8)\n",
+        "As printed: proved (knots, for k ≤ 8)\n",
         "  Positivity: ",
         "  why: By D3.3 a function is 0 on a span",
         "  certificate: proofs/certs/T3.5.2.printed.statement and .proof; checked by engine, prover, checker\n",
@@ -564,13 +564,13 @@ fn a_refuted_claim_is_explained_with_witness_and_amendment() {
     let place = |part: &str| found.find(part).unwrap_or_else(|| panic!("{part} in {found}"));
     let parts = [
         "T3.5.3 (Theorem 3.5 (3))\n",
-        "As printed: refuted\n",
+        "As printed: refuted (slip)\n",
         "  Partition of unity: ",
         "  witness: k = 1, U = (0, 0, 1, 2), α = -1, j = 2, x = 3/2: the claim says Σ G_i^1(3/2) = 1, but the sum is 2/3\n",
-        "  again: knotproof eval --degree 1 --knots 0,0,1,2 --alpha -1 --x 3/2 --derivatives 1\n",
+        "  again: knotproof eval --degree 1 --knots 0,0,1,2 --alpha -1 --x 3/2\n",
         "  why: All functions that exist",
         "  certificate: proofs/certs/T3.5.3.printed.statement",
-        "As amended: proved (knots, k = 0–8)\n",
+        "As amended: proved (knots, for k ≤ 8)\n",
         "  For t_j < t_{j+1}: ",
         "  certificate: proofs/certs/T3.5.3.amended.statement",
         "Note: ",
@@ -584,9 +584,9 @@ fn a_question_is_explained_degree_by_degree() {
     let (_, found) = text(&["explain", "X.totalpositivity"]);
     for part in [
         "X.totalpositivity (not in the paper)\n",
-        "As printed: refuted\n",
-        "Degree 1: proved (knots, k = 1)\n",
-        "Degree 2: proved (knots, k = 2)\n",
+        "As printed: refuted (serious)\n",
+        "Degree 1: proved (knots, for k = 1)\n",
+        "Degree 2: proved (knots, for k = 2)\n",
         "Degree 3: refuted\n",
         "proofs/certs/X.totalpositivity.degree-3.statement",
     ] {
@@ -605,7 +605,7 @@ fn an_illustration_is_explained() {
     for part in [
         "Ill5.1.fig7 (Illustration 5.1, Fig. 7)\n",
         "  witness: instance = U0, k = 3, ",
-        "As amended: proved (alpha, k = 3)\n",
+        "As amended: proved (alpha, for k = 3)\n",
         "  why: At x = t_{i+1} the value of G_i rises strictly with r",
         "proofs/certs/Ill5.1.fig7.amended.statement",
         "Note: The figure misleads",
@@ -618,7 +618,7 @@ fn an_illustration_is_explained() {
 #[test]
 fn what_has_no_certificate_is_explained_without_one() {
     let (_, found) = text(&["explain", "X.maxima.classical", "--goals"]);
-    let (formal, by_cases) = found.split_once("\nDegree 4: proved (instance, k = 4)\n").unwrap();
+    let (formal, by_cases) = found.split_once("\nDegree 4: proved (instance, for k = 4)\n").unwrap();
     for word in ["certificate:", "why:", "goals:"] {
         assert!(formal.contains(word) && !by_cases.contains(word), "{word}: {found}");
     }

@@ -193,6 +193,14 @@ fn a_refuted_claim_has_an_amended_statement_that_is_proved() {
     }
 }
 
+#[test]
+fn a_claim_has_a_cause_of_its_failure_if_and_only_if_it_is_refuted() {
+    for (claim, record) in claims().iter().zip(&REPORT.claims) {
+        let refuted = record.as_printed.finding.status == "refuted";
+        assert_eq!(claim.cause.is_some(), refuted, "{}: {:?}", claim.id, claim.cause);
+    }
+}
+
 /// Extra hypotheses that exclude no case in which the printed statement fails would amend nothing.
 #[test]
 fn every_extra_hypothesis_excludes_failing_cases() {

@@ -5,6 +5,7 @@ use crate::scalar::{BigRational, Ring, integer};
 use crate::spline::{KnotVector, Side, Span};
 
 use super::case::{BasisCase, definition_values};
+use super::cause::Cause;
 use super::claim::{Claim, Form};
 use super::hypothesis::Hypothesis::{
     BaseInterval, FirstSpan, InteriorMultiplicityAtMostDegree, LastSpan, Open, Symmetric,
@@ -324,6 +325,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 local_support(false),
             )),
         )
+        .fails_by(Cause::EndPoints)
         .amended(Form::Basis(Statement::new(
             "G_i^k(x) = 0 for every x not in (t_i, t_{i+k+1}), with two exceptions, where it is 1: x = t_i if t_i = t_{i+k} < t_{i+k+1}, and x = t_m if t_i < t_{i+1} = t_m.",
             local_support(true),
@@ -345,6 +347,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 partition_of_unity(false, integer(1)),
             )),
         )
+        .fails_by(Cause::IndexRange)
         .amended(Form::Basis(Statement::new(
             "For t_j < t_{j+1}: Σ_{i=0}^n G_i^k = 1 on [t_j, t_{j+1}) if and only if k ≤ j ≤ n, that is on [t_k, t_{n+1}); and there it is Σ_{i=j−k}^j G_i^k.",
             partition_of_unity(true, integer(1)),
@@ -361,6 +364,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 .given([Symmetric]),
             ),
         )
+        .fails_by(Cause::InnerMultiplicity)
         .amended(Form::Basis(
             Statement::new(
                 "The same for every x in [t_0, t_m] that is not a knot inside (t_0, t_m) of multiplicity greater than k; at every such knot it fails for some i.",
@@ -418,6 +422,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 .given([Open]),
             ),
         )
+        .fails_by(Cause::EndKnots)
         .amended(Form::Basis(
             Statement::new(
                 "The same if t_k < t_{k+1} and t_n < t_{n+1}: the end knots have multiplicity k + 1 and no more.",

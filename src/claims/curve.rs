@@ -7,6 +7,7 @@ use crate::spline::{Index, PointWeights, Side, Weights, de_boor};
 
 use super::basis::{interpolation, name, symmetry};
 use super::case::BasisCase;
+use super::cause::Cause;
 use super::claim::{Claim, Form};
 use super::hypothesis::Hypothesis::{DegreeAtLeast, FirstSpan, LastSpan, Open, Symmetric};
 use super::regularity::{at_first, at_last, end_derivatives};
@@ -227,6 +228,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 .given([Open]),
             ),
         )
+        .fails_by(Cause::EndPoints)
         .amended(Form::Basis(
             Statement::new(
                 "The same, except that at x = t_m the d_j with t_j < t_{j+1} = t_m acts, and alone.",
@@ -279,6 +281,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 .given([Open]),
             ),
         )
+        .fails_by(Cause::EndKnots)
         .amended(Form::Basis(
             Statement::new("The same if t_k < t_{k+1} and t_n < t_{n+1}.", interpolation(|n| (0, n)))
                 .given([Open, FirstSpan, LastSpan]),
@@ -294,6 +297,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 .given([Open, DegreeAtLeast(1)]),
             ),
         )
+        .fails_by(Cause::EndKnots)
         .amended(Form::Basis(
             Statement::new("The same if t_k < t_{k+1} and t_n < t_{n+1}.", tangents).given([
                 Open,
@@ -313,6 +317,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 .given([Open, Symmetric]),
             ),
         )
+        .fails_by(Cause::InnerMultiplicity)
         .amended(Form::Basis(
             Statement::new(
                 "The same for every x in [t_0, t_m] that is not a knot inside (t_0, t_m) of multiplicity greater than k; at every such knot it fails for some polygon.",

@@ -6,6 +6,7 @@ use crate::spline::{Index, Side};
 
 use super::basis::{name, regular, support_spans, symmetry};
 use super::case::BasisCase;
+use super::cause::Cause;
 use super::claim::{Claim, Form};
 use super::illustrations::{
     Illustration, case_of, each, every_basis, largest, named, of_degree, refuted, together, with_indices,
@@ -288,6 +289,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 influence(false),
             ),
         )
+        .fails_by(Cause::Picture)
         .amended(Form::illustrated(
             "U0, degree 3: for any two different indices every G_i^3 is another function.",
             of_degree(each(&["U0"]), &[3]),
@@ -366,6 +368,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 }),
             ),
         )
+        .fails_by(Cause::InnerMultiplicity)
         .amended(Form::illustrated(
             "The same but for G_2² of U11 and of U13, which rises to the triple knot and drops there.",
             bases(),

@@ -7,6 +7,7 @@ use crate::spline::{Basis, KnotVector, Side};
 
 use super::basis::name;
 use super::case::{BasisCase, Origin};
+use super::cause::Cause;
 use super::claim::{Claim, Form};
 use super::hypothesis::Hypothesis::{DegreeAtLeast, DegreeAtMost};
 use super::statement::Statement;
@@ -207,6 +208,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 Except::Nothing,
             ),
         )
+        .fails_by(Cause::Conjecture)
         .amended(low_degree(LOW_DROPS, Reading::Strong, Except::Drops))
         .note(WHERE),
         Claim::new(
@@ -218,6 +220,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 Except::Nothing,
             ),
         )
+        .fails_by(Cause::Conjecture)
         .amended(low_degree(LOW_DROPS, Reading::Weak, Except::Drops))
         .note(WHERE),
         Claim::new(
@@ -229,6 +232,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 Except::Jumps,
             ),
         )
+        .fails_by(Cause::Conjecture)
         .amended(low_degree(LOW, Reading::Strong, Except::Jumps))
         .by_degree_on(searched)
         .note(CONTINUOUS),
@@ -241,6 +245,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 Except::Jumps,
             ),
         )
+        .fails_by(Cause::Conjecture)
         .amended(low_degree(LOW, Reading::Weak, Except::Jumps))
         .by_degree_on(searched)
         .note(WEAK),

@@ -9,6 +9,7 @@ use crate::spline::{Basis, Side};
 
 use super::basis::name;
 use super::case::BasisCase;
+use super::cause::Cause;
 use super::claim::{Claim, Form};
 use super::hypothesis::Hypothesis::{DegreeAtLeast, FiniteIndex, InnerMultiplicityAtMostDegree, Open};
 use super::statement::Statement;
@@ -288,7 +289,8 @@ pub(super) fn claims() -> Vec<Claim> {
                 )
                 .given([Open, FiniteIndex, DegreeAtLeast(2)]),
             ),
-        ),
+        )
+        .fails_by(Cause::Conjecture),
         Claim::new(
             "X.variation",
             "not in the paper",
@@ -300,6 +302,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 .given([Open, FiniteIndex, DegreeAtLeast(1), InnerMultiplicityAtMostDegree]),
             ),
         )
+        .fails_by(Cause::Conjecture)
         .note("A function with two local maxima crosses some horizontal line four times, and its control values, one 1 and else 0, twice: so for k ≥ 3 and every α ≠ ∞ the knots of X.maxima are counterexamples too."),
         Claim::new(
             "X.totalpositivity",
@@ -312,6 +315,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 .given([FiniteIndex, DegreeAtLeast(1)]),
             ),
         )
+        .fails_by(Cause::Conjecture)
         .note("It would imply X.variation: so for k ≥ 3 and every α ≠ ∞ it fails on the knots of X.maxima too."),
         Claim::new(
             "X.linear",
@@ -323,7 +327,8 @@ pub(super) fn claims() -> Vec<Claim> {
                 )
                 .given([FiniteIndex, DegreeAtLeast(1)]),
             ),
-        ),
+        )
+        .fails_by(Cause::Conjecture),
         Claim::new(
             "X.nested",
             "not in the paper",
@@ -334,7 +339,8 @@ pub(super) fn claims() -> Vec<Claim> {
                 )
                 .given([FiniteIndex, DegreeAtLeast(1)]),
             ),
-        ),
+        )
+        .fails_by(Cause::Conjecture),
         Claim::new(
             "X.derivative",
             "not in the paper",
@@ -345,7 +351,8 @@ pub(super) fn claims() -> Vec<Claim> {
                 )
                 .given([FiniteIndex, DegreeAtLeast(1)]),
             ),
-        ),
+        )
+        .fails_by(Cause::Conjecture),
         Claim::new(
             "X.nurbs",
             "not in the paper",

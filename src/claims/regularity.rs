@@ -6,6 +6,7 @@ use crate::spline::{Side, weight};
 
 use super::basis::{name, regular};
 use super::case::BasisCase;
+use super::cause::Cause;
 use super::claim::{Claim, Form};
 use super::hypothesis::Hypothesis::{
     DegreeAtLeast, FiniteIndex, FirstSpan, LastMultiplicityNotDegreePlusTwo, LastSpan, Open, SimpleKnots,
@@ -338,6 +339,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 .given([FiniteIndex]),
             ),
         )
+        .fails_by(Cause::VagueWords)
         .amended(Form::Basis(
             Statement::new(
                 "The same at every such knot of multiplicity p ≤ k−1; at p = k nothing jumps.",
@@ -370,6 +372,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 .given([Open]),
             ),
         )
+        .fails_by(Cause::EndKnots)
         .amended(Form::Basis(relations(ONLY_FIRST, Side::Right, at_first_knot).given([Open, FirstSpan]))),
         Claim::new(
             "L3.9",
@@ -383,6 +386,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 .given([Open]),
             ),
         )
+        .fails_by(Cause::EndKnots)
         .amended(Form::Basis(relations(NOT_NEXT, Side::Left, at_last_knot).given([Open, LastMultiplicityNotDegreePlusTwo]))),
         Claim::new(
             "L3.10",
@@ -391,6 +395,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 zeros("Open U, k ≥ 2, i ≤ n−2: DG_i^k(t_m) = 0 from the left.").given([Open, DegreeAtLeast(2)]),
             ),
         )
+        .fails_by(Cause::EndKnots)
         .amended(Form::Basis(zeros(ONLY_LAST).given([Open, DegreeAtLeast(2), LastSpan]))),
         Claim::new(
             "T3.11.1",
@@ -405,6 +410,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 one_sided_differentiable(true),
             )),
         )
+        .fails_by(Cause::InnerMultiplicity)
         .amended(Form::Basis(Statement::new(
             "For any U, every G_i^k is left and right differentiable at every t_j inside (t_0, t_m) of multiplicity ≤ k, from the right at t_0 and from the left at t_m. (At a knot inside of multiplicity > k some function jumps; its derivative still has limits from both sides.)",
             one_sided_differentiable(false),
@@ -418,6 +424,7 @@ pub(super) fn claims() -> Vec<Claim> {
                     .given([Open]),
             ),
         )
+        .fails_by(Cause::EndKnots)
         .amended(Form::Basis(first(ONLY_FIRST).given([Open, FirstSpan]))),
         Claim::new(
             "T3.11.3b",
@@ -427,6 +434,7 @@ pub(super) fn claims() -> Vec<Claim> {
                     .given([Open]),
             ),
         )
+        .fails_by(Cause::EndKnots)
         .amended(Form::Basis(last(ONLY_LAST).given([Open, LastSpan]))),
         Claim::new(
             "Rem3.1",

@@ -4,6 +4,7 @@ use crate::scalar::{Ring, integer};
 
 use super::basis::{local_support, name, positivity};
 use super::case::BasisCase;
+use super::cause::Cause;
 use super::claim::{Claim, Form};
 use super::hypothesis::Hypothesis::{DegreeAtLeast, InteriorMultiplicityAtMostDegree, Open};
 use super::independence::independence;
@@ -87,6 +88,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 .given([DegreeAtLeast(1)]),
             ),
         )
+        .fails_by(Cause::ProofStep)
         .amended(Form::Basis(
             Statement::new(
                 "The same unless t_i < t_{i+1} = t_{i+k} < t_{i+k+1}; then the union misses exactly the point t_{i+1}.",
@@ -100,6 +102,7 @@ pub(super) fn claims() -> Vec<Claim> {
             "Proof of Proposition 4.1 (1)",
             Form::Basis(Statement::new("G_j^k(x) ≠ 0 ⇔ x in (t_j, t_{j+k+1}).", support_exactly(false))),
         )
+        .fails_by(Cause::EndPoints)
         .amended(Form::Basis(Statement::new(
             "The same for every x, with two exceptions, where G_j^k is 1: x = t_j if t_j = t_{j+k} < t_{j+k+1}, and x = t_m if t_j < t_{j+1} = t_m.",
             support_exactly(true),
@@ -115,6 +118,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 .given([Open, InteriorMultiplicityAtMostDegree]),
             ),
         )
+        .fails_by(Cause::ProofStep)
         .amended(Form::Basis(
             Statement::new("The same for constants c_i, which is linear independence itself.", independence)
                 .given([Open, InteriorMultiplicityAtMostDegree]),

@@ -5,6 +5,7 @@ use crate::scalar::{BigRational, RationalAlgebra, Ring, integer, rational};
 use crate::spline::{Curve, Point, Side};
 
 use super::basis::mirrored_span;
+use super::cause::Cause;
 use super::claim::{Claim, Form};
 use super::drawn::{Drawn, alpha, show, squared_length};
 use super::illustrated_curves::trace_is_classical;
@@ -197,6 +198,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 mirror_images(true),
             ),
         )
+        .fails_by(Cause::Picture)
         .amended(Form::illustrated(
             "The same, for every α, with respect to the axis that exchanges d_i and d_{n−i}; in S7, where d_0 = d_n, that is y = 2.",
             each(&SYMMETRIC),
@@ -211,6 +213,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 adheres,
             ),
         )
+        .fails_by(Cause::VagueWords)
         .amended(Form::illustrated(
             "S2, S5: whatever α, they miss the double control point, by a distance less than 1/4.",
             each(&["S2", "S5"]),

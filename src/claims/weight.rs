@@ -5,6 +5,7 @@ use crate::scalar::{BigRational, RationalAlgebra, RationalFunction, Ring, intege
 use crate::spline::{Index, weight};
 
 use super::case::WeightCase;
+use super::cause::Cause;
 use super::claim::{Claim, Form};
 use super::hypothesis::WeightHypothesis::{FiniteIndex, Proper};
 use super::statement::Statement;
@@ -418,6 +419,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 decreasing_map(true),
             )),
         )
+        .fails_by(Cause::OutsideInterval)
         .amended(Form::Weight(
             Statement::new(
                 "T affine, strictly decreasing, a < x < b: φ_α(T(x),T(b),T(a)) = 1 − φ_{1−α}(x,a,b).",
@@ -436,6 +438,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 .given([Proper]),
             ),
         )
+        .fails_by(Cause::OutsideInterval)
         .amended(Form::Weight(
             Statement::new(
                 "a ≤ t1 < t2 ≤ b: for all x with a+b−t2 < x < a+b−t1, φ_α(a+b−x,t1,t2) = 1 − φ_{1−α}(x,a+b−t2,a+b−t1).",

@@ -19,6 +19,8 @@ pub struct Paper {
     pub read: &'static str,
     /// What that version lacks.
     pub missing: &'static [&'static str],
+    /// What it is close to.
+    pub related: &'static str,
 }
 
 /// The paper of this program.
@@ -34,6 +36,7 @@ pub const PAPER: Paper = Paper {
         "the appendix with the formal expressions of the basis functions: none of them is judged",
         "the values of α in Fig. 1 to 3 and in some panels of Fig. 23 and 24, which can't be read: ours are drawn there",
     ],
+    related: "I. Juhász and Á. Róth, “A class of generalized B-spline curves”, Computer Aided Geometric Design 30 (2013), put a nonlinear core function, increasing and continuously differentiable, into each interval of the recursion of Cox and de Boor. The paper's f_α is such a function, so that its basis has the form of theirs with one core function for each α; non-negativity, local support, partition of unity and end points are shown there for all of them.",
 };
 
 /// One paragraph.
