@@ -20,11 +20,11 @@ const IDS: &[&str] = &[
     "Conj3.1.weak.continuous", "P3.2", "P3.3.1", "P3.3.2", "P4.1.1", "P4.1.2", "P4.1.3", "P4.1.4", "P4.2.1",
     "P4.2.2", "P4.3", "T4.1", "Ill5.1.translate", "Ill5.1.fig7", "Ill5.1.support", "Ill5.2.support",
     "Ill5.1.effect", "Ill5.3.symmetry", "Ill5.4.regularity", "Rem5.1.approx", "Rem5.1.conj", "C6.larger",
-    "Ill5.5.1", "Ill5.5.2", "Ill5.6.k1", "Ill5.6.bezier", "Ill5.6.between", "Ill5.7.local", "Ill5.7.hull",
-    "Ill5.7.shift", "Rem5.2", "Ill5.8.symmetry", "Ill5.8.double", "Ill5.8.fig29", "Ill5.8.multiplicity",
+    "Ill5.5.1", "Ill5.5.2", "Ill5.6.k1", "Ill5.6.bezier", "Ill5.6.bezier.function", "Ill5.6.between", "Ill5.7.local", "Ill5.7.hull",
+    "Ill5.7.shift", "Ill5.7.shift.order", "Rem5.2", "Ill5.8.symmetry", "Ill5.8.double", "Ill5.8.double.near", "Ill5.8.fig29", "Ill5.8.multiplicity",
     "proof.T3.5.2.cover", "proof.P4.1.1.iff", "proof.P3.2.induction", "X.G1", "X.variation",
     "X.totalpositivity", "X.linear", "X.nested", "X.derivative", "X.nurbs", "X.maxima", "X.maxima.spans",
-    "X.maxima.most", "X.maxima.classical",
+    "X.maxima.bound", "X.maxima.uniform", "X.maxima.most", "X.maxima.classical",
 ];
 
 /// Judging everything takes most of a minute: the tests here share one run.
