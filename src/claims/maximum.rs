@@ -116,25 +116,33 @@ pub(super) fn searched() -> Vec<BasisCase> {
     (3..=8).flat_map(|degree| first_with_two_maxima(degree, full)).collect()
 }
 
-/// The same on open knot vectors.
+/// The same on open knot vectors, mirrored with the conjugate index where that puts the smaller knots first.
 pub(super) fn searched_on_open_knots() -> Vec<BasisCase> {
     (3..=8).flat_map(|degree| first_with_two_maxima(degree, open)).collect()
 }
 
-fn full(candidate: &Candidate) -> Vec<BigRational> {
-    candidate.full_knots().rational()
+fn full(candidate: &Candidate) -> Option<Basis> {
+    let knots = KnotVector::new(candidate.full_knots().rational()).ok()?;
+    Basis::new(knots, candidate.degree(), candidate.index()).ok()
 }
 
-/// The knots of the function, with its first and its last one repeated up to multiplicity k + 1.
-fn open(candidate: &Candidate) -> Vec<BigRational> {
+/// The first and the last knot of the function are repeated up to multiplicity k + 1.
+fn open(candidate: &Candidate) -> Option<Basis> {
     let (own, copies) = (candidate.own_knots(), candidate.degree() + 1);
     let (first, last) = (own[0], own[own.len() - 1]);
-    let inside = own.into_iter().filter(|t| *t != first && *t != last);
+    let inside: Vec<_> = own.into_iter().filter(|t| *t != first && *t != last).collect();
+    let mirrored: Vec<_> = inside.iter().rev().map(|t| first + last - t).collect();
+    let (inside, index) = if mirrored < inside {
+        (mirrored, candidate.index().conjugate())
+    } else {
+        (inside, candidate.index())
+    };
     let knots = std::iter::repeat_n(first, copies).chain(inside).chain(std::iter::repeat_n(last, copies));
-    knots.map(|t| BigRational::from_integer(t.into())).collect()
+    let knots = KnotVector::new(knots.map(|t| BigRational::from_integer(t.into())).collect()).ok()?;
+    Basis::new(knots, candidate.degree(), index).ok()
 }
 
-fn first_with_two_maxima(degree: usize, knots: fn(&Candidate) -> Vec<BigRational>) -> Vec<BasisCase> {
+fn first_with_two_maxima(degree: usize, basis: fn(&Candidate) -> Option<Basis>) -> Vec<BasisCase> {
     /// Sum of the gaps and height of α: enough for every degree from 3 to 8.
     const SIZE: u64 = 9;
     /// For one of so many the maxima are equal for an index close by.
@@ -145,11 +153,10 @@ fn first_with_two_maxima(degree: usize, knots: fn(&Candidate) -> Vec<BigRational
     };
     let candidates = cases.between(0..cases.positions()).map(|(_, candidate)| candidate);
     let several = candidates.filter(|candidate| local_maxima(candidate).maxima > 1).take(TRIES);
-    let basis = |candidate: Candidate| {
-        let knots = KnotVector::new(knots(&candidate)).ok()?;
-        Basis::new(knots, degree, candidate.index()).ok()
-    };
-    several.filter_map(basis).map(|basis| BasisCase::new(basis, Origin::Small)).collect()
+    several
+        .filter_map(|candidate| basis(&candidate))
+        .map(|basis| BasisCase::new(basis, Origin::Small))
+        .collect()
 }
 
 fn place(place: &Place) -> String {

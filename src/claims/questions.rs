@@ -536,7 +536,7 @@ pub(super) fn claims() -> Vec<Claim> {
         .fails_by(Cause::Conjecture)
         .amended(Form::Basis(
             Statement::new(
-                "Never: for finite α and k ≥ 1, on no span of no U is x ↦ x a combination of the functions that live there, nor is x², …, x^k.",
+                "Never: for finite α and k ≥ 1, on no span of any U is x ↦ x a combination of the functions that live there, nor is x², …, x^k.",
                 no_power(|k| 1..=k),
             )
             .given([FiniteIndex, DegreeAtLeast(1)]),
@@ -661,6 +661,19 @@ mod tests {
     #[test]
     fn a_bezier_degree_too_low_is_refuted() {
         assert!(refuted(rational_bezier(|k| k * (k + 1) / 2 - 1), [Open, DegreeAtLeast(1)]));
+    }
+
+    /// Two interior knots, and all curves have tangents: beside the simple one the knots are one on either side.
+    #[test]
+    fn a_knot_of_multiplicity_k_minus_1_is_as_good_as_an_end() {
+        for (knots, continuous) in
+            [([0, 0, 0, 0, 1, 1, 2, 3, 3, 3, 3], true), ([0, 0, 0, 0, 1, 2, 3, 4, 4, 4, 4], false)]
+        {
+            let knots = KnotVector::new(knots.map(integer).to_vec()).unwrap();
+            let case = BasisCase::new(Basis::new(knots, 3, "-1".parse().unwrap()).unwrap(), Origin::User);
+            let judged = tangent_continuity(&case, &mut Ledger::default());
+            assert_eq!(judged.is_ok(), continuous, "{judged:?}");
+        }
     }
 
     /// For polynomial splines the answers are known, and all are yes.
