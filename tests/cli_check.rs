@@ -422,7 +422,7 @@ fn the_verdict_is_about_this_instance() {
 fn a_function_that_is_left_out_is_named() {
     for (degree, knots, alpha, zero) in [
         ("1", "0 0 0 3 3", "2", "G_0^1 is not meant: it is 0 everywhere, since t_0 = t_2 = 0."),
-        ("1", "0 1 1 1 2", "-1", "G_1^1 is not meant: it is 0 everywhere, since t_1 = t_3 = 1."),
+        ("1", "0 1 2 2 2 3 4", "-1", "G_2^1 is not meant: it is 0 everywhere, since t_2 = t_4 = 2."),
         ("2", "0 0 0 1 2 2 2 2", "inf", "G_4^2 is not meant: it is 0 everywhere, since t_4 = t_7 = 2."),
     ] {
         let on = [

@@ -1,6 +1,8 @@
 //! What a sentence says against what is judged: general statements read once more, word by word, on small and nasty knot
 //! vectors, by a few lines that share nothing with the conclusions of the register.
 
+#![allow(clippy::panic, reason = "helpers of tests")]
+
 use knotproof::analysis::{Pieces, Shape};
 use knotproof::claims::{BasisCase, Claim, Form, Origin, Verdict, claims, judge};
 use knotproof::scalar::{BigRational, integer, parse_rational, rational};
