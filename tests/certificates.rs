@@ -258,11 +258,14 @@ fn places(count: usize, limit: usize) -> Vec<usize> {
 /// Which tokens of a proof are changed: all, if statement and proof have at most 600 tokens; of longer ones some at an even
 /// stride, the fewer the longer they are; and the least of those where a check takes long, or would with fewer unknowns.
 fn proof_places(files: &Files, count: usize) -> Vec<usize> {
-    const SLOW: [&str; 11] = [
+    const SLOW: [&str; 14] = [
         "X.maxima.printed",
         "X.maxima.degree-7",
         "X.maxima.degree-8",
         "X.maxima.spans.degree-3",
+        "X.maxima.bound.degree-3",
+        "X.maxima.uniform.degree-3",
+        "X.nested.amended",
         "Conj3.1.weak.continuous.degree-8",
         "T3.5.2.printed",
         "T3.5.3.amended",
