@@ -90,7 +90,7 @@ fn certificates_are_written_in_pairs_and_are_the_recorded_ones() {
     let amended = checked.iter().find(|checked| checked["form"] == "amended").unwrap();
     let expected = json!({
         "claim": "P2.1.3", "form": "amended", "verdict": "proved", "scope": "knots", "degrees": [1], "sections": 5,
-        "steps": 6,
+        "steps": 8,
     });
     assert_eq!(amended, &expected);
     let degree = checked.iter().find(|checked| checked["form"] == "degree 2").unwrap();
@@ -119,7 +119,7 @@ fn proving_one_claim_says_nothing_of_other_files() {
     let (code, found) = text(&["prove", "--claim", "P2.1.3", "--out", out]);
     assert_eq!(code, 0);
     let rows: Vec<_> = found.lines().map(words).filter(|row| row.starts_with("P2.1.3")).collect();
-    assert_eq!(rows, ["P2.1.3 printed refuted instance 1 1", "P2.1.3 amended proved knots 1 6"]);
+    assert_eq!(rows, ["P2.1.3 printed refuted instance 1 2", "P2.1.3 amended proved knots 1 8"]);
     assert!(found.ends_with(&format!("Proved and checked: 2 certificates, in {out}\n")), "{found}");
     assert!(names(folder.path()).contains("gone.statement"), "nothing is deleted");
     let again = fs::read(folder.path().join("P2.1.3.printed.proof")).unwrap();
@@ -164,7 +164,7 @@ fn a_folder_that_cannot_be_written_is_refused_at_once() {
 
 // verify
 
-const SOME: [&str; 3] = ["P3.3.2.printed", "T3.5.1.printed", "X.nurbs.degree-2"];
+const SOME: [&str; 3] = ["P3.3.2.amended", "T3.5.1.printed", "X.nurbs.degree-2"];
 
 #[test]
 fn a_folder_of_certificates_is_checked_in_the_order_of_the_names() {
@@ -174,7 +174,7 @@ fn a_folder_of_certificates_is_checked_in_the_order_of_the_names() {
     assert_eq!((code, &found["schema"], &found["missing"]), (0, &json!("knotproof.verify/1"), &json!([])));
     assert_eq!((&found["rejected"], &found["unknown"]), (&json!([]), &json!([])));
     let expected = json!([
-        {"claim": "P3.3.2", "form": "printed", "verdict": "proved", "scope": "knots",
+        {"claim": "P3.3.2", "form": "amended", "verdict": "proved", "scope": "knots",
             "degrees": [0, 1, 2, 3, 4, 5, 6, 7, 8], "sections": 9, "steps": 90},
         {"claim": "T3.5.1", "form": "printed", "verdict": "refuted", "scope": "instance", "degrees": [1],
             "sections": 1, "steps": 1},
@@ -268,7 +268,7 @@ fn a_damaged_proof_is_rejected_with_section_goal_and_rule() {
     for (number, (part, instead, _)) in damages.iter().enumerate() {
         for extension in ["statement", "proof"] {
             let copy = path(&format!("Z{number}.{extension}"));
-            fs::copy(path(&format!("P3.3.2.printed.{extension}")), copy).unwrap();
+            fs::copy(path(&format!("P3.3.2.amended.{extension}")), copy).unwrap();
         }
         edit(&path(&format!("Z{number}.proof")), part, instead);
     }
@@ -291,7 +291,7 @@ fn a_damaged_proof_is_rejected_with_section_goal_and_rule() {
 #[test]
 fn a_false_statement_is_rejected() {
     let folder = copies(&SOME);
-    edit(&folder.path().join("P3.3.2.printed.statement"), "(- k i)", "i");
+    edit(&folder.path().join("P3.3.2.amended.statement"), "(- k i)", "i");
     let (code, found) = run(&["verify", folder.path().to_str().unwrap()]);
     assert_eq!(code, 1);
     let reason = found["rejected"][0]["reason"].as_str().unwrap();
@@ -305,12 +305,12 @@ fn a_statement_that_is_true_and_not_the_program_s_is_an_error_unless_it_is_allow
     let path = |name: &str| folder.path().join(name);
     // Another claim, another reading of it, other words, another reason; and a goal that says less.
     let changes = [
-        ("P3.3.2.printed", "(claim \"P3.3.2\")", "(claim \"P3.3.1\")"),
-        ("P3.3.2.printed", "(form printed)", "(form amended)"),
-        ("P3.3.2.printed", "(verdict proved)", "(verdict refuted)"),
-        ("P3.3.2.printed", "(scope knots)", "(scope alpha)"),
-        ("P3.3.2.printed", "Open U", "Not: open U"),
-        ("P3.3.2.printed", "(because \"", "(because \"Trust me. "),
+        ("P3.3.2.amended", "(claim \"P3.3.2\")", "(claim \"P3.3.1\")"),
+        ("P3.3.2.amended", "(form amended)", "(form printed)"),
+        ("P3.3.2.amended", "(verdict proved)", "(verdict refuted)"),
+        ("P3.3.2.amended", "(scope knots)", "(scope alpha)"),
+        ("P3.3.2.amended", "Open U", "Not: open U"),
+        ("P3.3.2.amended", "(because \"", "(because \"Trust me. "),
         ("T3.5.1.printed", "0)", "-1)"),
     ];
     for (number, (name, part, instead)) in changes.iter().enumerate() {
@@ -476,7 +476,7 @@ fn what_is_no_certificate_is_refused() {
     let message = refusal(folder.path().to_str().unwrap());
     assert!(message.contains("cannot read") && message.contains("T3.5.1.printed.proof"), "{message}");
     // No statement, no certificate, nothing, no text.
-    let message = refusal(&at("P3.3.2.printed.proof"));
+    let message = refusal(&at("P3.3.2.amended.proof"));
     assert!(message.contains("is no certificate: give files NAME.statement"), "{message}");
     assert!(refusal(&at("none.statement")).contains("cannot read"));
     let empty = tempfile::tempdir().unwrap();
@@ -489,7 +489,7 @@ fn what_is_no_certificate_is_refused() {
 #[test]
 fn nonsense_is_rejected() {
     let folder = tempfile::tempdir().unwrap();
-    let good = fs::read_to_string(certs().join("P3.3.2.printed.statement")).unwrap();
+    let good = fs::read_to_string(certs().join("P3.3.2.amended.statement")).unwrap();
     let deep = "(".repeat(100_000);
     let statements = [
         "",

@@ -10,6 +10,7 @@ use super::claim::{Claim, Form};
 use super::hypothesis::Hypothesis::{
     BaseInterval, FirstSpan, InteriorMultiplicityAtMostDegree, LastSpan, Open, Symmetric,
 };
+use super::hypothesis::STATED_IN_THE_PROOF;
 use super::statement::Statement;
 use super::verdict::{Judgement, Ledger, Stop};
 
@@ -327,10 +328,10 @@ pub(super) fn claims() -> Vec<Claim> {
         )
         .fails_by(Cause::EndPoints)
         .amended(Form::Basis(Statement::new(
-            "G_i^k(x) = 0 for every x not in (t_i, t_{i+k+1}), with two exceptions, where it is 1: x = t_i if t_i = t_{i+k} < t_{i+k+1}, and x = t_m if t_i < t_{i+1} = t_m.",
+            "G_i^k(x) = 0 for every x not in the closed interval [t_i, t_{i+k+1}]. It is 0 at the ends of that as well, with two exceptions, where it is 1: x = t_i if t_i = t_{i+k} < t_{i+k+1}, and x = t_m if t_i < t_{i+1} = t_m.",
             local_support(true),
         )))
-        .note("At the exceptions k + 1 knots of the function coincide, and it begins or ends with a jump."),
+        .note("At the exceptions k + 1 knots of the function coincide, and it begins or ends with a jump. The value at t_m is the limit from the left, here and everywhere."),
         Claim::new(
             "T3.5.2",
             "Theorem 3.5 (2)",
@@ -430,7 +431,7 @@ pub(super) fn claims() -> Vec<Claim> {
             )
             .given([Open, FirstSpan, LastSpan]),
         ))
-        .note("An open vector by D3.2 may repeat its end knots more often than k + 1 times; G_0^k is then 0."),
+        .note(STATED_IN_THE_PROOF),
     ]
 }
 

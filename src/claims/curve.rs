@@ -10,12 +10,13 @@ use super::case::BasisCase;
 use super::cause::Cause;
 use super::claim::{Claim, Form};
 use super::hypothesis::Hypothesis::{DegreeAtLeast, FirstSpan, LastSpan, Open, Symmetric};
+use super::hypothesis::STATED_IN_THE_PROOF;
 use super::regularity::{at_first, at_last, end_derivatives};
 use super::statement::Statement;
 use super::verdict::{Judgement, Ledger, Stop};
 
-/// G_j = 0 for x in [t_0, t_m] outside of [t_j, t_{j+k+1}); with `exceptions`, except at x = t_m if
-/// t_j < t_{j+1} = t_m, where it is 1.
+/// G_j = 0 for x in [t_0, t_m] outside of [t_j, t_{j+k+1}); with `exceptions`, except at the end x = t_m of
+/// [t_j, t_{j+k+1}] if t_j < t_{j+1}, where it is 1.
 pub(super) fn local_control(exceptions: bool) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
     move |case, ledger| {
         let knots = case.knots();
@@ -231,12 +232,12 @@ pub(super) fn claims() -> Vec<Claim> {
         .fails_by(Cause::EndPoints)
         .amended(Form::Basis(
             Statement::new(
-                "The same, except that at x = t_m the d_j with t_j < t_{j+1} = t_m acts, and alone.",
+                "Changing d_j changes the curve only for x in the closed interval [t_j, t_{j+k+1}]; and at its right end, x = t_{j+k+1}, only if that is t_m and t_j < t_{j+1} = t_m: there d_j acts, and alone.",
                 local_control(true),
             )
             .given([Open]),
         ))
-        .note("The value at t_m is the limit from the left, as in P4.2.1: G(t_m) = d_n, and t_m is not in [t_n, t_m)."),
+        .note("As printed, this and P4.2.1 contradict each other at t_m: by P4.2.1 the curve is d_n there, so d_n acts, and t_m is not in [t_n, t_m). The value at t_m is the limit from the left."),
         Claim::new(
             "P4.1.2",
             "Proposition 4.1 (2)",
@@ -285,7 +286,8 @@ pub(super) fn claims() -> Vec<Claim> {
         .amended(Form::Basis(
             Statement::new("The same if t_k < t_{k+1} and t_n < t_{n+1}.", interpolation(|n| (0, n)))
                 .given([Open, FirstSpan, LastSpan]),
-        )),
+        ))
+        .note(STATED_IN_THE_PROOF),
         Claim::new(
             "P4.2.2",
             "Proposition 4.2 (2)",
@@ -305,7 +307,8 @@ pub(super) fn claims() -> Vec<Claim> {
                 FirstSpan,
                 LastSpan,
             ]),
-        )),
+        ))
+        .note(STATED_IN_THE_PROOF),
         Claim::new(
             "P4.3",
             "Proposition 4.3",
@@ -329,13 +332,10 @@ pub(super) fn claims() -> Vec<Claim> {
         Claim::new(
             "T4.1",
             "Theorem 4.1",
-            Form::Basis(
-                Statement::new(
-                    "de Boor: for k ≤ j ≤ m−k−1, t_j < t_{j+1}, x in [t_j, t_{j+1}): G_α(x) = Σ_{i=j−k+r}^j d_i^r(x) G_i^{k−r}(x) for every r ≤ k, and G_α(x) = d_j^k(x).",
-                    de_boor_algorithm(|pair| pair),
-                )
-                .given([Open]),
-            ),
+            Form::Basis(Statement::new(
+                "de Boor, for any U: for k ≤ j ≤ m−k−1, t_j < t_{j+1}, x in [t_j, t_{j+1}): G_α(x) = Σ_{i=j−k+r}^j d_i^r(x) G_i^{k−r}(x) for every r ≤ k, and G_α(x) = d_j^k(x).",
+                de_boor_algorithm(|pair| pair),
+            )),
         ),
     ]
 }

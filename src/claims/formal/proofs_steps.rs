@@ -4,8 +4,8 @@ use std::ops::RangeInclusive;
 
 use super::Formal;
 use super::basis::{
-    AT_FIRST_KNOT, CONTINUITY, LIVING, MIRRORED, OFF_SUPPORT, ORDERS, POSITIVE_AT_KNOTS, POSITIVE_INSIDE,
-    SUM_IS_ONE, UNSYMMETRIC,
+    AT_FIRST_KNOT, CONTINUITY, IS_OVER, LIVING, MIRRORED, OFF_SUPPORT, ORDERS, POSITIVE_AT_KNOTS,
+    POSITIVE_INSIDE, STARTS_WITH_A_JUMP, SUM_IS_ONE,
 };
 
 /// Degree k − 1 at a knot t_0 = … = t_{p−1} of multiplicity p < k: no jump.
@@ -56,7 +56,7 @@ pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
         ("proof.T3.5.4.base", true) => statement(
             0..=0,
             "B is A in reverse; the function of the span is 1 on it, and so is its mirror image. At t_0 and t_m the limits count. At a knot inside the function that begins there is 1, while the mirror image of the one that ends there is 0.",
-            &[MIRRORED, UNSYMMETRIC],
+            &[MIRRORED, STARTS_WITH_A_JUMP, IS_OVER],
         ),
         ("proof.T3.5.4.corollary", true) => statement(
             1..=8,
