@@ -6,6 +6,7 @@ use crate::spline::{Basis, KnotVector, Side, bernstein, binomial, weight};
 
 use super::basis::name;
 use super::case::{BasisCase, Case};
+use super::cause::Cause;
 use super::claim::{Claim, Form};
 use super::closeness::base_spans;
 use super::hypothesis::Hypothesis::{
@@ -205,7 +206,8 @@ pub(super) fn claims() -> Vec<Claim> {
                 elevates_exactly(|k| k),
             )
             .given([Open, FiniteIndex, DegreeAtLeast(1)]),
-        )),
+        ))
+        .fails_by(Cause::Conjecture),
         Claim::new(
             "X.condition",
             "not in the paper",
@@ -224,6 +226,7 @@ pub(super) fn claims() -> Vec<Claim> {
             )
             .given([Open, FirstSpan, LastSpan, DegreeAtLeast(1), InnerMultiplicityAtMostDegree]),
         ))
+        .fails_by(Cause::NeverSo)
         .note("For k ≥ 2 and knots inside, no value and no bound is known here."),
     ]
 }
