@@ -37,6 +37,9 @@ mod two_maxima;
 mod verdict;
 mod weight;
 
+/// The paper whose claims are judged.
+pub const PAPER: &str = "arXiv 1805.04433";
+
 pub use case::{BasisCase, Case, Origin, WeightCase};
 pub use cause::{Cause, Severity, Source};
 pub use claim::{Claim, Form, Judged};

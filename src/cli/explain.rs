@@ -3,6 +3,7 @@
 use std::fmt;
 use std::path::Path;
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::claims::{Claim, Form, claims, formal, formal_for_degree, refutation};
@@ -33,7 +34,7 @@ Examples:
 The verdicts are the recorded ones; `knotproof report --claim CLAIM` judges it again.";
 
 /// One statement of the claim.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct Part {
     /// `as printed`, `as amended` or `degree K`.
     of: String,
@@ -51,8 +52,8 @@ struct Part {
 }
 
 /// The result: its fields are the JSON.
-#[derive(Debug, Serialize)]
-struct Explanation {
+#[derive(Debug, Serialize, JsonSchema)]
+pub(super) struct Explanation {
     schema: &'static str,
     id: &'static str,
     locator: &'static str,
@@ -86,7 +87,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         parts,
         note: claim.note,
     };
-    output.result(&explanation)?;
+    output.result_of_paper(&explanation)?;
     Ok(Exit::Holds)
 }
 

@@ -4,6 +4,7 @@ use std::fmt;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::claims::{Claim, claims};
@@ -60,8 +61,8 @@ const README: &str = "README.md";
 const DOCS: &str = "docs";
 
 /// The result: its fields are the JSON.
-#[derive(Debug, Serialize)]
-struct Outcome {
+#[derive(Debug, Serialize, JsonSchema)]
+pub(super) struct Outcome {
     #[serde(flatten)]
     report: Report,
     /// The verdicts that are not as recorded.
@@ -127,7 +128,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         }
         folder.put_in_place()?;
     }
-    output.result(&outcome)?;
+    output.result_of_paper(&outcome)?;
     Ok(if outcome.differences.is_empty() { Exit::Holds } else { Exit::Refuted })
 }
 

@@ -13,6 +13,7 @@ mod record;
 use std::collections::{BTreeMap, HashMap, HashSet};
 
 use rayon::prelude::*;
+use schemars::JsonSchema;
 use serde::Serialize;
 use thiserror::Error;
 
@@ -32,7 +33,7 @@ pub use page::{PageError, PageSource, page};
 pub use record::{DegreeFinding, Finding, Grounds, Record, Stated};
 
 /// All that one run found: the data of `report.json`.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct Report {
     /// `knotproof.report/1`.
     pub schema: &'static str,
@@ -46,7 +47,7 @@ pub struct Report {
 }
 
 /// How far `f64` is from exact on one instance and index, its numbers rounded to `f64` and then taken as exact.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct Drift {
     /// The instance.
     pub instance: &'static str,

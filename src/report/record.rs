@@ -1,12 +1,13 @@
 //! What is reported of a claim: the data of `report.json`.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::certificate::{Certificate, Form as CertificateForm, Statement};
 use crate::claims::{Claim, Form, Judged, Sharpness, Verdict, Witness};
 
 /// One status with all that belongs to it.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct Finding {
     /// `proved`, `refuted`, `undecided`, `not-formal` or `not-applicable`.
     pub status: String,
@@ -85,7 +86,7 @@ fn runs(list: &[usize]) -> String {
 }
 
 /// On how much a proof rests. Kept apart from the finding: it may grow without the verdict changing.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct Grounds {
     /// Instances of the paper (each U, k and α counts).
     pub instances: usize,
@@ -96,7 +97,7 @@ pub struct Grounds {
 }
 
 /// A statement with what was found about it.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct Stated {
     /// The statement in words and formulas.
     pub statement: String,
@@ -115,7 +116,7 @@ pub struct Stated {
 }
 
 /// The verdict on a question for one degree.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct DegreeFinding {
     /// k.
     pub degree: usize,
@@ -128,7 +129,7 @@ pub struct DegreeFinding {
 }
 
 /// All that is reported of a claim.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct Record {
     /// The identifier, such as `T3.5.2`.
     pub id: String,
