@@ -412,7 +412,40 @@ fn the_verdict_is_about_this_instance() {
     assert_eq!(verdict("0 0 0 1 1 1 2 2 2", "Conj3.1.strong"), "refuted");
     assert_eq!(verdict("0 0 0 1 1 1 2 2 2", "Conj3.1.strong.continuous"), "proved");
     assert_eq!(verdict("0 0 0 1 2 2 2", "P3.3.2"), "not-applicable", "there is an interior knot");
-    assert_eq!(verdict("0 0 0 2 2 2", "P3.3.2"), "proved");
+    assert_eq!(verdict("0 0 0 2 2 2", "P3.3.2"), "refuted", "at the last knot");
+    assert_eq!(verdict("0 0 0 2 2 2", "X.derivative"), "refuted");
+    assert_eq!(verdict("0 0 0 1 2 2 2", "X.G1"), "proved");
+}
+
+/// A function that is 0 everywhere has no maximum: the sentence says that it is not meant, and the output names it.
+#[test]
+fn a_function_that_is_left_out_is_named() {
+    for (degree, knots, alpha, zero) in [
+        ("1", "0 0 0 3 3", "2", "G_0^1 is not meant: it is 0 everywhere, since t_0 = t_2 = 0."),
+        ("1", "0 1 2 2 2 3 4", "-1", "G_2^1 is not meant: it is 0 everywhere, since t_2 = t_4 = 2."),
+        ("2", "0 0 0 1 2 2 2 2", "inf", "G_4^2 is not meant: it is 0 everywhere, since t_4 = t_7 = 2."),
+    ] {
+        let on = [
+            "--degree",
+            degree,
+            "--knots",
+            knots,
+            "--alpha",
+            alpha,
+            "--property",
+            "Conj3.1.strong.continuous",
+        ];
+        let (code, found) = check(&on);
+        assert_eq!((code, statuses(&found)), (0, vec![("Conj3.1.strong.continuous", "proved")]), "{knots}");
+        let property = &found["properties"][0];
+        assert!(property["statement"].as_str().unwrap().contains("with t_i < t_{i+k+1}"), "{property}");
+        assert_eq!(property["remarks"], json!([zero]));
+        let output = knotproof(&[&["check"], &on[..]].concat()).output().unwrap();
+        let text = String::from_utf8(output.stdout).unwrap();
+        assert!(text.contains(&format!("\n      {zero}\n")), "{text}");
+    }
+    let (_, found) = check(&["--instance", "U4", "--alpha", "-1", "--property", "Conj3.1.strong.continuous"]);
+    assert_eq!(found["properties"][0].get("remarks"), None, "no function is left out");
 }
 
 /// A hypothesis that does not hold is named, and nothing is claimed to be proved.
@@ -459,12 +492,13 @@ fn the_text_shows_the_witness_and_the_limit() {
         String::from_utf8(output.stdout).unwrap()
     };
     let refuted = text("T3.5.3");
-    for part in
-        ["at j = 2, x = 3/2: it says Σ G_i^1(3/2) = 1; but the sum is 2/3", "amended: proved (knots, k = 1) "]
-    {
+    for part in [
+        "at j = 2, x = 3/2: it says Σ G_i^1(3/2) = 1; but the sum is 2/3",
+        "amended: proved (knots, for k = 1) ",
+    ] {
         assert!(refuted.contains(part), "{part} in {refuted}");
     }
-    assert!(text("X.totalpositivity").contains("X.totalpositivity          proved (knots, k = 1)\n"));
+    assert!(text("X.totalpositivity").contains("X.totalpositivity          proved (knots, for k = 1)\n"));
     // From degree 3 on it is refuted in general, and open on these knots.
     let options = ["check", "--degree", "3", "--knots", "0 0 0 0 1 1 1 1", "--alpha", "-1", "--property"];
     let output = knotproof(&[&options[..], &["X.totalpositivity"]].concat()).output().unwrap();

@@ -90,7 +90,7 @@ fn certificates_are_written_in_pairs_and_are_the_recorded_ones() {
     let amended = checked.iter().find(|checked| checked["form"] == "amended").unwrap();
     let expected = json!({
         "claim": "P2.1.3", "form": "amended", "verdict": "proved", "scope": "knots", "degrees": [1], "sections": 5,
-        "steps": 6,
+        "steps": 8,
     });
     assert_eq!(amended, &expected);
     let degree = checked.iter().find(|checked| checked["form"] == "degree 2").unwrap();
@@ -119,7 +119,7 @@ fn proving_one_claim_says_nothing_of_other_files() {
     let (code, found) = text(&["prove", "--claim", "P2.1.3", "--out", out]);
     assert_eq!(code, 0);
     let rows: Vec<_> = found.lines().map(words).filter(|row| row.starts_with("P2.1.3")).collect();
-    assert_eq!(rows, ["P2.1.3 printed refuted instance 1 1", "P2.1.3 amended proved knots 1 6"]);
+    assert_eq!(rows, ["P2.1.3 printed refuted instance 1 2", "P2.1.3 amended proved knots 1 8"]);
     assert!(found.ends_with(&format!("Proved and checked: 2 certificates, in {out}\n")), "{found}");
     assert!(names(folder.path()).contains("gone.statement"), "nothing is deleted");
     let again = fs::read(folder.path().join("P2.1.3.printed.proof")).unwrap();
@@ -164,7 +164,7 @@ fn a_folder_that_cannot_be_written_is_refused_at_once() {
 
 // verify
 
-const SOME: [&str; 3] = ["P3.3.2.printed", "T3.5.1.printed", "X.nurbs.degree-2"];
+const SOME: [&str; 3] = ["P3.3.2.amended", "T3.5.1.printed", "X.nurbs.degree-2"];
 
 #[test]
 fn a_folder_of_certificates_is_checked_in_the_order_of_the_names() {
@@ -174,7 +174,7 @@ fn a_folder_of_certificates_is_checked_in_the_order_of_the_names() {
     assert_eq!((code, &found["schema"], &found["missing"]), (0, &json!("knotproof.verify/1"), &json!([])));
     assert_eq!((&found["rejected"], &found["unknown"]), (&json!([]), &json!([])));
     let expected = json!([
-        {"claim": "P3.3.2", "form": "printed", "verdict": "proved", "scope": "knots",
+        {"claim": "P3.3.2", "form": "amended", "verdict": "proved", "scope": "knots",
             "degrees": [0, 1, 2, 3, 4, 5, 6, 7, 8], "sections": 9, "steps": 90},
         {"claim": "T3.5.1", "form": "printed", "verdict": "refuted", "scope": "instance", "degrees": [1],
             "sections": 1, "steps": 1},
@@ -268,7 +268,7 @@ fn a_damaged_proof_is_rejected_with_section_goal_and_rule() {
     for (number, (part, instead, _)) in damages.iter().enumerate() {
         for extension in ["statement", "proof"] {
             let copy = path(&format!("Z{number}.{extension}"));
-            fs::copy(path(&format!("P3.3.2.printed.{extension}")), copy).unwrap();
+            fs::copy(path(&format!("P3.3.2.amended.{extension}")), copy).unwrap();
         }
         edit(&path(&format!("Z{number}.proof")), part, instead);
     }
@@ -291,7 +291,7 @@ fn a_damaged_proof_is_rejected_with_section_goal_and_rule() {
 #[test]
 fn a_false_statement_is_rejected() {
     let folder = copies(&SOME);
-    edit(&folder.path().join("P3.3.2.printed.statement"), "(- k i)", "i");
+    edit(&folder.path().join("P3.3.2.amended.statement"), "(- k i)", "i");
     let (code, found) = run(&["verify", folder.path().to_str().unwrap()]);
     assert_eq!(code, 1);
     let reason = found["rejected"][0]["reason"].as_str().unwrap();
@@ -305,12 +305,12 @@ fn a_statement_that_is_true_and_not_the_program_s_is_an_error_unless_it_is_allow
     let path = |name: &str| folder.path().join(name);
     // Another claim, another reading of it, other words, another reason; and a goal that says less.
     let changes = [
-        ("P3.3.2.printed", "(claim \"P3.3.2\")", "(claim \"P3.3.1\")"),
-        ("P3.3.2.printed", "(form printed)", "(form amended)"),
-        ("P3.3.2.printed", "(verdict proved)", "(verdict refuted)"),
-        ("P3.3.2.printed", "(scope knots)", "(scope alpha)"),
-        ("P3.3.2.printed", "Open U", "Not: open U"),
-        ("P3.3.2.printed", "(because \"", "(because \"Trust me. "),
+        ("P3.3.2.amended", "(claim \"P3.3.2\")", "(claim \"P3.3.1\")"),
+        ("P3.3.2.amended", "(form amended)", "(form printed)"),
+        ("P3.3.2.amended", "(verdict proved)", "(verdict refuted)"),
+        ("P3.3.2.amended", "(scope knots)", "(scope alpha)"),
+        ("P3.3.2.amended", "Open U", "Not: open U"),
+        ("P3.3.2.amended", "(because \"", "(because \"Trust me. "),
         ("T3.5.1.printed", "0)", "-1)"),
     ];
     for (number, (name, part, instead)) in changes.iter().enumerate() {
@@ -476,7 +476,7 @@ fn what_is_no_certificate_is_refused() {
     let message = refusal(folder.path().to_str().unwrap());
     assert!(message.contains("cannot read") && message.contains("T3.5.1.printed.proof"), "{message}");
     // No statement, no certificate, nothing, no text.
-    let message = refusal(&at("P3.3.2.printed.proof"));
+    let message = refusal(&at("P3.3.2.amended.proof"));
     assert!(message.contains("is no certificate: give files NAME.statement"), "{message}");
     assert!(refusal(&at("none.statement")).contains("cannot read"));
     let empty = tempfile::tempdir().unwrap();
@@ -489,7 +489,7 @@ fn what_is_no_certificate_is_refused() {
 #[test]
 fn nonsense_is_rejected() {
     let folder = tempfile::tempdir().unwrap();
-    let good = fs::read_to_string(certs().join("P3.3.2.printed.statement")).unwrap();
+    let good = fs::read_to_string(certs().join("P3.3.2.amended.statement")).unwrap();
     let deep = "(".repeat(100_000);
     let statements = [
         "",
@@ -542,7 +542,7 @@ fn a_proved_claim_is_explained() {
     assert_eq!(code, 0);
     for part in [
         "T3.5.2 (Theorem 3.5 (2))\n",
-        "As printed: proved (knots, k = 0–8)\n",
+        "As printed: proved (knots, for k ≤ 8)\n",
         "  Positivity: ",
         "  why: By D3.3 a function is 0 on a span",
         "  certificate: proofs/certs/T3.5.2.printed.statement and .proof; checked by engine, prover, checker\n",
@@ -564,13 +564,13 @@ fn a_refuted_claim_is_explained_with_witness_and_amendment() {
     let place = |part: &str| found.find(part).unwrap_or_else(|| panic!("{part} in {found}"));
     let parts = [
         "T3.5.3 (Theorem 3.5 (3))\n",
-        "As printed: refuted\n",
+        "As printed: refuted (slip)\n",
         "  Partition of unity: ",
         "  witness: k = 1, U = (0, 0, 1, 2), α = -1, j = 2, x = 3/2: the claim says Σ G_i^1(3/2) = 1, but the sum is 2/3\n",
-        "  again: knotproof eval --degree 1 --knots 0,0,1,2 --alpha -1 --x 3/2 --derivatives 1\n",
+        "  again: knotproof eval --degree 1 --knots 0,0,1,2 --alpha -1 --x 3/2\n",
         "  why: All functions that exist",
         "  certificate: proofs/certs/T3.5.3.printed.statement",
-        "As amended: proved (knots, k = 0–8)\n",
+        "As amended: proved (knots, for k ≤ 8)\n",
         "  For t_j < t_{j+1}: ",
         "  certificate: proofs/certs/T3.5.3.amended.statement",
         "Note: ",
@@ -584,9 +584,9 @@ fn a_question_is_explained_degree_by_degree() {
     let (_, found) = text(&["explain", "X.totalpositivity"]);
     for part in [
         "X.totalpositivity (not in the paper)\n",
-        "As printed: refuted\n",
-        "Degree 1: proved (knots, k = 1)\n",
-        "Degree 2: proved (knots, k = 2)\n",
+        "As printed: refuted (serious)\n",
+        "Degree 1: proved (knots, for k = 1)\n",
+        "Degree 2: proved (knots, for k = 2)\n",
         "Degree 3: refuted\n",
         "proofs/certs/X.totalpositivity.degree-3.statement",
     ] {
@@ -605,7 +605,7 @@ fn an_illustration_is_explained() {
     for part in [
         "Ill5.1.fig7 (Illustration 5.1, Fig. 7)\n",
         "  witness: instance = U0, k = 3, ",
-        "As amended: proved (alpha, k = 3)\n",
+        "As amended: proved (alpha, for k = 3)\n",
         "  why: At x = t_{i+1} the value of G_i rises strictly with r",
         "proofs/certs/Ill5.1.fig7.amended.statement",
         "Note: The figure misleads",
@@ -618,7 +618,7 @@ fn an_illustration_is_explained() {
 #[test]
 fn what_has_no_certificate_is_explained_without_one() {
     let (_, found) = text(&["explain", "X.maxima.classical", "--goals"]);
-    let (formal, by_cases) = found.split_once("\nDegree 4: proved (instance, k = 4)\n").unwrap();
+    let (formal, by_cases) = found.split_once("\nDegree 4: proved (instance, for k = 4)\n").unwrap();
     for word in ["certificate:", "why:", "goals:"] {
         assert!(formal.contains(word) && !by_cases.contains(word), "{word}: {found}");
     }

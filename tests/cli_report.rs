@@ -85,6 +85,86 @@ fn the_claims_asked_for_and_the_study_of_floats() {
     }
 }
 
+/// Each refutation has its cause and its severity; counts are of the paper and of our questions apart.
+#[test]
+fn the_summary_counts_the_paper_and_our_questions_apart() {
+    let (_, found) =
+        report(&["--claim", "P2.1.3", "--claim", "T3.5.1", "--claim", "R2.2.1", "--claim", "X.linear"]);
+    let field = |id: &str, name: &str| {
+        let claim = found["claims"].as_array().unwrap().iter().find(|claim| claim["id"] == id).unwrap();
+        claim[name].as_str().map(str::to_owned)
+    };
+    for (id, source, severity, cause) in [
+        ("P2.1.3", "paper", Some("hypothesis"), Some("outside-interval")),
+        ("T3.5.1", "paper", Some("slip"), Some("end-points")),
+        ("R2.2.1", "paper", None, None),
+        ("X.linear", "question", Some("serious"), Some("conjecture")),
+    ] {
+        let expected = [Some(source), severity, cause].map(|word| word.map(str::to_owned));
+        assert_eq!(["source", "severity", "cause"].map(|name| field(id, name)), expected, "{id}");
+        assert_eq!(field(id, "severity_because").is_some(), severity.is_some());
+    }
+    let counts = |refuted: [usize; 4], causes: Value, statements: usize| {
+        let [slip, hypothesis, reading, serious] = refuted;
+        let all: usize = refuted.iter().sum();
+        serde_json::json!({
+            "statements": statements, "proved": statements - all, "refuted": all, "undecided": 0, "not-formal": 0,
+            "refutations": {
+                "by_severity": {"hypothesis": hypothesis, "reading": reading, "serious": serious, "slip": slip},
+                "by_cause": causes,
+            },
+        })
+    };
+    let expected = serde_json::json!({
+        "paper": counts([1, 1, 0, 0], serde_json::json!({"end-points": 1, "outside-interval": 1}), 3),
+        "questions": counts([0, 0, 0, 1], serde_json::json!({"conjecture": 1}), 1),
+    });
+    assert_eq!(found["summary"], expected);
+    assert_eq!(found["paper"]["arxiv"], "1805.04433");
+    assert!(found["dependence"].get("sentence").is_none(), "not all theorems were judged");
+    let corner = &found["corners"][0];
+    assert!(corner["turn"]["angle_degrees"].is_string() && corner["left"].is_array(), "{corner}");
+}
+
+/// What an author gets: at once, as text, JSON and Markdown, from the same data.
+#[test]
+fn errata_are_printed_without_judging() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("errata");
+    let output =
+        knotproof(&["report", "--errata", "--format", "json", "--out", out.to_str().unwrap()]).assert();
+    let output = output.success().stderr("").get_output().stdout.clone();
+    let found: Value = serde_json::from_slice(&output).unwrap();
+    assert_eq!(found["schema"], "knotproof.errata/1");
+    let file: Value = serde_json::from_str(&fs::read_to_string(out.join("errata.json")).unwrap()).unwrap();
+    assert_eq!(file, found);
+    let page = fs::read_to_string(out.join("errata.md")).unwrap();
+    let text = knotproof(&["report", "--errata"]).assert().success().get_output().stdout.clone();
+    let text = String::from_utf8(text).unwrap();
+    let errata = found["errata"].as_array().unwrap();
+    assert!(errata.len() >= 9, "{} causes", errata.len());
+    for (number, one) in (1..).zip(errata) {
+        for name in ["cause", "severity"] {
+            assert!(one[name].is_string(), "{one}");
+        }
+        let line = text.lines().find(|line| line.starts_with(&format!("{number}. "))).unwrap();
+        for locator in one["locators"].as_array().unwrap() {
+            assert!(line.contains(locator.as_str().unwrap()), "{locator} in {line}");
+        }
+        assert!(!one["claims"].as_array().unwrap().is_empty() && one["amended"].is_array(), "{one}");
+        assert!(text.contains(one["witness"]["text"].as_str().unwrap()));
+        assert!(page.contains(&format!("## {number}. ")));
+    }
+    let files: Vec<_> = fs::read_dir(&out).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+    assert_eq!(files.len(), 2, "{files:?}");
+    // Of one claim.
+    let one = knotproof(&["report", "--errata", "--claim", "T3.5.1", "--format", "json"]).output().unwrap();
+    let one: Value = serde_json::from_slice(&one.stdout).unwrap();
+    assert_eq!(one["errata"][0]["claims"], serde_json::json!(["T3.5.1"]));
+    let both = knotproof(&["report", "--errata", "--record"]).assert().code(2);
+    assert!(String::from_utf8_lossy(&both.get_output().stderr).contains("cannot be used with"));
+}
+
 #[test]
 fn a_question_is_reported_degree_by_degree() {
     let (code, found) = report(&["--claim", "X.linear"]);
@@ -110,6 +190,17 @@ fn the_files_are_written_where_asked_for() {
         assert!(text.contains(part), "{part}");
     }
     assert!(!text.contains("T3.5.1"), "only what was asked for");
+    let errata = fs::read_to_string(out.join("errata.md")).unwrap();
+    assert!(errata.starts_with("# Errata") && errata.contains("Proposition 2.1 (3)"), "{errata}");
+    // All that the page leads to is there.
+    let page = fs::read_to_string(out.join("index.html")).unwrap();
+    let links = page.split("href=\"").skip(1).map(|rest| rest.split('"').next().unwrap());
+    let files: Vec<_> = links.filter(|link| !link.starts_with('#') && !link.contains(':')).collect();
+    assert!(files.contains(&"errata.md") && files.contains(&"instance.schema.json"), "{files:?}");
+    for file in files {
+        assert!(out.join(file).exists(), "the page leads to {file}");
+    }
+    assert!(fs::read_to_string(out.join("dependence.svg")).unwrap().starts_with("<svg"));
 }
 
 #[test]
@@ -122,20 +213,24 @@ fn the_text_has_a_row_for_each_claim_and_the_counts() {
         let row = text.lines().find(|line| line.trim_start().starts_with(id)).unwrap();
         row.split_whitespace().collect::<Vec<_>>().join(" ")
     };
-    assert_eq!(row("claim"), "claim where as printed as amended certificate checked by");
-    // The certificate is that of the statement that stands.
-    let checked_by = "engine, prover, checker";
-    assert_eq!(
-        row("P2.1.3"),
-        format!("P2.1.3 Proposition 2.1 (3) refuted proved (knots) P2.1.3.amended {checked_by}")
+    assert_eq!(row("claim"), "claim where as printed as amended statement");
+    assert!(
+        row("P2.1.3")
+            .starts_with("P2.1.3 Proposition 2.1 (3) refuted (hypothesis) proved (knots) T affine, strictly"),
+        "{text}"
     );
-    assert_eq!(row("R2.2.1"), format!("R2.2.1 Remark 2.2 (1) proved (knots) R2.2.1.printed {checked_by}"));
+    assert!(row("R2.2.1").starts_with("R2.2.1 Remark 2.2 (1) proved (knots) "), "{text}");
+    assert!(text.find("P2.1.3 ").unwrap() < text.find("R2.2.1 ").unwrap(), "what is refuted stands first");
     for part in [
-        "As printed: 1 proved, 1 refuted.",
+        "The paper, 2 statements: 1 proved, 1 refuted (1 hypothesis)",
         "As amended, where refuted: 1 proved.",
-        "f64 against exact, ours: at most 0.",
+        "f64 against exact, ours: largest found 0.",
+        "Curves of the paper have corners",
     ] {
         assert!(text.contains(part), "{part} in {text}");
+    }
+    for part in ["Our questions", "No theorem"] {
+        assert!(!text.contains(part), "nothing was judged of {part}");
     }
     assert!(text.ends_with("Every verdict is as recorded.\n"), "{text}");
     let text = knotproof(&["report", "--claim", "R2.2.1"]).assert().success().get_output().stdout.clone();

@@ -167,12 +167,12 @@ fn a_proof_rests_on_the_cases_in_which_something_was_decided() {
     });
     let verdict = judge(&statement, &cases).expect("no fault");
     let expected = Reach {
-        // A case of the paper or of the user may stand for several instances.
+        // A case of the paper or of the user may stand for several instances. Only of those are remarks kept.
         instances: 3 + 4,
         small_cases: 2,
         facts: 8,
         degrees: vec![1, 2],
-        remarks: ["case 0", "case 2", "case 3", "case 4"].map(str::to_owned).to_vec(),
+        remarks: ["case 3", "case 4"].map(str::to_owned).to_vec(),
     };
     assert_eq!(verdict, Verdict::Proved { scope: Scope::Instance, reach: expected });
 }

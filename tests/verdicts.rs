@@ -13,16 +13,21 @@ use knotproof::report::{Baseline, END, Finding, Record, Report, START, markdown,
 /// more, so that none can get lost.
 #[rustfmt::skip]
 const IDS: &[&str] = &[
-    "phi.range", "phi.shape", "L2.1", "R2.2.1", "R2.2.2a", "R2.2.2b", "R2.2.2c", "P2.1.1", "P2.1.2",
-    "P2.1.3", "C2.4", "Ill2.1", "T3.5.1", "T3.5.2", "T3.5.3", "T3.5.4", "L3.6", "L3.7", "P3.1.1", "P3.1.2",
-    "P3.1.3", "abstract.regularity", "abstract.approx", "L3.8", "L3.9", "L3.10", "T3.11.1", "T3.11.2",
-    "T3.11.3a", "T3.11.3b", "Rem3.1", "Conj3.1.strong", "Conj3.1.weak", "Conj3.1.strong.continuous",
-    "Conj3.1.weak.continuous", "P3.2", "P3.3.1", "P3.3.2", "P4.1.1", "P4.1.2", "P4.1.3", "P4.1.4", "P4.2.1",
-    "P4.2.2", "P4.3", "T4.1", "Ill5.1.translate", "Ill5.1.fig7", "Ill5.1.support", "Ill5.2.support",
+    "abstract.classical", "abstract.bezier", "abstract.bezier.points", "phi.range", "phi.shape", "L2.1",
+    "R2.2.1", "R2.2.2a", "R2.2.2b", "R2.2.2c", "P2.1.1", "P2.1.2", "P2.1.3", "C2.4", "Ill2.1",
+    "Ill2.1.crucial", "D3.1.interval", "D3.2.examples", "D3.2.stop", "T3.5.1", "T3.5.2", "T3.5.3", "T3.5.4",
+    "L3.6", "L3.7", "P3.1.1", "P3.1.2", "P3.1.3", "P3.1.extension", "abstract.regularity",
+    "abstract.approx", "L3.8", "L3.9", "L3.10", "T3.11.1", "T3.11.2", "T3.11.3a", "T3.11.3b", "Rem3.1",
+    "Conj3.1.strong", "Conj3.1.weak", "Conj3.1.strong.continuous", "Conj3.1.weak.continuous", "P3.2",
+    "P3.3.1", "P3.3.2", "P4.1.1", "P4.1.2", "P4.1.3", "P4.1.4", "P4.2.1", "P4.2.2", "P4.3", "T4.1",
+    "P4.2.tangent", "T4.1.range", "Ill5.1.translate", "Ill5.1.fig7", "Ill5.1.support", "Ill5.2.support",
     "Ill5.1.effect", "Ill5.3.symmetry", "Ill5.4.regularity", "Rem5.1.approx", "Rem5.1.conj", "C6.larger",
     "Ill5.5.1", "Ill5.5.2", "Ill5.6.k1", "Ill5.6.bezier", "Ill5.6.between", "Ill5.7.local", "Ill5.7.hull",
-    "Ill5.7.shift", "Rem5.2", "Ill5.8.symmetry", "Ill5.8.double", "Ill5.8.fig29", "Ill5.8.multiplicity",
-    "proof.T3.5.2.cover", "proof.P4.1.1.iff", "proof.P3.2.induction", "X.G1", "X.variation",
+    "Ill5.7.shift", "Rem5.2", "Ill5.5.2.zero", "Ill5.5.2.general", "Ill5.6.increasing", "Ill5.7.small",
+    "Fig27-33", "Ill5.8.symmetry", "Ill5.8.double", "Ill5.8.fig29", "Ill5.8.multiplicity",
+    "Ill5.8.remarkable", "C6.classical", "proof.T3.5.2.cover", "proof.P4.1.1.iff", "proof.P3.2.induction",
+    "proof.T3.5.3.iff", "proof.P4.1.2.iff", "proof.P3.1.2.induction", "proof.P3.2.hypothesis",
+    "proof.T3.5.4.base", "proof.T3.5.4.corollary", "proof.P4.3.bisector", "X.G1", "X.variation",
     "X.totalpositivity", "X.linear", "X.nested", "X.derivative", "X.nurbs", "X.maxima", "X.maxima.spans",
     "X.maxima.most", "X.maxima.classical", "X.close", "X.order", "X.limit", "X.limit.trace", "X.limit.arc",
     "X.approximation", "X.elevation", "X.condition", "X.weights",
@@ -89,6 +94,7 @@ fn the_report_covers_the_register() {
     assert_eq!(REPORT.schema, "knotproof.report/1");
     assert!(!REPORT.float.is_empty());
     let text = markdown(&REPORT);
+    assert!(text.contains("arXiv 1805.04433") && text.contains("the appendix with the formal expressions"));
     for id in IDS {
         assert!(text.contains(&format!("| `{id}` |")) && text.contains(&format!("### {id} (")), "{id}");
     }
@@ -184,6 +190,14 @@ fn a_refuted_claim_has_an_amended_statement_that_is_proved() {
             "refuted" => assert_eq!(amended, Some("proved"), "{}", record.id),
             _ => assert_eq!(amended, None, "{} needs no amendment", record.id),
         }
+    }
+}
+
+#[test]
+fn a_claim_has_a_cause_of_its_failure_if_and_only_if_it_is_refuted() {
+    for (claim, record) in claims().iter().zip(&REPORT.claims) {
+        let refuted = record.as_printed.finding.status == "refuted";
+        assert_eq!(claim.cause.is_some(), refuted, "{}: {:?}", claim.id, claim.cause);
     }
 }
 

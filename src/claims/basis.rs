@@ -5,10 +5,12 @@ use crate::scalar::{BigRational, Ring, integer};
 use crate::spline::{KnotVector, Side, Span};
 
 use super::case::{BasisCase, definition_values};
+use super::cause::Cause;
 use super::claim::{Claim, Form};
 use super::hypothesis::Hypothesis::{
     BaseInterval, FirstSpan, InteriorMultiplicityAtMostDegree, LastSpan, Open, Symmetric,
 };
+use super::hypothesis::STATED_IN_THE_PROOF;
 use super::statement::Statement;
 use super::verdict::{Judgement, Ledger, Stop};
 
@@ -96,7 +98,10 @@ pub(super) fn positivity(threshold: BigRational) -> impl Fn(&BasisCase, &mut Led
 }
 
 /// Σ_{i=0}^n G_i^k = Σ_{i=j−k}^j G_i^k = total on every span j; with `only_base`, exactly on those with k ≤ j ≤ n.
-fn partition_of_unity(only_base: bool, total: BigRational) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
+pub(super) fn partition_of_unity(
+    only_base: bool,
+    total: BigRational,
+) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
     move |case, ledger| {
         let wanted = crate::analysis::constant(total.clone());
         for pieces in case.pieces().spans() {
@@ -321,11 +326,12 @@ pub(super) fn claims() -> Vec<Claim> {
                 local_support(false),
             )),
         )
+        .fails_by(Cause::EndPoints)
         .amended(Form::Basis(Statement::new(
-            "G_i^k(x) = 0 for every x not in (t_i, t_{i+k+1}), with two exceptions, where it is 1: x = t_i if t_i = t_{i+k} < t_{i+k+1}, and x = t_m if t_i < t_{i+1} = t_m.",
+            "G_i^k(x) = 0 for every x not in the closed interval [t_i, t_{i+k+1}]. It is 0 at the ends of that as well, with two exceptions, where it is 1: x = t_i if t_i = t_{i+k} < t_{i+k+1}, and x = t_m if t_i < t_{i+1} = t_m.",
             local_support(true),
         )))
-        .note("At the exceptions k + 1 knots of the function coincide, and it begins or ends with a jump."),
+        .note("At the exceptions k + 1 knots of the function coincide, and it begins or ends with a jump. The value at t_m is the limit from the left, here and everywhere."),
         Claim::new(
             "T3.5.2",
             "Theorem 3.5 (2)",
@@ -342,6 +348,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 partition_of_unity(false, integer(1)),
             )),
         )
+        .fails_by(Cause::IndexRange)
         .amended(Form::Basis(Statement::new(
             "For t_j < t_{j+1}: Σ_{i=0}^n G_i^k = 1 on [t_j, t_{j+1}) if and only if k ≤ j ≤ n, that is on [t_k, t_{n+1}); and there it is Σ_{i=j−k}^j G_i^k.",
             partition_of_unity(true, integer(1)),
@@ -358,6 +365,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 .given([Symmetric]),
             ),
         )
+        .fails_by(Cause::InnerMultiplicity)
         .amended(Form::Basis(
             Statement::new(
                 "The same for every x in [t_0, t_m] that is not a knot inside (t_0, t_m) of multiplicity greater than k; at every such knot it fails for some i.",
@@ -415,6 +423,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 .given([Open]),
             ),
         )
+        .fails_by(Cause::EndKnots)
         .amended(Form::Basis(
             Statement::new(
                 "The same if t_k < t_{k+1} and t_n < t_{n+1}: the end knots have multiplicity k + 1 and no more.",
@@ -422,7 +431,7 @@ pub(super) fn claims() -> Vec<Claim> {
             )
             .given([Open, FirstSpan, LastSpan]),
         ))
-        .note("An open vector by D3.2 may repeat its end knots more often than k + 1 times; G_0^k is then 0."),
+        .note(STATED_IN_THE_PROOF),
     ]
 }
 

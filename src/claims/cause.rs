@@ -41,12 +41,13 @@ pub enum Cause {
     InnerMultiplicity,
     /// An index runs too far.
     IndexRange,
-    /// A step of a proof is wrong, while the statement is true.
+    /// A step of a proof is wrong, while the statement that it is to prove is true.
     ProofStep,
-    /// A picture was read wrongly.
+    /// What is said of a picture is not so on the example that it shows.
     Picture,
     /// The words allow more than one reading, and in one of them it fails.
     VagueWords,
-    /// Conjecture 3.1 is false, and so are the classical properties that go with it.
+    /// What is true of polynomial B-splines fails for finite α: one maximum, which is Conjecture 3.1, and the other
+    /// properties that the questions `X.…` ask for.
     Conjecture,
 }

@@ -7,15 +7,17 @@ use crate::spline::{Index, PointWeights, Side, Weights, de_boor};
 
 use super::basis::{interpolation, name, symmetry};
 use super::case::BasisCase;
+use super::cause::Cause;
 use super::claim::{Claim, Form};
 use super::hypothesis::Hypothesis::{DegreeAtLeast, FirstSpan, LastSpan, Open, Symmetric};
+use super::hypothesis::STATED_IN_THE_PROOF;
 use super::regularity::{at_first, at_last, end_derivatives};
 use super::statement::Statement;
 use super::verdict::{Judgement, Ledger, Stop};
 
-/// G_j = 0 for x in [t_0, t_m] outside of [t_j, t_{j+k+1}); with `exceptions`, except at x = t_m if
-/// t_j < t_{j+1} = t_m, where it is 1.
-fn local_control(exceptions: bool) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
+/// G_j = 0 for x in [t_0, t_m] outside of [t_j, t_{j+k+1}); with `exceptions`, except at the end x = t_m of
+/// [t_j, t_{j+k+1}] if t_j < t_{j+1}, where it is 1.
+pub(super) fn local_control(exceptions: bool) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
     move |case, ledger| {
         let knots = case.knots();
         for j in 0..=case.n() {
@@ -70,7 +72,7 @@ fn local_sum(lag: usize) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
 }
 
 /// Σ G_i = total on every span and so, by continuity from one side, at every x of [t_0, t_m].
-fn affine_invariance(total: BigRational) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
+pub(super) fn affine_invariance(total: BigRational) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
     move |case, ledger| {
         for pieces in case.pieces().spans() {
             let sum = pieces.functions.values().iter().fold(case.pieces().zero(), |sum, g| sum.plus(g));
@@ -128,7 +130,7 @@ impl Weights for Mapped<'_> {
 
 /// On every span k ≤ j ≤ n, for every r: Σ_i d_i^r G_i^{k−r} = Σ_i d_i G_i^k, with the unit vectors as control
 /// points, so for all control points at once. For r = k this is d_j^k.
-fn de_boor_algorithm(
+pub(super) fn de_boor_algorithm(
     map: fn((Piece, Piece)) -> (Piece, Piece),
 ) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
     move |case, ledger| {
@@ -170,7 +172,7 @@ fn de_boor_algorithm(
 }
 
 /// P4.2.2: the derivatives at both ends. Where an end knot is repeated too often the formula divides by 0.
-fn tangents(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
+pub(super) fn tangents(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
     let (knots, k, n) = (case.knots(), case.k(), case.n());
     let ends = [(knots.first(), knots.t(k + 1), "t_{k+1} − t_0"), (knots.t(n), knots.last(), "t_m − t_n")];
     for (low, high, length) in ends {
@@ -227,14 +229,15 @@ pub(super) fn claims() -> Vec<Claim> {
                 .given([Open]),
             ),
         )
+        .fails_by(Cause::EndPoints)
         .amended(Form::Basis(
             Statement::new(
-                "The same, except that at x = t_m the d_j with t_j < t_{j+1} = t_m acts, and alone.",
+                "Changing d_j changes the curve only for x in the closed interval [t_j, t_{j+k+1}]; and at its right end, x = t_{j+k+1}, only if that is t_m and t_j < t_{j+1} = t_m: there d_j acts, and alone.",
                 local_control(true),
             )
             .given([Open]),
         ))
-        .note("The value at t_m is the limit from the left, as in P4.2.1: G(t_m) = d_n, and t_m is not in [t_n, t_m)."),
+        .note("As printed, this and P4.2.1 contradict each other at t_m: by P4.2.1 the curve is d_n there, so d_n acts, and t_m is not in [t_n, t_m). The value at t_m is the limit from the left."),
         Claim::new(
             "P4.1.2",
             "Proposition 4.1 (2)",
@@ -279,10 +282,12 @@ pub(super) fn claims() -> Vec<Claim> {
                 .given([Open]),
             ),
         )
+        .fails_by(Cause::EndKnots)
         .amended(Form::Basis(
             Statement::new("The same if t_k < t_{k+1} and t_n < t_{n+1}.", interpolation(|n| (0, n)))
                 .given([Open, FirstSpan, LastSpan]),
-        )),
+        ))
+        .note(STATED_IN_THE_PROOF),
         Claim::new(
             "P4.2.2",
             "Proposition 4.2 (2)",
@@ -294,6 +299,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 .given([Open, DegreeAtLeast(1)]),
             ),
         )
+        .fails_by(Cause::EndKnots)
         .amended(Form::Basis(
             Statement::new("The same if t_k < t_{k+1} and t_n < t_{n+1}.", tangents).given([
                 Open,
@@ -301,7 +307,8 @@ pub(super) fn claims() -> Vec<Claim> {
                 FirstSpan,
                 LastSpan,
             ]),
-        )),
+        ))
+        .note(STATED_IN_THE_PROOF),
         Claim::new(
             "P4.3",
             "Proposition 4.3",
@@ -313,6 +320,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 .given([Open, Symmetric]),
             ),
         )
+        .fails_by(Cause::InnerMultiplicity)
         .amended(Form::Basis(
             Statement::new(
                 "The same for every x in [t_0, t_m] that is not a knot inside (t_0, t_m) of multiplicity greater than k; at every such knot it fails for some polygon.",
@@ -324,13 +332,10 @@ pub(super) fn claims() -> Vec<Claim> {
         Claim::new(
             "T4.1",
             "Theorem 4.1",
-            Form::Basis(
-                Statement::new(
-                    "de Boor: for k ≤ j ≤ m−k−1, t_j < t_{j+1}, x in [t_j, t_{j+1}): G_α(x) = Σ_{i=j−k+r}^j d_i^r(x) G_i^{k−r}(x) for every r ≤ k, and G_α(x) = d_j^k(x).",
-                    de_boor_algorithm(|pair| pair),
-                )
-                .given([Open]),
-            ),
+            Form::Basis(Statement::new(
+                "de Boor, for any U: for k ≤ j ≤ m−k−1, t_j < t_{j+1}, x in [t_j, t_{j+1}): G_α(x) = Σ_{i=j−k+r}^j d_i^r(x) G_i^{k−r}(x) for every r ≤ k, and G_α(x) = d_j^k(x).",
+                de_boor_algorithm(|pair| pair),
+            )),
         ),
     ]
 }

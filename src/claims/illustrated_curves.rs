@@ -1,9 +1,10 @@
 //! Illustrations 5.5 to 5.7: the curves C5 to C7.
 
-use crate::analysis::Enclosure;
+use crate::analysis::{Enclosure, Piece};
 use crate::scalar::{BigRational, RationalAlgebra, Ring, integer, rational, rationals_between};
-use crate::spline::{Index, Side};
+use crate::spline::{Index, Point, Side};
 
+use super::cause::Cause;
 use super::claim::{Claim, Form};
 use super::curve::{convex_hull, shifts_weight};
 use super::drawn::{Drawn, alpha, show, squared_length};
@@ -13,25 +14,30 @@ use super::illustrations::{
 use super::instances::Instance;
 use super::verdict::{Judgement, Ledger, Stop};
 
-/// An enclosure of sup |G_α(x) − G_∞(x)|².
-fn squared_distance(instance: &Instance, index: &Index) -> Result<Enclosure, Stop> {
+/// |G_α(x) − G_∞(x)|² on every span.
+pub(super) fn squared_distances(instance: &Instance, index: &Index) -> Vec<Piece> {
     let (curve, classical) = (Drawn::new(instance, index), Drawn::new(instance, &Index::infinity()));
     let spans = curve.everywhere().into_iter().zip(classical.everywhere());
     let squares = spans.filter_map(|(one, two)| {
         let difference: Vec<_> = one.iter().zip(&two).map(|(one, two)| one.minus(two)).collect();
         squared_length(&difference)
     });
-    largest(&squares.collect::<Vec<_>>())
+    squares.collect()
+}
+
+/// An enclosure of sup |G_α(x) − G_∞(x)|².
+fn squared_distance(instance: &Instance, index: &Index) -> Result<Enclosure, Stop> {
+    largest(&squared_distances(instance, index))
 }
 
 /// |G_α(x) − G_∞(x)|² at one x.
-fn squared_distance_at(x: &BigRational, instance: &Instance, index: &Index) -> BigRational {
+pub(super) fn squared_distance_at(x: &BigRational, instance: &Instance, index: &Index) -> BigRational {
     let at = |index: &Index| Drawn::new(instance, index).curve.point(x, Side::Right);
     at(index).iter().zip(at(&Index::infinity())).map(|(a, b)| (a - &b) * (a - &b)).sum()
 }
 
 /// |G_α(x) − G_∞(x)|² ≤ bound for all x and the given indices.
-fn close_to_classical(
+pub(super) fn close_to_classical(
     indices: &'static [&'static str],
     bound: BigRational,
 ) -> impl Fn(&Illustration, &mut Ledger) -> Judgement {
@@ -158,6 +164,39 @@ pub(super) fn trace_is_classical(illustration: &Illustration, ledger: &mut Ledge
     Ok(())
 }
 
+/// G_α is the same function of x for all the indices (`differ` = false), or another one for any two.
+fn same_function(differ: bool) -> impl Fn(&Illustration, &mut Ledger) -> Judgement {
+    move |illustration, ledger| {
+        for instance in &illustration.instances {
+            let curves: Vec<_> = instance.indices.iter().map(|index| Drawn::new(instance, index)).collect();
+            for (c, first) in curves.iter().enumerate() {
+                for second in &curves[c + 1..] {
+                    let same = first.everywhere() == second.everywhere();
+                    if ledger.count(usize::from(same), usize::from(!differ)) {
+                        continue;
+                    }
+                    let (index, other) = (first.case.basis().index(), second.case.basis().index());
+                    let at = [alpha(index), ("other α", other.to_string())];
+                    if same {
+                        let claimed = "they are different functions of x".into();
+                        return Err(refuted(instance, &at, claimed, "they are the same".into()));
+                    }
+                    let knots = first.case.knots();
+                    let point = |drawn: &Drawn, x: &BigRational| drawn.curve.point(x, Side::Right);
+                    let place = rationals_between(knots.first(), knots.last())
+                        .find(|x| point(first, x) != point(second, x));
+                    let Some(x) = place else { continue };
+                    let at = [alpha(index), ("other α", other.to_string()), ("x", x.to_string())];
+                    let claimed = format!("G_α({x}) is the same point for both");
+                    let found = format!("it is {} and {}", show(&point(first, &x)), show(&point(second, &x)));
+                    return Err(refuted(instance, &at, claimed, found));
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
 /// For every finite index some point of G_α is no point of G_∞.
 fn trace_differs(illustration: &Illustration, ledger: &mut Ledger) -> Judgement {
     /// Points tried on each span.
@@ -191,17 +230,29 @@ fn trace_differs(illustration: &Illustration, ledger: &mut Ledger) -> Judgement 
     Ok(())
 }
 
-/// The three curves of C7 differ exactly for t_4 < x < t_8; `three_segments`: and that is the second of three
-/// segments, with something unmoved before it and after it.
+/// Any two of the three curves of C7 differ exactly for t_4 < x < t_8, and end in d_6; `three_segments`: and that is the
+/// second of three segments, with something unmoved before it and after it.
 fn moves_locally(three_segments: bool) -> impl Fn(&Illustration, &mut Ledger) -> Judgement {
     const MOVED: usize = 4;
     move |illustration, ledger| {
-        let [first, others @ ..] = illustration.instances.as_slice() else { return Ok(()) };
-        for index in &first.indices {
-            let one = Drawn::new(first, index);
-            let (low, high) = one.case.basis().support(MOVED);
-            for other in others {
-                let two = Drawn::new(other, index);
+        let instances = &illustration.instances;
+        let pairs = instances
+            .iter()
+            .enumerate()
+            .flat_map(|(i, first)| instances[i + 1..].iter().map(move |second| (first, second)));
+        for (first, other) in pairs {
+            for index in &first.indices {
+                let (one, two) = (Drawn::new(first, index), Drawn::new(other, index));
+                let (low, high) = one.case.basis().support(MOVED);
+                for (x, _) in one.case.knots().stop_knots() {
+                    let [one, two] = [&one, &two].map(|drawn| drawn.curve.point(x, Side::Right));
+                    let as_claimed = ledger.count(usize::from(one != two), usize::from(low < x && x < high));
+                    if !as_claimed {
+                        let claimed = format!("the curves differ exactly for {low} < x < {high}");
+                        let found = format!("at {x} they are at {} and {}", show(&one), show(&two));
+                        return Err(refuted(other, &[alpha(index)], claimed, found));
+                    }
+                }
                 let both = one.everywhere().into_iter().zip(two.everywhere());
                 for (pieces, (one_on, two_on)) in one.case.pieces().spans().iter().zip(both) {
                     let (start, end) = pieces.ends();
@@ -216,20 +267,93 @@ fn moves_locally(three_segments: bool) -> impl Fn(&Illustration, &mut Ledger) ->
                         return Err(refuted(other, &[alpha(index)], claimed, found));
                     }
                 }
-            }
-            let knots = one.case.knots();
-            let inner = ledger.less(knots.first(), low) && ledger.less(high, knots.last());
-            if three_segments && !inner {
-                let claimed = "an unmoved segment, one moved with d_4, and an unmoved one".into();
-                let found = format!(
-                    "d_4 moves the curve on ({low}, {high}), up to its end t_m = {}: nothing unmoved follows",
-                    knots.last()
-                );
-                return Err(refuted(first, &[alpha(index)], claimed, found));
+                let knots = one.case.knots();
+                let end = one.curve.point(knots.last(), Side::Left);
+                let last = one.curve.points().last();
+                if !ledger.count(usize::from(last == Some(&end)), 1) {
+                    let claimed = "the curve ends in d_6".into();
+                    return Err(refuted(
+                        first,
+                        &[alpha(index)],
+                        claimed,
+                        format!("it ends in {}", show(&end)),
+                    ));
+                }
+                let inner = ledger.less(knots.first(), low) && ledger.less(high, knots.last());
+                if three_segments && !inner {
+                    let claimed = "an unmoved segment, one moved with d_4, and an unmoved one".into();
+                    let found = format!(
+                        "d_4 moves the curve on ({low}, {high}), up to its end t_m = {}: nothing unmoved follows",
+                        knots.last()
+                    );
+                    return Err(refuted(first, &[alpha(index)], claimed, found));
+                }
             }
         }
         Ok(())
     }
+}
+
+/// The segment of the polygon that is nearest to a point, and where on it the nearest point lies: 0 is d_i, 1 is d_{i+1}.
+fn nearest_segment(point: &Point, polygon: &[Point]) -> Option<(usize, BigRational)> {
+    let dot =
+        |p: &[BigRational], q: &[BigRational]| -> BigRational { p.iter().zip(q).map(|(a, b)| a * b).sum() };
+    let difference = |p: &Point, q: &Point| -> Point { p.iter().zip(q).map(|(a, b)| a - b).collect() };
+    let segments = polygon.windows(2).enumerate().filter_map(|(i, ends)| {
+        let (along, to) = (difference(&ends[1], &ends[0]), difference(point, &ends[0]));
+        let length = dot(&along, &along);
+        let place = (!length.is_zero()).then(|| dot(&along, &to) / length)?.max(integer(0)).min(integer(1));
+        let off: Point = to.iter().zip(&along).map(|(t, a)| t - &place * a).collect();
+        Some((dot(&off, &off), i, place))
+    });
+    segments.min().map(|(_, i, place)| (i, place))
+}
+
+/// Where G_∞(x) is near the middle of a segment, does the curve move towards its first end for −1 < α < 0, and towards its
+/// second one for 1 < α < 2? Only a counterexample is looked for.
+fn moves_along_segments(illustration: &Illustration, _: &mut Ledger) -> Judgement {
+    for instance in &illustration.instances {
+        let Some(polygon) = &instance.points else { continue };
+        let classical = Drawn::new(instance, &Index::infinity());
+        let to_first = |index: &Index| index.alpha().map(|alpha| (alpha < integer(0), alpha));
+        let strong = |alpha: &BigRational| -integer(1) < *alpha && *alpha < integer(2);
+        let moving: Vec<_> = instance
+            .indices
+            .iter()
+            .filter_map(|index| {
+                to_first(index).filter(|(_, alpha)| strong(alpha)).map(|(first, _)| (index, first))
+            })
+            .map(|(index, first)| (Drawn::new(instance, index), first))
+            .collect();
+        let knots = classical.case.knots();
+        let tenths = (1..).map(|x| knots.first() + rational(x, 10)).take_while(|x| x < knots.last());
+        for x in tenths {
+            let before = classical.curve.point(&x, Side::Right);
+            let Some((i, place)) = nearest_segment(&before, polygon) else { continue };
+            if place < rational(2, 5) || rational(3, 5) < place {
+                continue;
+            }
+            for (drawn, first) in &moving {
+                let end = if *first { i } else { i + 1 };
+                let after = drawn.curve.point(&x, Side::Right);
+                let distance = |p: &Point| -> BigRational {
+                    p.iter().zip(&polygon[end]).map(|(a, b)| (a - b) * (a - b)).sum()
+                };
+                let (far, near) = (distance(&before), distance(&after));
+                if near >= far {
+                    let at = [alpha(drawn.case.basis().index()), ("i", i.to_string()), ("x", x.to_string())];
+                    let claimed = format!("the curve moves towards d_{end}");
+                    let found = format!(
+                        "from G_∞({x}) = {} to G_α({x}) = {} its squared distance from there rises from {far} to {near}",
+                        show(&before),
+                        show(&after)
+                    );
+                    return Err(refuted(instance, &at, claimed, found));
+                }
+            }
+        }
+    }
+    Err(Stop::Undecided("no counterexample was found among the x that are tenths".into()))
 }
 
 /// `shifts_weight` for every finite index.
@@ -240,11 +364,21 @@ fn weight_shifts(instance: &Instance, ledger: &mut Ledger) -> Judgement {
     Ok(())
 }
 
+/// A conclusion about an instance, for each.
+fn every_instance(
+    conclusion: fn(&Instance, &mut Ledger) -> Judgement,
+) -> impl Fn(&Illustration, &mut Ledger) -> Judgement {
+    move |illustration, ledger| {
+        illustration.instances.iter().try_for_each(|instance| conclusion(instance, ledger))
+    }
+}
+
 /// The claims about C5 to C7.
 pub(super) fn claims() -> Vec<Claim> {
     const HULL: [&str; 6] = ["C5", "C6a", "C6b", "C7a", "C7b", "C7c"];
     const TO_ZERO: &[&str] = &["-4", "-1/2", "-1/5", "-1/7"];
     const TO_ONE: &[&str] = &["5", "3/2", "6/5", "8/7"];
+    const ORDER: &str = "C7: for every x and j, G_0 + … + G_j is at least its classical value for α < 0 and at most that for α > 1: weight moves from d_{i+1} to d_i, or back.";
     let hull = |text| Form::illustrated(text, each(&HULL), every_basis(convex_hull));
     vec![
         Claim::new(
@@ -284,7 +418,27 @@ pub(super) fn claims() -> Vec<Claim> {
                 [of_degree(each(&["C6a"]), &[3]), of_degree(each(&["C6b"]), &[5])].into_iter().flatten().collect(),
                 trace_is_classical,
             ),
-        ),
+        )
+        .note("Read so, \"G_α is independent of α\" is true; as functions of x the curves differ: Ill5.6.bezier.function."),
+        Claim::new(
+            "Ill5.6.bezier.function",
+            "Illustration 5.6",
+            Form::illustrated(
+                "C6a with degree 3, C6b with degree 5 (no interior knot): G_α, as a function of x, does not depend on α.",
+                [of_degree(each(&["C6a"]), &[3]), of_degree(each(&["C6b"]), &[5])].into_iter().flatten().collect(),
+                same_function(false),
+            ),
+        )
+        .fails_by(Cause::VagueWords)
+        .amended(Form::illustrated(
+            "For any two different indices G_α is another function of x; only its trace is the same.",
+            [of_degree(each(&["C6a"]), &[3]), of_degree(each(&["C6b"]), &[5])].into_iter().flatten().collect(),
+            |illustration, ledger| {
+                same_function(true)(illustration, ledger)?;
+                trace_is_classical(illustration, ledger)
+            },
+        ))
+        .note("The other reading of \"G_α is independent of α\": see Ill5.6.bezier. The engine judges the indices shown, the certificate all of them."),
         Claim::new(
             "Ill5.6.between",
             "Illustration 5.6",
@@ -307,6 +461,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 moves_locally(true),
             ),
         )
+        .fails_by(Cause::Picture)
         .amended(Form::illustrated(
             "C7: the curves differ exactly for x in (t_4, t_8) = (1, 4), the second of two segments; it ends at the fixed point d_6.",
             together(&["C7a", "C7b", "C7c"]),
@@ -321,14 +476,20 @@ pub(super) fn claims() -> Vec<Claim> {
             "Ill5.7.shift",
             "Illustration 5.7",
             Form::illustrated(
-                "C7: for every x and j, G_0 + … + G_j is at least its classical value for α < 0 and at most that for α > 1: weight moves from d_{i+1} to d_i, or back.",
+                "C7 with P = (6,2): near a segment [d_i, d_{i+1}] the curve moves towards d_i for α in (−1,0) and towards d_{i+1} for α in (1,2). That is, if the point of the polygon that is nearest to G_∞(x) lies in the middle fifth of the segment, then G_α(x) is nearer to d_i, or to d_{i+1}, than G_∞(x).",
                 each(&["C7a"]),
-                |illustration, ledger| {
-                    illustration.instances.iter().try_for_each(|instance| weight_shifts(instance, ledger))
-                },
+                moves_along_segments,
             ),
         )
-        .note("Our formalisation of \"near a segment [d_i, d_{i+1}] the curve moves towards d_i for α in (−1,0) and towards d_{i+1} for α in (1,2)\". It says nothing about distances, and read so the sentence fails: for P = (6, 2), α = −1/7, x = 7/10 the curve is near [d_1, d_2], and farther from d_1 than for α = ∞."),
+        .fails_by(Cause::VagueWords)
+        .amended(Form::illustrated(ORDER, each(&["C7a"]), every_instance(weight_shifts)))
+        .note("The sentence is read literally here, with the least that \"near\" may mean; Ill5.7.shift.order reads it as one about the order of the control points."),
+        Claim::new(
+            "Ill5.7.shift.order",
+            "Illustration 5.7",
+            Form::illustrated(ORDER, each(&["C7a"]), every_instance(weight_shifts)),
+        )
+        .note("A reading of \"near a segment [d_i, d_{i+1}] the curve moves towards d_i for α in (−1,0) and towards d_{i+1} for α in (1,2)\" that says nothing about distances; for those see Ill5.7.shift."),
         Claim::new(
             "Rem5.2",
             "Remark 5.2",
@@ -340,7 +501,7 @@ pub(super) fn claims() -> Vec<Claim> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::claims::illustrations::refutes;
+    use crate::claims::illustrations::{refutes, with_indices};
 
     #[test]
     fn false_variants_are_refuted() {
@@ -350,5 +511,21 @@ mod tests {
         assert!(refutes(of_degree(each(&["C6a"]), &[2]), trace_is_classical), "degree 2 independent of α");
         assert!(refutes(of_degree(each(&["C6a"]), &[3]), trace_differs), "the Bézier case depends on α");
         assert!(refutes(together(&["C7a", "C7b"]), moves_locally(true)), "three segments");
+        assert!(refutes(of_degree(each(&["C6a"]), &[3]), same_function(false)), "the same function");
+        assert!(
+            refutes(with_indices(of_degree(each(&["C6a"]), &[3]), &["2", "2"]), same_function(true)),
+            "the same index twice"
+        );
+    }
+
+    /// Squared distances from (2, 1): 1 from the first segment, 5 from its ends; and the place is cut off at the ends.
+    #[test]
+    fn the_nearest_segment() {
+        let point = |x: usize, y: usize| vec![integer(x), integer(y)];
+        let polygon = [point(0, 0), point(4, 0), point(4, 0), point(4, 8)];
+        assert_eq!(nearest_segment(&point(2, 1), &polygon), Some((0, rational(1, 2))));
+        assert_eq!(nearest_segment(&point(5, 6), &polygon), Some((2, rational(3, 4))));
+        assert_eq!(nearest_segment(&point(5, 9), &polygon), Some((2, integer(1))));
+        assert_eq!(nearest_segment(&point(1, 1), &[]), None);
     }
 }

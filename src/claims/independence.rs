@@ -1,11 +1,12 @@
 //! Linear independence, and the Bernstein case.
 
 use crate::analysis::{Pieces, coefficient_rows, in_span, rank};
-use crate::scalar::{BigRational, RationalAlgebra, Ring};
+use crate::scalar::{BigRational, RationalAlgebra, Ring, integer};
 use crate::spline::{Basis, KnotVector, Side, bernstein, binomial, weight};
 
 use super::basis::name;
-use super::case::BasisCase;
+use super::case::{BasisCase, definition_values};
+use super::cause::Cause;
 use super::claim::{Claim, Form};
 use super::hypothesis::Hypothesis::{Bernstein, DegreeAtLeast, InteriorMultiplicityAtMostDegree, Open};
 use super::statement::Statement;
@@ -37,9 +38,9 @@ pub(super) fn independence(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
     Err(case.refuted([("i", i.to_string())], "the functions are linearly independent".into(), found))
 }
 
-/// B_i^k = w B_{i−1}^{k−1} + (1 − w) B_i^{k−1}, with the functions of degree k − 1 on their own knots; `shift` is
-/// how far the first index lags behind i, 1 in the claim.
-fn bernstein_recurrence(shift: usize) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
+/// B_i^k = w B_{i−1}^{k−1} + (1 − w) B_i^{k−1} on [a, b), and if `closed` at b, with the functions of degree k − 1 on
+/// their own knots; `shift` is how far the first index lags behind i, 1 in the claim.
+fn bernstein_recurrence(shift: usize, closed: bool) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
     move |case, ledger| {
         let (a, b, k) = (case.knots().first(), case.knots().last(), case.k());
         let lower = KnotVector::bernstein(k - 1, a, b)
@@ -48,7 +49,7 @@ fn bernstein_recurrence(shift: usize) -> impl Fn(&BasisCase, &mut Ledger) -> Jud
         let Some(lower) = lower else {
             return Err(Stop::Fault("no Bernstein basis of degree k − 1".into()));
         };
-        let (pieces, lower) = (case.pieces(), Pieces::of(&lower));
+        let (basis_below, pieces, lower) = (&lower, case.pieces(), Pieces::of(&lower));
         let (Some(span), Some(lower)) = (pieces.spans().first(), lower.spans().first()) else {
             return Ok(());
         };
@@ -69,13 +70,34 @@ fn bernstein_recurrence(shift: usize) -> impl Fn(&BasisCase, &mut Ledger) -> Jud
                 }));
             }
         }
+        if closed {
+            // w(b) = 0, so that the right side is B_i^{k−1}(b).
+            let mut below = definition_values(basis_below, b, Side::Left);
+            below.push(integer(0));
+            at_the_end(case, &below, ledger)?;
+        }
         Ok(())
     }
 }
 
-/// B_i^k = coefficient(k, i) w^i (1 − w)^{k−i}.
+/// At b, where the weight of D2.3 is 0 and the value of B_i^k is the limit from the left: B_i^k(b) against the right side.
+fn at_the_end(case: &BasisCase, right: &[BigRational], ledger: &mut Ledger) -> Judgement {
+    let (b, k) = (case.knots().last(), case.k());
+    for (i, (value, claimed)) in case.values(b, Side::Left).iter().zip(right).enumerate() {
+        if !ledger.equal(value, claimed) {
+            let at = [("i", i.to_string()), ("x", b.to_string())];
+            let name = format!("B_{i}^{k}({b})");
+            let claimed = format!("{name} = {claimed}, since w({b}) = 0");
+            return Err(case.refuted(at, claimed, format!("{name} = {value}")));
+        }
+    }
+    Ok(())
+}
+
+/// B_i^k = coefficient(k, i) w^i (1 − w)^{k−i} on [a, b), and if `closed` at b.
 fn closed_form(
     coefficient: fn(usize, usize) -> BigRational,
+    closed: bool,
 ) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
     move |case, ledger| {
         let (a, b, k) = (case.knots().first(), case.knots().last(), case.k());
@@ -97,6 +119,13 @@ fn closed_form(
                     })
                 }));
             }
+        }
+        if closed {
+            let (w, complement) = (integer(0), integer(1));
+            let right: Vec<_> = (0..=k)
+                .map(|i| bernstein(k, i, (&w, &complement)) * coefficient(k, i) / binomial(k, i))
+                .collect();
+            at_the_end(case, &right, ledger)?;
         }
         Ok(())
     }
@@ -121,23 +150,34 @@ pub(super) fn claims() -> Vec<Claim> {
             "Proposition 3.3 (1)",
             Form::Basis(
                 Statement::new(
-                    "Open U without interior knots, on [a,b): B_i^k = w B_{i−1}^{k−1} + (1−w) B_i^{k−1}.",
-                    bernstein_recurrence(1),
+                    "Open U without interior knots, on [a,b]: B_i^k = w B_{i−1}^{k−1} + (1−w) B_i^{k−1}.",
+                    bernstein_recurrence(1, true),
                 )
                 .given([Bernstein, DegreeAtLeast(1)]),
             ),
-        ),
+        )
+        .fails_by(Cause::EndPoints)
+        .amended(Form::Basis(
+            Statement::new("The same on [a,b).", bernstein_recurrence(1, false))
+                .given([Bernstein, DegreeAtLeast(1)]),
+        ))
+        .note("At b the functions have their limits from the left, as everywhere, and w is 0 by D2.3. With the limit 1 for w as well it would be true there; and with D3.3 to the letter, by which all functions are 0 at b, it says 0 = 0."),
         Claim::new(
             "P3.3.2",
             "Proposition 3.3 (2)",
             Form::Basis(
                 Statement::new(
-                    "Open U without interior knots, on [a,b): B_i^k = C(k,i) w^i (1−w)^{k−i}.",
-                    closed_form(binomial),
+                    "Open U without interior knots, on [a,b]: B_i^k = C(k,i) w^i (1−w)^{k−i}.",
+                    closed_form(binomial, true),
                 )
                 .given([Bernstein]),
             ),
-        ),
+        )
+        .fails_by(Cause::EndPoints)
+        .amended(Form::Basis(
+            Statement::new("The same on [a,b).", closed_form(binomial, false)).given([Bernstein]),
+        ))
+        .note("At b, where w is 0 by D2.3, B_0^k is 0 for k ≥ 1, by D3.3 to the letter and as a limit from the left, and the right side is 1. With the limit 1 for w it would be true there."),
     ]
 }
 
@@ -149,8 +189,8 @@ mod tests {
     #[test]
     fn false_variants_are_refuted() {
         let given = [Bernstein, DegreeAtLeast(1)];
-        assert!(refuted(closed_form(|k, i| binomial(k, i + 1)), given), "C(k, i + 1)");
-        assert!(refuted(bernstein_recurrence(0), given), "B_i for B_{{i−1}}");
+        assert!(refuted(closed_form(|k, i| binomial(k, i + 1), false), given), "C(k, i + 1)");
+        assert!(refuted(bernstein_recurrence(0, false), given), "B_i for B_{{i−1}}");
         assert!(refuted(independence, [Open]), "independence for any multiplicity");
     }
 }

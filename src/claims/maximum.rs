@@ -1,12 +1,13 @@
 //! Conjecture 3.1: every basis function has one and only one maximum.
 
 use crate::analysis::{Place, Shape};
-use crate::scalar::BigRational;
+use crate::scalar::{BigRational, integer};
 use crate::search::{self, Candidate, Crossing, Goal, Limits, Search, Space, local_maxima};
 use crate::spline::{Basis, KnotVector, Side};
 
 use super::basis::name;
 use super::case::{BasisCase, Origin};
+use super::cause::Cause;
 use super::claim::{Claim, Form};
 use super::hypothesis::Hypothesis::{DegreeAtLeast, DegreeAtMost};
 use super::statement::Statement;
@@ -112,10 +113,36 @@ fn side(side: search::Side) -> &'static str {
 
 /// For each degree from 3 to 8 the first functions with two local maxima, in the order of the search, on full knot vectors.
 pub(super) fn searched() -> Vec<BasisCase> {
-    (3..=8).flat_map(first_with_two_maxima).map(|basis| BasisCase::new(basis, Origin::Small)).collect()
+    (3..=8).flat_map(|degree| first_with_two_maxima(degree, full)).collect()
 }
 
-fn first_with_two_maxima(degree: usize) -> Vec<Basis> {
+/// The same on open knot vectors, mirrored with the conjugate index where that puts the smaller knots first.
+pub(super) fn searched_on_open_knots() -> Vec<BasisCase> {
+    (3..=8).flat_map(|degree| first_with_two_maxima(degree, open)).collect()
+}
+
+fn full(candidate: &Candidate) -> Option<Basis> {
+    let knots = KnotVector::new(candidate.full_knots().rational()).ok()?;
+    Basis::new(knots, candidate.degree(), candidate.index()).ok()
+}
+
+/// The first and the last knot of the function are repeated up to multiplicity k + 1.
+fn open(candidate: &Candidate) -> Option<Basis> {
+    let (own, copies) = (candidate.own_knots(), candidate.degree() + 1);
+    let (first, last) = (own[0], own[own.len() - 1]);
+    let inside: Vec<_> = own.into_iter().filter(|t| *t != first && *t != last).collect();
+    let mirrored: Vec<_> = inside.iter().rev().map(|t| first + last - t).collect();
+    let (inside, index) = if mirrored < inside {
+        (mirrored, candidate.index().conjugate())
+    } else {
+        (inside, candidate.index())
+    };
+    let knots = std::iter::repeat_n(first, copies).chain(inside).chain(std::iter::repeat_n(last, copies));
+    let knots = KnotVector::new(knots.map(|t| BigRational::from_integer(t.into())).collect()).ok()?;
+    Basis::new(knots, candidate.degree(), index).ok()
+}
+
+fn first_with_two_maxima(degree: usize, basis: fn(&Candidate) -> Option<Basis>) -> Vec<BasisCase> {
     /// Sum of the gaps and height of α: enough for every degree from 3 to 8.
     const SIZE: u64 = 9;
     /// For one of so many the maxima are equal for an index close by.
@@ -126,11 +153,10 @@ fn first_with_two_maxima(degree: usize) -> Vec<Basis> {
     };
     let candidates = cases.between(0..cases.positions()).map(|(_, candidate)| candidate);
     let several = candidates.filter(|candidate| local_maxima(candidate).maxima > 1).take(TRIES);
-    let basis = |candidate: Candidate| {
-        let knots = KnotVector::new(candidate.full_knots().rational()).ok()?;
-        Basis::new(knots, degree, candidate.index()).ok()
-    };
-    several.filter_map(basis).collect()
+    several
+        .filter_map(|candidate| basis(&candidate))
+        .map(|basis| BasisCase::new(basis, Origin::Small))
+        .collect()
 }
 
 fn place(place: &Place) -> String {
@@ -141,7 +167,7 @@ fn place(place: &Place) -> String {
     }
 }
 
-/// Which functions are left out, besides those that are identically 0.
+/// Which functions are left out, besides those that are 0 everywhere.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Except {
     /// None.
@@ -153,7 +179,7 @@ pub(super) enum Except {
 }
 
 impl Except {
-    fn leaves_out(self, case: &BasisCase, i: usize) -> bool {
+    pub(super) fn leaves_out(self, case: &BasisCase, i: usize) -> bool {
         let (knots, k) = (case.knots(), case.k());
         let drops = knots.t(i + 1) == knots.t(i + k + 1) && knots.t(i + 1) < knots.last();
         let starts = knots.first() < knots.t(i) && knots.t(i) == knots.t(i + k);
@@ -165,7 +191,32 @@ impl Except {
     }
 }
 
-/// The conjecture for every function of the case that is not identically 0 and not left out.
+/// Is G_i^k 0 everywhere, t_i = t_{i+k+1}? Then it is not meant, and a remark says so.
+pub(super) fn nowhere(case: &BasisCase, i: usize, ledger: &mut Ledger) -> bool {
+    let (low, high) = case.basis().support(i);
+    if low == high {
+        let (g, end) = (name(case.k(), i), i + case.k() + 1);
+        ledger.remark(format!("{g} is not meant: it is 0 everywhere, since t_{i} = t_{end} = {low}."));
+    }
+    low == high
+}
+
+/// G_i^k, which ends with a drop inside (t_0, t_m), rises to the limit 1 there and has no local maximum.
+fn rises_and_drops(case: &BasisCase, i: usize, ledger: &mut Ledger) -> Judgement {
+    let high = case.basis().support(i).1;
+    let value = |side| case.values(high, side)[i].clone();
+    let (limit, value) = (value(Side::Left), value(Side::Right));
+    let maxima = Shape::of(case.pieces(), i).local_maxima().count();
+    if ledger.equal(&limit, &integer(1)) && ledger.equal(&value, &integer(0)) && ledger.count(maxima, 0) {
+        return Ok(());
+    }
+    let (g, at) = (name(case.k(), i), [("i", i.to_string()), ("x", high.to_string())]);
+    let claimed = format!("{g} rises to the limit 1 at {high} and drops to 0 there");
+    let found = format!("it has the limit {limit}, the value {value} and {maxima} local maxima");
+    Err(case.refuted(at, claimed, found))
+}
+
+/// The conjecture for every function of the case that is not 0 everywhere and not left out.
 pub(super) fn conjecture(
     reading: Reading,
     except: Except,
@@ -173,9 +224,13 @@ pub(super) fn conjecture(
 ) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
     move |case, ledger| {
         for i in 0..=case.n() {
-            let (low, high) = case.basis().support(i);
-            if low < high && !except.leaves_out(case, i) {
-                one_maximum(case, i, reading, wanted, ledger)?;
+            if nowhere(case, i, ledger) {
+                continue;
+            }
+            match (except, except.leaves_out(case, i)) {
+                (_, false) => one_maximum(case, i, reading, wanted, ledger)?,
+                (Except::Drops, true) => rises_and_drops(case, i, ledger)?,
+                (_, true) => {}
             }
         }
         Ok(())
@@ -191,44 +246,48 @@ pub(super) fn claims() -> Vec<Claim> {
         let conclusion = conjecture(reading, except, 1);
         Form::Basis(Statement::new(text, conclusion).given([DegreeAtLeast(1), DegreeAtMost(2)]))
     };
-    const LOW_DROPS: &str = "The same for k = 1 and k = 2 and every i with t_i < t_{i+k+1}, unless t_i < t_{i+1} = t_{i+k+1} < t_m: then G_i^k rises to the limit 1 and drops to 0 there.";
-    const WEAK: &str = "A case has one α, and two maxima of the same height may ask for an irrational one. So where a function has two local maxima, the engine looks for an interval of indices, beginning or ending near that of the case, at whose ends different ones are the higher.";
+    const LOW_DROPS: &str = "The same for k = 1 and k = 2, unless t_i < t_{i+1} = t_{i+k+1} < t_m: then G_i^k rises to the limit 1 and drops to 0 there.";
+    const WEAK: &str = "See Conj3.1.strong.continuous for what is true from k = 3 on. A case has one α, and two maxima of the same height may ask for an irrational one. So where a function has two local maxima, the engine looks for an interval of indices, beginning or ending near that of the case, at whose ends different ones are the higher.";
 
-    const LOW: &str = "The same for k = 1 and k = 2, if t_i < t_{i+k+1}.";
-    const WHERE: &str = "Functions with t_i = t_{i+k+1} are 0 and left out.";
-    const CONTINUOUS: &str = "Continuous is meant on (t_0, t_m). On the open support alone every function is continuous, those included that rise to a knot of multiplicity k + 1 and drop there.";
+    const LOW: &str = "The same for k = 1 and k = 2.";
+    const WHERE: &str =
+        "Functions with t_i = t_{i+k+1} are 0 everywhere and not meant: they have no maximum of either kind.";
+    const CONTINUOUS: &str = "What is true from k = 3 on: at most k − 1 maxima (X.maxima.bound), never more than one inside a span (X.maxima.spans), and one only on simple uniform knots for k = 3 (X.maxima.uniform). Continuous is meant on (t_0, t_m). On the open support alone every function is continuous, those included that rise to a knot of multiplicity k + 1 and drop there.";
     vec![
         Claim::new(
             "Conj3.1.strong",
             "Conjecture 3.1",
             statement(
-                "For k ≥ 1 every G_i^k has exactly one local maximum (an interval of constancy counts once).",
+                "For k ≥ 1 every G_i^k with t_i < t_{i+k+1} has exactly one local maximum (an interval of constancy counts once).",
                 Reading::Strong,
                 Except::Nothing,
             ),
         )
+        .fails_by(Cause::Conjecture)
         .amended(low_degree(LOW_DROPS, Reading::Strong, Except::Drops))
         .note(WHERE),
         Claim::new(
             "Conj3.1.weak",
             "Conjecture 3.1",
             statement(
-                "For k ≥ 1 every G_i^k has a largest value and takes it at exactly one x.",
+                "For k ≥ 1 every G_i^k with t_i < t_{i+k+1} has a largest value and takes it at exactly one x.",
                 Reading::Weak,
                 Except::Nothing,
             ),
         )
+        .fails_by(Cause::Conjecture)
         .amended(low_degree(LOW_DROPS, Reading::Weak, Except::Drops))
         .note(WHERE),
         Claim::new(
             "Conj3.1.strong.continuous",
             "Conjecture 3.1",
             statement(
-                "For k ≥ 1 every G_i^k that is continuous on (t_0, t_m) has exactly one local maximum.",
+                "For k ≥ 1 every G_i^k with t_i < t_{i+k+1} that is continuous on (t_0, t_m) has exactly one local maximum.",
                 Reading::Strong,
                 Except::Jumps,
             ),
         )
+        .fails_by(Cause::Conjecture)
         .amended(low_degree(LOW, Reading::Strong, Except::Jumps))
         .by_degree_on(searched)
         .note(CONTINUOUS),
@@ -236,11 +295,12 @@ pub(super) fn claims() -> Vec<Claim> {
             "Conj3.1.weak.continuous",
             "Conjecture 3.1",
             statement(
-                "For k ≥ 1 every G_i^k that is continuous on (t_0, t_m) has a largest value and takes it at exactly one x.",
+                "For k ≥ 1 every G_i^k with t_i < t_{i+k+1} that is continuous on (t_0, t_m) has a largest value and takes it at exactly one x.",
                 Reading::Weak,
                 Except::Jumps,
             ),
         )
+        .fails_by(Cause::Conjecture)
         .amended(low_degree(LOW, Reading::Weak, Except::Jumps))
         .by_degree_on(searched)
         .note(WEAK),

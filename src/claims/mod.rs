@@ -9,22 +9,31 @@
 
 mod approximation;
 mod basis;
+mod captions;
 mod case;
 mod cause;
 mod claim;
+mod classical;
 mod closeness;
 mod curve;
+mod curve_ends;
+mod de_boor_range;
+mod definitions;
 mod drawn;
 mod formal;
 mod free_weights;
+mod grade;
 mod hypothesis;
 mod illustrated_bases;
 mod illustrated_curves;
 mod illustrations;
 mod independence;
+mod influence;
 mod instances;
 mod limits;
 mod maximum;
+mod paper;
+mod proofs_steps;
 mod questions;
 mod reflection;
 mod register;
@@ -34,21 +43,23 @@ mod statement;
 mod steps;
 mod symmetric_curves;
 mod two_maxima;
+mod uses;
 mod verdict;
 mod weight;
-
-/// The paper whose claims are judged.
-pub const PAPER: &str = "arXiv 1805.04433";
+mod weight_effect;
 
 pub use case::{BasisCase, Case, Origin, WeightCase};
 pub use cause::{Cause, Severity, Source};
 pub use claim::{Claim, Form, Judged};
 pub use formal::{Formal, formal, formal_for_degree, refutation};
+pub use grade::Grade;
 pub use hypothesis::{Hypothesis, WeightHypothesis};
 pub use illustrations::Illustration;
 pub use instances::{Instance, instances, instances_named};
+pub use paper::{ARXIV, PaperNumber};
 pub(crate) use reflection::Reflection;
 pub use register::claims;
 pub use small_cases::Cases;
 pub use statement::{Conclusion, Fault, Sharpness, Statement, judge, judge_by_degree, sharpness};
+pub use uses::{USES, Use};
 pub use verdict::{Judgement, Ledger, Reach, Scope, Stop, Verdict, Witness};

@@ -1,28 +1,30 @@
 //! Questions that the paper does not ask and its users will, for finite α; judged degree by degree as well.
 
+use std::ops::RangeInclusive;
+
 use crate::analysis::{
-    Piece, Pieces, Sign, SpanPieces, coefficient_rows, common_numerators, in_span, is_combination,
-    sign_pattern,
+    ExtremumKind, LocalKnots, Monotonicity, Piece, Pieces, Shape, Sign, SpanPieces, coefficient_rows,
+    common_numerators, in_span, is_combination, sign_pattern,
 };
 use crate::scalar::{BigRational, Polynomial, RationalAlgebra, Ring, integer, rational};
-use crate::spline::{Basis, Side};
+use crate::spline::{Basis, KnotVector, Side, weight};
 
 use super::basis::name;
-use super::case::BasisCase;
+use super::case::{BasisCase, Case, Origin};
+use super::cause::Cause;
 use super::claim::{Claim, Form};
-use super::hypothesis::Hypothesis::{DegreeAtLeast, FiniteIndex, InnerMultiplicityAtMostDegree, Open};
+use super::hypothesis::Hypothesis::{
+    Bernstein, DegreeAtLeast, FiniteIndex, InnerMultiplicityAtMostDegree, Open,
+};
+use super::maximum::searched_on_open_knots;
 use super::statement::Statement;
 use super::verdict::{Judgement, Ledger, Stop};
 
 /// At every simple interior knot the factors of the control points in the two one-sided derivatives are
 /// proportional, by a positive number: then, and only then, have all curves a continuous tangent direction.
 fn tangent_continuity(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
-    let simple = case.knots().interior(case.k()).iter().filter(|t| case.knots().multiplicity(t) == 1);
-    for x in simple {
-        let slopes = |side| -> Vec<BigRational> {
-            case.basis().jets(x, side, 1).iter().map(|jet| jet.coefficients()[1].clone()).collect()
-        };
-        let (left, right) = (slopes(Side::Left), slopes(Side::Right));
+    for x in simple_interior_knots(case) {
+        let (left, right) = (slopes(case, x, Side::Left), slopes(case, x, Side::Right));
         let Some(p) = left.iter().position(|slope| !slope.is_zero()) else { continue };
         for q in 0..left.len() {
             if !ledger.equal(&(&left[p] * &right[q]), &(&left[q] * &right[p])) {
@@ -45,6 +47,42 @@ fn tangent_continuity(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
         }
     }
     Ok(())
+}
+
+fn simple_interior_knots(case: &BasisCase) -> impl Iterator<Item = &BigRational> {
+    case.knots().interior(case.k()).iter().filter(|t| case.knots().multiplicity(t) == 1)
+}
+
+/// The derivatives of all functions at x from a side.
+fn slopes(case: &BasisCase, x: &BigRational, side: Side) -> Vec<BigRational> {
+    case.basis().jets(x, side, 1).iter().map(|jet| jet.coefficients()[1].clone()).collect()
+}
+
+/// `tangent_continuity` at a simple interior knot t_j exactly if the k − 1 knots next to it on the left are one, and
+/// likewise those on the right; without `both`, if those on one side are.
+fn tangent_continuity_exactly(both: bool) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
+    move |case, ledger| {
+        let (knots, k) = (case.knots(), case.k());
+        for x in simple_interior_knots(case) {
+            let Some(j) = knots.knots().iter().position(|t| t == x) else { continue };
+            let (left, right) = (slopes(case, x, Side::Left), slopes(case, x, Side::Right));
+            let Some(p) = left.iter().position(|slope| !slope.is_zero()) else { continue };
+            let parallel = (0..left.len()).all(|q| &left[p] * &right[q] == &left[q] * &right[p]);
+            let continuous = parallel && integer(0) < &left[p] * &right[p];
+            let one = [knots.t(j + 1 - k) == knots.t(j - 1), knots.t(j + 1) == knots.t(j + k - 1)];
+            let claimed = if both { one[0] && one[1] } else { one[0] || one[1] };
+            if !ledger.count(usize::from(continuous), usize::from(claimed)) {
+                let words = |yes: bool| if yes { "continuous" } else { "not continuous, for some curve" };
+                let claimed = format!("the tangent direction at {x} is {}", words(claimed));
+                return Err(case.refuted(
+                    [("x", x.to_string())],
+                    claimed,
+                    format!("it is {}", words(continuous)),
+                ));
+            }
+        }
+        Ok(())
+    }
 }
 
 /// Three consecutive functions and three points with a negative minor.
@@ -98,50 +136,137 @@ fn near(case: &BasisCase, x: &BigRational, first: usize) -> Option<NegativeMinor
     None
 }
 
-/// A curve that a line meets more often than its polygon. From a negative minor: with f = Σ c_i G_i equal to
-/// 1, −1, 1 at its points, the c_i have the signs −, +, −, so f changes its sign there twice, and twice more where
-/// the outer functions, alone near the ends of their supports, make it negative.
-fn variation(case: &BasisCase, _: &mut Ledger) -> Judgement {
-    let Some(NegativeMinor { first, rows, minor, .. }) = negative_minor(case) else {
+/// A curve that a line meets more often than its polygon: the control points have the ordinates c_i over any abscissae, and
+/// the line is y = 0.
+pub(super) fn variation(case: &BasisCase, _: &mut Ledger) -> Judgement {
+    let found = two_maxima_cut(case).or_else(|| match case.origin() {
+        // For our own witness a line with short numbers is wanted, and other cases have one.
+        Origin::Small | Origin::Paper => None,
+        Origin::User => negative_minor(case).map(|minor| changes_at_minor(case, &minor)),
+    });
+    let Some(c) = found else {
         return Err(Stop::Undecided("no curve was found that a line meets too often, near any knot".into()));
     };
-    let heights = [integer(1), integer(0) - integer(1), integer(1)];
+    // No c is 0, so that every change of sign is one crossing of the polygon, and there are no others.
+    let polygon = c.windows(2).filter(|pair| (pair[0] < integer(0)) != (pair[1] < integer(0))).count();
+    let crossings = alternations(case, &c);
+    let curve = crossings.len().saturating_sub(1);
+    if curve <= polygon || c.iter().any(Ring::is_zero) {
+        return Err(Stop::Undecided(format!("the line y = 0 meets the curve found {curve} times only")));
+    }
+    let list = |items: Vec<String>| format!("({})", items.join(", "));
+    let at = [("ordinates of the control points", list(c.iter().map(ToString::to_string).collect()))];
+    let (points, signs): (Vec<_>, Vec<_>) = crossings.into_iter().unzip();
+    let signs = signs.iter().map(|negative| if *negative { "−" } else { "+" }.to_owned()).collect();
+    let found = format!(
+        "the curve crosses it {curve} times: at x in {} its ordinate has the signs {}",
+        list(points.iter().map(ToString::to_string).collect()),
+        list(signs),
+    );
+    Err(case.refuted_at_large(
+        at,
+        format!("y = 0 is crossed at most {polygon} times, as by the polygon"),
+        found,
+    ))
+}
+
+/// A function with two local maxima, cut by a line between the lower one and the minimum between them: e_i − c, with the
+/// shortest decimal c, since the functions of an open vector have the sum 1.
+fn two_maxima_cut(case: &BasisCase) -> Option<Vec<BigRational>> {
+    /// Maxima and minima that are closer than 10^−40 are passed over.
+    const DIGITS: usize = 40;
+    let several = |i: &usize| {
+        let knots = LocalKnots::of(case.basis(), *i);
+        knots.and_then(|knots| Monotonicity::of(&knots).local_maxima()).is_some_and(|maxima| maxima > 1)
+    };
+    let i = (0..=case.n()).find(several)?;
+    let mut shape = Shape::of(case.pieces(), i);
+    let height = (1..=DIGITS).find_map(|digits| {
+        shape.refine_to(&power_of_ten(digits).recip());
+        shape.extrema().windows(3).find_map(|three| {
+            let [first, minimum, second] = three else { return None };
+            let between = (first.kind, second.kind) == (ExtremumKind::Maximum, ExtremumKind::Maximum);
+            let low = &minimum.value.1;
+            let high = (&first.value.0).min(&second.value.0);
+            (between && low < high).then(|| shortest_decimal(low, high))
+        })
+    })?;
+    let ordinate = |l: usize| if l == i { integer(1) - &height } else { -height.clone() };
+    Some((0..=case.n()).map(ordinate).collect())
+}
+
+fn power_of_ten(digits: usize) -> BigRational {
+    integer(10).power(digits)
+}
+
+/// The number with the fewest decimals strictly between the two, and of these the one next to the middle.
+fn shortest_decimal(low: &BigRational, high: &BigRational) -> BigRational {
+    let middle = (low + high) / integer(2);
+    let rounded = (0..).map(|digits| rounded(&middle, digits));
+    rounded.take_while(|_| low < high).find(|x| low < x && x < high).unwrap_or(middle)
+}
+
+fn rounded(x: &BigRational, digits: usize) -> BigRational {
+    let unit = power_of_ten(digits);
+    (x * &unit).round() / unit
+}
+
+/// From a negative minor: with f = Σ c_i G_i equal to 1, −1, 1 at its points, the c_i have the signs −, +, −, so f changes
+/// its sign there twice, and twice more where the outer functions, alone near the ends of their supports, make it
+/// negative.
+fn changes_at_minor(case: &BasisCase, minor: &NegativeMinor) -> Vec<BigRational> {
+    let heights = [integer(1), -integer(1), integer(1)];
     // All others −1: they add no change of sign to the polygon's, and no part of it lies in the line y = 0.
     let mut c = vec![-integer(1); case.n() + 1];
     for column in 0..3 {
         // Cramer's rule.
-        let mut replaced = rows.clone();
+        let mut replaced = minor.rows.clone();
         for (row, height) in replaced.iter_mut().zip(&heights) {
             row[column] = height.clone();
         }
-        c[first + column] = determinant(&replaced) / &minor;
+        c[minor.first + column] = determinant(&replaced) / &minor.minor;
     }
-    let signs: Vec<_> = c.iter().filter(|c| !c.is_zero()).map(|c| *c < integer(0)).collect();
-    let polygon = signs.windows(2).filter(|pair| pair[0] != pair[1]).count();
-    let curve = sign_changes(case.pieces(), &c);
-    if curve <= polygon {
-        return Err(Stop::Undecided(format!("the line y = 0 meets the curve found {curve} times only")));
-    }
-    let list: Vec<_> = c.iter().map(ToString::to_string).collect();
-    let at = [("ordinates of the control points", format!("({})", list.join(", ")))];
-    let claimed = format!("y = 0 is crossed at most {polygon} times, as by the polygon");
-    Err(case.refuted_at_large(at, claimed, format!("the curve crosses it {curve} times")))
+    c
 }
 
-/// How often Σ c_i G_i changes its sign on [t_0, t_m].
-fn sign_changes(pieces: &Pieces, c: &[BigRational]) -> usize {
-    let signs = pieces.spans().iter().flat_map(|span| {
+/// Points from left to right, as short as they can be, at which f = Σ c_i G_i has alternating signs, one for each
+/// interval on which it keeps its sign; and whether f is negative there.
+fn alternations(case: &BasisCase, c: &[BigRational]) -> Vec<(BigRational, bool)> {
+    /// A point that more decimals would distinguish from its neighbours stays as it was found.
+    const DIGITS: usize = 20;
+    let pieces = case.pieces();
+    let mut found: Vec<(BigRational, bool)> = Vec::new();
+    for span in pieces.spans() {
         let terms = span.functions.iter().map(|(i, g)| g.times(&g.embed(&c[i])));
         let sum: Piece = terms.fold(pieces.zero(), |sum, term| sum.plus(&term));
-        let pattern = sign_pattern(&sum.numerator().times(sum.denominator()));
-        pattern.between().iter().map(|(_, sign)| *sign).collect::<Vec<_>>()
-    });
-    let signs: Vec<_> = signs.filter(|sign| *sign != Sign::Zero).collect();
-    signs.windows(2).filter(|pair| pair[0] != pair[1]).count()
+        for (u, sign) in sign_pattern(&sum.numerator().times(sum.denominator())).between() {
+            let negative = *sign == Sign::Negative;
+            let changes = *sign != Sign::Zero && found.last().is_none_or(|(_, last)| *last != negative);
+            if let Some(x) = span.x.evaluate(u).filter(|_| changes) {
+                found.push((x, negative));
+            }
+        }
+    }
+    let negative_at = |x: &BigRational| {
+        let value: BigRational = case.values(x, Side::Right).iter().zip(c).map(|(g, c)| g * c).sum();
+        (!value.is_zero()).then(|| value < integer(0))
+    };
+    for at in 0..found.len() {
+        let before = if at == 0 { case.knots().first() } else { &found[at - 1].0 };
+        let after = found.get(at + 1).map_or(case.knots().last(), |(x, _)| x);
+        let (x, negative) = &found[at];
+        let short = (0..=DIGITS)
+            .map(|digits| rounded(x, digits))
+            .find(|short| before < short && short < after && negative_at(short) == Some(*negative));
+        if let Some(short) = short {
+            found[at].0 = short;
+        }
+    }
+    found
 }
 
 /// Minors of order 3 near the knots.
-fn total_positivity(case: &BasisCase, _: &mut Ledger) -> Judgement {
+pub(super) fn total_positivity(case: &BasisCase, _: &mut Ledger) -> Judgement {
     let Some(NegativeMinor { first, points, rows, minor }) = negative_minor(case) else {
         return Err(Stop::Undecided("no negative minor of order 3 was found near any knot".into()));
     };
@@ -170,8 +295,29 @@ fn determinant(rows: &[Vec<BigRational>]) -> BigRational {
     sum
 }
 
+/// On no span a power of x with one of the exponents, which are 1, …, k in the claim, is a combination of the functions
+/// that live there.
+fn no_power(
+    exponents: fn(k: usize) -> RangeInclusive<usize>,
+) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
+    move |case, ledger| {
+        for pieces in case.pieces().spans() {
+            for exponent in exponents(case.k()) {
+                let power = pieces.x.power(exponent);
+                if !ledger.count(usize::from(is_combination(pieces.functions.values(), &power)), 0) {
+                    let (start, end) = pieces.ends();
+                    let at = [("span", format!("[{start}, {end})"))];
+                    let claimed = format!("x^{exponent} is no combination of the functions that live there");
+                    return Err(case.refuted(at, claimed, "it is one".into()));
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
 /// x ↦ x is a combination of the basis on [t_k, t_{n+1}].
-fn linear_precision(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
+pub(super) fn linear_precision(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
     // On one span first: what fails there fails on the whole interval.
     for pieces in case.pieces().spans() {
         if (case.k()..=case.n()).contains(&pieces.span.index())
@@ -186,26 +332,54 @@ fn linear_precision(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
     Ok(())
 }
 
-/// Every function for U is a combination of those for U with one more knot, in the middle of any span.
-fn nested(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
-    for coarse in case.pieces().spans() {
-        let (start, end) = coarse.ends();
-        let knot = (start + end) / integer(2);
-        let refined = case.knots().with_knot(&knot);
-        let Ok(refined) = Basis::new(refined, case.k(), case.basis().index().clone()) else { continue };
-        let fine = Pieces::of(&refined);
-        let rows = coefficient_rows(fine.spans().iter().map(|span| fine_and_coarse(span, refined.n(), case)));
-        let (basis, functions) = rows.split_at(refined.n() + 1);
-        for (i, function) in functions.iter().enumerate() {
-            if !ledger.count(usize::from(in_span(basis, function).is_some()), 1) {
-                let at = [("i", i.to_string()), ("new knot", knot.to_string())];
-                let g = name(case.k(), i);
-                let claimed = format!("{g} is a combination of the functions for the refined knots");
-                return Err(case.refuted(at, claimed, "it is none".into()));
-            }
+/// Knots to insert: the middle of every span, and those that are there already.
+fn new_knots(case: &BasisCase) -> impl Iterator<Item = BigRational> {
+    let spans = case.pieces().spans().iter().map(SpanPieces::ends);
+    let middles = spans.map(|(start, end)| (start + end) / integer(2));
+    middles.chain(case.knots().stop_knots().map(|(t, _)| t.clone()))
+}
+
+/// The first function for U that is no combination of those for U with one more knot.
+fn outside_of_refined(case: &BasisCase, knot: &BigRational) -> Option<usize> {
+    let refined = Basis::new(case.knots().with_knot(knot), case.k(), case.basis().index().clone()).ok()?;
+    let fine = Pieces::of(&refined);
+    let rows = coefficient_rows(fine.spans().iter().map(|span| fine_and_coarse(span, refined.n(), case)));
+    let (basis, functions) = rows.split_at(refined.n() + 1);
+    functions.iter().position(|function| in_span(basis, function).is_none())
+}
+
+/// Every function for U is a combination of those for U with one more knot.
+pub(super) fn nested(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
+    for knot in new_knots(case) {
+        let outside = outside_of_refined(case, &knot);
+        if !ledger.count(usize::from(outside.is_some()), 0) {
+            let i = outside.unwrap_or_default();
+            let at = [("i", i.to_string()), ("new knot", knot.to_string())];
+            let g = name(case.k(), i);
+            let claimed = format!("{g} is a combination of the functions for the refined knots");
+            return Err(case.refuted(at, claimed, "it is none".into()));
         }
     }
     Ok(())
+}
+
+/// That, if and only if the new knot is there already with a multiplicity of at least k, or of `least(k)`.
+fn nested_exactly(least: fn(k: usize) -> usize) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
+    move |case, ledger| {
+        for knot in new_knots(case) {
+            let claimed = case.knots().multiplicity(&knot) >= least(case.k());
+            let outside = outside_of_refined(case, &knot);
+            if !ledger.count(usize::from(outside.is_none()), usize::from(claimed)) {
+                let words = |nested: bool| if nested { "they are" } else { "some function is none" };
+                let words = words(claimed);
+                let claimed =
+                    format!("as to being combinations of the functions for the refined knots, {words}");
+                let at = [("new knot", knot.to_string())];
+                return Err(case.refuted(at, claimed, "it is the other way".into()));
+            }
+        }
+        Ok(())
+    }
 }
 
 /// On a span of the refined knots: the refined functions, then those of the case.
@@ -243,6 +417,32 @@ fn derivative_in_class(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
     Ok(())
 }
 
+/// Without interior knots: DB_i^k = k w′ (B_{i−1}^{k−1} − B_i^{k−1}), with the functions of degree k − 1 on their own knots;
+/// `factor` is k in the claim.
+fn derivative_up_to_a_factor(factor: fn(k: usize) -> usize) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
+    move |case, ledger| {
+        let (a, b, k) = (case.knots().first(), case.knots().last(), case.k());
+        let below = KnotVector::bernstein(k - 1, a, b).ok();
+        let below = below.and_then(|knots| Basis::new(knots, k - 1, case.basis().index().clone()).ok());
+        let Some(below) = below.as_ref().map(Pieces::of) else {
+            return Err(Stop::Fault("no Bernstein basis of degree k − 1".into()));
+        };
+        for (pieces, below) in case.pieces().spans().iter().zip(below.spans()) {
+            let (w, _) = weight(&pieces.x.embed(case.basis().index().ratio()), &pieces.x, a, b);
+            let scale = pieces.derivative(&w).times(&w.embed(&integer(factor(k))));
+            for (i, g) in pieces.functions.iter() {
+                let before = i.checked_sub(1).map_or_else(|| w.zero(), |i| below.function(i));
+                let claimed = scale.times(&before.minus(&below.function(i)));
+                if !ledger.equal(&pieces.derivative(g), &claimed) {
+                    let claimed = format!("DB_{i}^{k} is {}·w′ times a difference", factor(k));
+                    return Err(case.refuted([("i", i.to_string())], claimed, "it is not".into()));
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
 /// On every span, with Q the least common denominator: deg Q ≤ bound(k), which is k(k + 1)/2 in the claim, no numerator has a higher degree, and
 /// the coefficients of Q in u, which are positive multiples of its Bézier weights, are positive.
 fn rational_bezier(bound: fn(k: usize) -> usize) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
@@ -251,9 +451,6 @@ fn rational_bezier(bound: fn(k: usize) -> usize) -> impl Fn(&BasisCase, &mut Led
 
 fn rational_bezier_of(most: usize, case: &BasisCase, ledger: &mut Ledger) -> Judgement {
     for pieces in case.pieces().spans() {
-        if !(case.k()..=case.n()).contains(&pieces.span.index()) {
-            continue;
-        }
         let mut functions = pieces.functions.values().to_vec();
         functions.push(case.pieces().one());
         // The numerator of 1 over the common denominator is that denominator.
@@ -283,12 +480,21 @@ pub(super) fn claims() -> Vec<Claim> {
             "not in the paper",
             Form::Basis(
                 Statement::new(
-                    "Open U: at every simple interior knot every curve of degree k ≥ 2 has a continuous tangent direction (the one-sided derivatives are non-negative multiples of one vector).",
+                    "Open U: at every simple interior knot every curve of degree k ≥ 2 has a continuous tangent direction (the one-sided derivatives are positive multiples of each other).",
                     tangent_continuity,
                 )
                 .given([Open, FiniteIndex, DegreeAtLeast(2)]),
             ),
-        ),
+        )
+        .fails_by(Cause::Conjecture)
+        .amended(Form::Basis(
+            Statement::new(
+                "Open U: at a simple interior knot t_j every curve of degree k ≥ 2 has a continuous tangent direction exactly when t_{j−k+1} = … = t_{j−1} and t_{j+1} = … = t_{j+k−1}.",
+                tangent_continuity_exactly(true),
+            )
+            .given([Open, FiniteIndex, DegreeAtLeast(2)]),
+        ))
+        .note("So always for k = 2, and where no other knot is inside; and if all interior knots are simple, at all of them only then. With multiple knots beside it there are more such vectors: k = 3, U = (0, 0, 0, 0, 1, 1, 2, 3, 3, 3, 3), t_j = 2."),
         Claim::new(
             "X.variation",
             "not in the paper",
@@ -300,6 +506,8 @@ pub(super) fn claims() -> Vec<Claim> {
                 .given([Open, FiniteIndex, DegreeAtLeast(1), InnerMultiplicityAtMostDegree]),
             ),
         )
+        .fails_by(Cause::Conjecture)
+        .by_degree_on(searched_on_open_knots)
         .note("A function with two local maxima crosses some horizontal line four times, and its control values, one 1 and else 0, twice: so for k ≥ 3 and every α ≠ ∞ the knots of X.maxima are counterexamples too."),
         Claim::new(
             "X.totalpositivity",
@@ -312,6 +520,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 .given([FiniteIndex, DegreeAtLeast(1)]),
             ),
         )
+        .fails_by(Cause::Conjecture)
         .note("It would imply X.variation: so for k ≥ 3 and every α ≠ ∞ it fails on the knots of X.maxima too."),
         Claim::new(
             "X.linear",
@@ -323,7 +532,16 @@ pub(super) fn claims() -> Vec<Claim> {
                 )
                 .given([FiniteIndex, DegreeAtLeast(1)]),
             ),
-        ),
+        )
+        .fails_by(Cause::Conjecture)
+        .amended(Form::Basis(
+            Statement::new(
+                "Never: for finite α and k ≥ 1, on no span of any U is x ↦ x a combination of the functions that live there, nor is x², …, x^k.",
+                no_power(|k| 1..=k),
+            )
+            .given([FiniteIndex, DegreeAtLeast(1)]),
+        ))
+        .note("For r ≠ 1 every weight has a finite limit as x → ∞, and so has every combination of the functions."),
         Claim::new(
             "X.nested",
             "not in the paper",
@@ -334,7 +552,16 @@ pub(super) fn claims() -> Vec<Claim> {
                 )
                 .given([FiniteIndex, DegreeAtLeast(1)]),
             ),
-        ),
+        )
+        .fails_by(Cause::Conjecture)
+        .amended(Form::Basis(
+            Statement::new(
+                "Open U, k ≥ 1, a new knot t in [t_0, t_m]: the span for U lies in the span for U with the new knot exactly when t is a knot of U of multiplicity ≥ k already.",
+                nested_exactly(|k| k),
+            )
+            .given([Open, FiniteIndex, DegreeAtLeast(1)]),
+        ))
+        .note("The engine inserts every knot of U once more, and the middle of every span; the certificate is about any new knot."),
         Claim::new(
             "X.derivative",
             "not in the paper",
@@ -345,7 +572,15 @@ pub(super) fn claims() -> Vec<Claim> {
                 )
                 .given([FiniteIndex, DegreeAtLeast(1)]),
             ),
-        ),
+        )
+        .fails_by(Cause::Conjecture)
+        .amended(Form::Basis(
+            Statement::new(
+                "Open U without interior knots, k ≥ 1: up to the factor w′ it is one, DB_i^k = k w′ (B_{i−1}^{k−1} − B_i^{k−1}).",
+                derivative_up_to_a_factor(|k| k),
+            )
+            .given([Bernstein, DegreeAtLeast(1)]),
+        )),
         Claim::new(
             "X.nurbs",
             "not in the paper",
@@ -371,6 +606,53 @@ mod tests {
     use crate::spline::{Index, KnotVector};
 
     #[test]
+    fn false_variants_are_refuted() {
+        let given = [Open, FiniteIndex, DegreeAtLeast(1)];
+        assert!(
+            refuted(tangent_continuity_exactly(false), [Open, FiniteIndex, DegreeAtLeast(2)]),
+            "one side"
+        );
+        assert!(refuted(no_power(|_| 0..=0), given), "constants are combinations");
+        assert!(refuted(nested_exactly(|k| k + 1), given), "multiplicity k is enough");
+        assert!(
+            refuted(nested_exactly(|k| k.max(2) - 1), [Open, FiniteIndex, DegreeAtLeast(2)]),
+            "k − 1 is not"
+        );
+        assert!(refuted(derivative_up_to_a_factor(|k| k + 1), [Bernstein, DegreeAtLeast(1)]), "k + 1");
+    }
+
+    /// The function of the conjecture on (0, 0, 0, 0, 1, 2, 4, 4, 4, 4), cut between its maxima: the line has eight decimals.
+    #[test]
+    fn the_line_that_meets_a_curve_too_often_is_short() {
+        let knots = KnotVector::new([0, 0, 0, 0, 1, 2, 4, 4, 4, 4].map(integer).to_vec()).unwrap();
+        let basis = Basis::new(knots, 3, "5/2".parse().unwrap()).unwrap();
+        let case = BasisCase::new(basis, Origin::Small);
+        let c = two_maxima_cut(&case).unwrap();
+        let height = crate::scalar::parse_rational("0.63616075").unwrap();
+        let expected: Vec<_> = (0..6).map(|l| integer(usize::from(l == 2)) - &height).collect();
+        assert_eq!(c, expected);
+        let points = alternations(&case, &c);
+        assert_eq!(
+            points.iter().map(|(_, negative)| *negative).collect::<Vec<_>>(),
+            [true, false, true, false, true]
+        );
+        assert!(points.is_sorted_by(|(x, _), (y, _)| x < y));
+        for (x, negative) in points {
+            let value: BigRational = case.values(&x, Side::Right).iter().zip(&c).map(|(g, c)| g * c).sum();
+            assert_eq!(value < integer(0), negative, "{x}");
+            assert!(x.denom() <= integer(10_000).numer(), "{x} is short");
+        }
+    }
+
+    #[test]
+    fn decimals() {
+        let number = |text: &str| crate::scalar::parse_rational(text).unwrap();
+        assert_eq!(shortest_decimal(&number("0.3"), &number("1.2")), number("1"));
+        assert_eq!(shortest_decimal(&number("0.31"), &number("0.39")), number("0.35"));
+        assert_eq!(shortest_decimal(&number("-0.39"), &number("-0.31")), number("-0.35"));
+    }
+
+    #[test]
     fn determinants() {
         let matrix = [[1, 2, 3], [0, 1, 4], [5, 6, 0]].map(|row| row.map(integer).to_vec());
         assert_eq!(determinant(&matrix), integer(1));
@@ -379,6 +661,19 @@ mod tests {
     #[test]
     fn a_bezier_degree_too_low_is_refuted() {
         assert!(refuted(rational_bezier(|k| k * (k + 1) / 2 - 1), [Open, DegreeAtLeast(1)]));
+    }
+
+    /// Two interior knots, and all curves have tangents: beside the simple one the knots are one on either side.
+    #[test]
+    fn a_knot_of_multiplicity_k_minus_1_is_as_good_as_an_end() {
+        for (knots, continuous) in
+            [([0, 0, 0, 0, 1, 1, 2, 3, 3, 3, 3], true), ([0, 0, 0, 0, 1, 2, 3, 4, 4, 4, 4], false)]
+        {
+            let knots = KnotVector::new(knots.map(integer).to_vec()).unwrap();
+            let case = BasisCase::new(Basis::new(knots, 3, "-1".parse().unwrap()).unwrap(), Origin::User);
+            let judged = tangent_continuity(&case, &mut Ledger::default());
+            assert_eq!(judged.is_ok(), continuous, "{judged:?}");
+        }
     }
 
     /// For polynomial splines the answers are known, and all are yes.

@@ -131,10 +131,13 @@ fn summarise<C: Case>(decided: &[(Outcome, &C)]) -> Result<Verdict, Fault> {
         match outcome {
             Outcome::Holds(ledger) => {
                 reach.facts += ledger.facts();
-                reach.remarks.extend_from_slice(ledger.remarks());
                 match case.origin() {
                     Origin::Small => reach.small_cases += 1,
-                    Origin::Paper | Origin::User => reach.instances += case.instances(),
+                    // Remarks are for who knows the case: of thousands of small ones nobody does.
+                    Origin::Paper | Origin::User => {
+                        reach.instances += case.instances();
+                        reach.remarks.extend_from_slice(ledger.remarks());
+                    }
                 }
                 degrees.extend(case.degree());
             }

@@ -4,6 +4,7 @@ use crate::scalar::{Ring, integer};
 
 use super::basis::{local_support, name, positivity};
 use super::case::BasisCase;
+use super::cause::Cause;
 use super::claim::{Claim, Form};
 use super::hypothesis::Hypothesis::{DegreeAtLeast, InteriorMultiplicityAtMostDegree, Open};
 use super::independence::independence;
@@ -73,6 +74,29 @@ fn functions_as_coefficients(case: &BasisCase, ledger: &mut Ledger) -> Judgement
     Ok(())
 }
 
+/// At the first knot t_j of every span, a function that begins there, with q of its knots at t_j, has the order
+/// k + 1 − q + more; the claim has 0 for `more`. So those that begin at one knot have different orders.
+fn orders(more: usize) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
+    move |case, ledger| {
+        let (knots, k) = (case.knots(), case.k());
+        for pieces in case.pieces().spans() {
+            let j = pieces.span.index();
+            for (i, g) in pieces.functions.iter().filter(|(i, _)| knots.t(*i) == knots.t(j)) {
+                let order = g.numerator().coefficients().iter().take_while(|c| c.is_zero()).count();
+                // No pole at t_j: the order of the quotient is that of its numerator.
+                let regular = g.evaluate(&integer(0)).is_some();
+                let q = j - i + 1;
+                if !(regular && ledger.count(order, k + 1 - q + more)) {
+                    let at = [("i", i.to_string()), ("x", knots.t(j).to_string())];
+                    let claimed = format!("{} has the order {} there", name(k, i), k + 1 - q + more);
+                    return Err(case.refuted_at_large(at, claimed, format!("it has the order {order}")));
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
 /// The claims on steps.
 pub(super) fn claims() -> Vec<Claim> {
     vec![
@@ -87,6 +111,7 @@ pub(super) fn claims() -> Vec<Claim> {
                 .given([DegreeAtLeast(1)]),
             ),
         )
+        .fails_by(Cause::ProofStep)
         .amended(Form::Basis(
             Statement::new(
                 "The same unless t_i < t_{i+1} = t_{i+k} < t_{i+k+1}; then the union misses exactly the point t_{i+1}.",
@@ -100,10 +125,12 @@ pub(super) fn claims() -> Vec<Claim> {
             "Proof of Proposition 4.1 (1)",
             Form::Basis(Statement::new("G_j^k(x) ≠ 0 ⇔ x in (t_j, t_{j+k+1}).", support_exactly(false))),
         )
+        .fails_by(Cause::EndPoints)
         .amended(Form::Basis(Statement::new(
-            "The same for every x, with two exceptions, where G_j^k is 1: x = t_j if t_j = t_{j+k} < t_{j+k+1}, and x = t_m if t_j < t_{j+1} = t_m.",
+            "G_j^k(x) ≠ 0 for x in (t_j, t_{j+k+1}), and only for x in [t_j, t_{j+k+1}]. At the ends of that it is 0, with two exceptions, where it is 1: x = t_j if t_j = t_{j+k} < t_{j+k+1}, and x = t_m if t_j < t_{j+1} = t_m.",
             support_exactly(true),
-        ))),
+        )))
+        .note("The proof needs the first sentence only."),
         Claim::new(
             "proof.P3.2.induction",
             "Proof of Proposition 3.2",
@@ -115,11 +142,15 @@ pub(super) fn claims() -> Vec<Claim> {
                 .given([Open, InteriorMultiplicityAtMostDegree]),
             ),
         )
+        .fails_by(Cause::ProofStep)
         .amended(Form::Basis(
-            Statement::new("The same for constants c_i, which is linear independence itself.", independence)
-                .given([Open, InteriorMultiplicityAtMostDegree]),
+            Statement::new(
+                "Repaired, with constants c_i and the functions of one degree k only: at the first knot of a span the functions that begin there have different orders, k + 1 − q for the one that has q of its knots there, 1 ≤ q ≤ k + 1. So if Σ c_i G_i^k = 0 and the functions that began earlier have c_i = 0, those that begin there have c_i = 0 as well: from span to span.",
+                orders(0),
+            )
+            .given([Open, InteriorMultiplicityAtMostDegree]),
         ))
-        .note("The case's degree is the q of the step. Proposition 3.2 is true all the same; only this way of proving it is not."),
+        .note("The case's degree is the q of the step. Proposition 3.2 is true all the same; only this way of proving it is not. With the repaired step it needs no induction over the degree."),
     ]
 }
 
@@ -137,6 +168,11 @@ mod tests {
         assert!(refuted(cover(true), [DegreeAtLeast(2)]), "also for k ≥ 2");
         assert!(refuted(support_exactly(false), [Open]));
         assert!(!refuted(support_exactly(true), [Open]));
+    }
+
+    #[test]
+    fn another_order_is_refuted() {
+        assert!(refuted(orders(1), [Open]));
     }
 
     #[test]

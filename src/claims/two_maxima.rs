@@ -2,14 +2,15 @@
 
 use num_bigint::BigInt;
 
-use crate::analysis::{LocalKnots, Monotonicity, Sign};
+use crate::analysis::{LocalKnots, Monotonicity, Shape, Sign};
 use crate::scalar::{BigRational, Ring, integer, rational};
 use crate::spline::{Basis, Index, KnotVector};
 
+use super::basis::name;
 use super::case::{BasisCase, Origin};
 use super::claim::{Claim, Form};
-use super::hypothesis::Hypothesis::{ClassicalIndex, DegreeAtLeast, FiniteIndex};
-use super::maximum::{Except, Reading, conjecture, searched};
+use super::hypothesis::Hypothesis::{ClassicalIndex, DegreeAtLeast, DegreeAtMost, EqualGaps, FiniteIndex};
+use super::maximum::{Except, Reading, conjecture, nowhere, searched};
 use super::statement::Statement;
 use super::verdict::{Judgement, Ledger};
 
@@ -87,6 +88,25 @@ fn rises_then_falls(allowed: usize) -> impl Fn(&BasisCase, &mut Ledger) -> Judge
                     let claimed = "the function rises, falls, or rises and then falls".to_owned();
                     return Err(case.refuted(at, claimed, format!("it changes its direction {turns} times")));
                 }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// At most so many local maxima, for every function that is not 0 everywhere and jumps nowhere inside (t_0, t_m).
+fn at_most(most: fn(k: usize) -> usize) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
+    move |case, ledger| {
+        let most = most(case.k());
+        for i in 0..=case.n() {
+            if nowhere(case, i, ledger) || Except::Jumps.leaves_out(case, i) {
+                continue;
+            }
+            let maxima = Shape::of(case.pieces(), i).local_maxima().count();
+            if !ledger.count(maxima.max(most), most) {
+                let claimed = format!("{} has at most {most} local maxima", name(case.k(), i));
+                let at = [("i", i.to_string())];
+                return Err(case.refuted(at, claimed, format!("it has {maxima}")));
             }
         }
         Ok(())
@@ -173,7 +193,7 @@ pub(super) fn claims() -> Vec<Claim> {
             "not in the paper",
             Form::Basis(
                 Statement::new(
-                    "Inside every span G_i^k rises, or falls, or rises and then falls: every local minimum inside the support is at a knot.",
+                    "Inside every span of its support G_i^k rises, or falls, or rises and then falls: every local minimum inside the support is at a knot.",
                     rises_then_falls(1),
                 )
                 .given([DegreeAtLeast(1)]),
@@ -181,6 +201,31 @@ pub(super) fn claims() -> Vec<Claim> {
         )
         .by_degree_on(searched)
         .note("As a function rises on its first span and falls on its last one, a local minimum is at a knot between two of the k − 1 spans between: so where this is proved for every knot vector, a continuous function has at most k − 1 local maxima, for k ≥ 2."),
+        Claim::new(
+            "X.maxima.bound",
+            "not in the paper",
+            Form::Basis(
+                Statement::new(
+                    "For k ≥ 2 every G_i^k with t_i < t_{i+k+1} that is continuous on (t_0, t_m) has at most k − 1 local maxima.",
+                    at_most(|k| k - 1),
+                )
+                .given([DegreeAtLeast(2)]),
+            ),
+        )
+        .by_degree_on(searched)
+        .note("It follows from X.maxima.spans; and by X.maxima.most there are no fewer."),
+        Claim::new(
+            "X.maxima.uniform",
+            "not in the paper",
+            Form::Basis(
+                Statement::new(
+                    "On simple uniform knots, for 1 ≤ k ≤ 3, every G_i^k has exactly one local maximum.",
+                    conjecture(Reading::Strong, Except::Nothing, 1),
+                )
+                .given([DegreeAtLeast(1), DegreeAtMost(3), EqualGaps]),
+            ),
+        )
+        .note("All functions are translates of one. For k = 3 its two derivatives at its middle knot have the same sign, that of 1 − r."),
         Claim::new(
             "X.maxima.most",
             "not in the paper",
@@ -199,7 +244,7 @@ pub(super) fn claims() -> Vec<Claim> {
             "not in the paper",
             Form::Basis(
                 Statement::new(
-                    "For α = ∞ every G_i^k that is continuous on (t_0, t_m) has exactly one local maximum.",
+                    "For α = ∞ every G_i^k with t_i < t_{i+k+1} that is continuous on (t_0, t_m) has exactly one local maximum.",
                     conjecture(Reading::Strong, Except::Jumps, 1),
                 )
                 .given([ClassicalIndex, DegreeAtLeast(1)]),
@@ -223,6 +268,11 @@ mod tests {
     #[test]
     fn more_maxima_are_refuted() {
         assert!(refuted(most_maxima(1), [DegreeAtLeast(2)]));
+    }
+
+    #[test]
+    fn two_maxima_in_degree_3_are_too_many_for_one() {
+        assert!(refuted(at_most(|k| k - 2), [DegreeAtLeast(3)]));
     }
 
     #[test]

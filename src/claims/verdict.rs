@@ -112,7 +112,8 @@ impl Ledger {
         self.facts
     }
 
-    /// Adds a figure that was computed on the way and that readers will ask for.
+    /// Adds what was found on the way and readers will ask for: a figure, or what was left out. Of the engine's own
+    /// small cases it is not kept.
     pub fn remark(&mut self, remark: String) {
         self.remarks.push(remark);
     }
@@ -171,7 +172,7 @@ pub struct Reach {
     pub facts: usize,
     /// The degrees that occur.
     pub degrees: Vec<usize>,
-    /// Figures that were computed on the way, such as certified suprema.
+    /// What was found on the way in the cases that have a name, such as certified suprema.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub remarks: Vec<String>,
 }

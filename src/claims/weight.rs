@@ -5,6 +5,7 @@ use crate::scalar::{BigRational, RationalAlgebra, RationalFunction, Ring, intege
 use crate::spline::{Index, weight};
 
 use super::case::WeightCase;
+use super::cause::Cause;
 use super::claim::{Claim, Form};
 use super::hypothesis::WeightHypothesis::{FiniteIndex, Proper};
 use super::statement::Statement;
@@ -69,26 +70,29 @@ type AtPoint<'a> = &'a dyn Fn(&BigRational) -> BigRational;
 /// left(x) = right(x): between a and b as functions, and at the given points.
 struct Identity<'a> {
     left: (&'a str, AtPoint<'a>),
-    right: (&'a str, AtPoint<'a>),
+    right: (String, AtPoint<'a>),
     inside: Option<(Piece, Piece)>,
     points: Vec<BigRational>,
 }
 
 impl Identity<'_> {
     fn judge(&self, case: &WeightCase, extra: &[(&str, String)], ledger: &mut Ledger) -> Judgement {
-        for x in &self.points {
-            let (left, right) = ((self.left.1)(x), (self.right.1)(x));
-            if !ledger.equal(&left, &right) {
-                let mut at = extra.to_vec();
-                at.push(("x", x.to_string()));
-                let claimed = format!("{} = {}", self.left.0, self.right.0);
-                return Err(refuted(
-                    case,
-                    &at,
-                    claimed,
-                    format!("the left side is {left} and the right side {right}"),
-                ));
+        let sides = |x: &BigRational| ((self.left.1)(x), (self.right.1)(x));
+        let mut failing = self.points.iter().filter(|x| {
+            let (left, right) = sides(x);
+            !ledger.equal(&left, &right)
+        });
+        if let Some(x) = failing.next() {
+            let mut at = extra.to_vec();
+            at.push(("x", x.to_string()));
+            let claimed = format!("{} = {}", self.left.0, self.right.0);
+            let (left, right) = sides(x);
+            let mut found = format!("the left side is {left} and the right side {right}");
+            let others: Vec<_> = failing.map(ToString::to_string).collect();
+            if !others.is_empty() {
+                found += &format!("; it fails at x = {} as well", others.join(", "));
             }
+            return Err(refuted(case, &at, claimed, found));
         }
         match &self.inside {
             Some((left, right)) if !ledger.equal(left, right) => {
@@ -103,10 +107,10 @@ impl Identity<'_> {
     }
 }
 
-/// One point of every region that a and b cut the line into, the ends included, but for the inside of (a, b).
+/// One point of every region that a and b cut the line into, and then the ends, but for the inside of (a, b).
 fn around(a: &BigRational, b: &BigRational) -> Vec<BigRational> {
     let (low, high) = if a <= b { (a, b) } else { (b, a) };
-    let mut points = vec![low.clone(), high.clone(), low - integer(1), high + integer(1)];
+    let mut points = vec![low - integer(1), high + integer(1), low.clone(), high.clone()];
     if a > b {
         points.push((a + b) / integer(2));
     }
@@ -173,7 +177,8 @@ fn shape(case: &WeightCase, ledger: &mut Ledger) -> Judgement {
 
 /// Every increasing Möbius map with f(a) = 0, f(b) = 1 has one pole c outside of [a, b] and is
 /// f(x) = (b − c)(x − a)/((b − a)(x − c)); it is f_α for α = (b − c)/(b − a), with c as a variable: for every
-/// such f at once. The pole b − α(b − a) tells α, so it is the only one.
+/// such f at once. The pole b − α(b − a) tells α, so it is the only one. For c = a − s with s > 0 it is greater than 1,
+/// for c = b + s negative.
 fn classification(case: &WeightCase, ledger: &mut Ledger) -> Judgement {
     let c = Piece::variable(&integer(1));
     let x = RationalFunction::variable(&c);
@@ -190,6 +195,13 @@ fn classification(case: &WeightCase, ledger: &mut Ledger) -> Judgement {
     let pole = alpha.map(|alpha| b.minus(&alpha.times(&b.minus(&a))));
     let told = pole.is_some_and(|pole| ledger.equal(&pole, &c));
     expect(told, case, "the pole of f_α is c, so that c tells α", || "it is not".into())?;
+    let s = Piece::variable(&integer(1));
+    let (length, one) = (s.embed(&(&case.b - &case.a)), s.one());
+    let left = length.plus(&s).over(&length).map(|alpha| alpha.minus(&one));
+    let right = s.over(&length);
+    for (distance, claimed) in [(left, "α > 1 for c < a"), (right, "−α > 0 for c > b")] {
+        expect(distance.is_some_and(|d| ledger.positive(&d)), case, claimed, || "it is not".into())?;
+    }
     climbs(case, ledger)
 }
 
@@ -245,7 +257,7 @@ fn increasing_map(case: &WeightCase, ledger: &mut Ledger) -> Judgement {
         });
         Identity {
             left: ("φ_α(T(x), T(a), T(b))", &|x| phi(&case.index, &map.apply(x), &ta, &tb)),
-            right: ("φ_α(x, a, b)", &|x| phi(&case.index, x, &case.a, &case.b)),
+            right: ("φ_α(x, a, b)".to_owned(), &|x| phi(&case.index, x, &case.a, &case.b)),
             inside,
             points: around(&case.a, &case.b),
         }
@@ -254,8 +266,9 @@ fn increasing_map(case: &WeightCase, ledger: &mut Ledger) -> Judgement {
     Ok(())
 }
 
-/// P2.1.3 for all real x, or only for a < x < b.
-fn decreasing_map(everywhere: bool) -> impl Fn(&WeightCase, &mut Ledger) -> Judgement {
+/// P2.1.3: the two weights add up to 1 for a < x < b, and everywhere else to the given number, which is 1 in print
+/// and 0 in truth.
+fn decreasing_map(outside: usize) -> impl Fn(&WeightCase, &mut Ledger) -> Judgement {
     move |case, ledger| {
         for map in Affine::examples(false) {
             let (ta, tb) = (map.apply(&case.a), map.apply(&case.b));
@@ -267,9 +280,11 @@ fn decreasing_map(everywhere: bool) -> impl Fn(&WeightCase, &mut Ledger) -> Judg
             });
             Identity {
                 left: ("φ_α(T(x), T(b), T(a))", &|x| phi(&case.index, &map.apply(x), &tb, &ta)),
-                right: ("1 − φ_{1−α}(x, a, b)", &|x| integer(1) - phi(&conjugate, x, &case.a, &case.b)),
+                right: (format!("{outside} − φ_{{1−α}}(x, a, b)"), &|x| {
+                    integer(outside) - phi(&conjugate, x, &case.a, &case.b)
+                }),
                 inside,
-                points: if everywhere { around(&case.a, &case.b) } else { Vec::new() },
+                points: around(&case.a, &case.b),
             }
             .judge(case, &[("T", map.to_string())], ledger)?;
         }
@@ -277,8 +292,9 @@ fn decreasing_map(everywhere: bool) -> impl Fn(&WeightCase, &mut Ledger) -> Judg
     }
 }
 
-/// C2.4 on all of [a, b], or only where a + b − t2 < x < a + b − t1.
-fn mirrored_interval(everywhere: bool) -> impl Fn(&WeightCase, &mut Ledger) -> Judgement {
+/// C2.4: the two weights add up to 1 for a + b − t2 < x < a + b − t1, and elsewhere on [a, b] to the given number, which
+/// is 1 in print and 0 in truth.
+fn mirrored_interval(outside: usize) -> impl Fn(&WeightCase, &mut Ledger) -> Judgement {
     move |case, ledger| {
         let places: Vec<_> = (0..=4).map(|i| &case.a + (&case.b - &case.a) * rational(i, 4)).collect();
         let mirror = |x: &BigRational| &case.a + &case.b - x;
@@ -290,19 +306,18 @@ fn mirrored_interval(everywhere: bool) -> impl Fn(&WeightCase, &mut Ledger) -> J
                 let mirrored = x.embed(&(&case.a + &case.b)).minus(&x);
                 let left = weight(&x.embed(case.index.ratio()), &mirrored, t1, t2).0;
                 let right = weight(&x.embed(conjugate.ratio()), &x, &low, &high).1;
-                let in_range = |x: &BigRational| case.a <= *x && *x <= case.b;
-                let points = [low.clone(), high.clone(), case.a.clone(), case.b.clone()];
+                let middle = |x: &BigRational, y: &BigRational| (x + y) / integer(2);
+                // One point of every part of [a, b] outside, and then the ends.
+                let mut points =
+                    vec![middle(&case.a, &low), middle(&high, &case.b), low.clone(), high.clone()];
+                points.extend([case.a.clone(), case.b.clone()]);
                 Identity {
                     left: ("φ_α(a + b − x, t1, t2)", &|x| phi(&case.index, &mirror(x), t1, t2)),
-                    right: ("1 − φ_{1−α}(x, a + b − t2, a + b − t1)", &|x| {
-                        integer(1) - phi(&conjugate, x, &low, &high)
+                    right: (format!("{outside} − φ_{{1−α}}(x, a + b − t2, a + b − t1)"), &|x| {
+                        integer(outside) - phi(&conjugate, x, &low, &high)
                     }),
                     inside: Some((left, right)),
-                    points: if everywhere {
-                        points.into_iter().filter(in_range).collect()
-                    } else {
-                        Vec::new()
-                    },
+                    points,
                 }
                 .judge(case, &[("t1", t1.to_string()), ("t2", t2.to_string())], ledger)?;
             }
@@ -331,6 +346,7 @@ fn curvature(convex: fn(&Index) -> bool) -> impl Fn(&WeightCase, &mut Ledger) ->
 pub(super) fn claims() -> Vec<Claim> {
     let statement =
         |text, conclusion: fn(&WeightCase, &mut Ledger) -> Judgement| Statement::new(text, conclusion);
+    const TRIED: &str = "The engine tries nine maps T, the certificate is about all of them.";
     vec![
         Claim::new(
             "phi.range",
@@ -409,40 +425,42 @@ pub(super) fn claims() -> Vec<Claim> {
                 "T affine, strictly increasing: φ_α(T(x),T(a),T(b)) = φ_α(x,a,b) for all (x,a,b) in R³.",
                 increasing_map,
             )),
-        ),
+        )
+        .note(TRIED),
         Claim::new(
             "P2.1.3",
             "Proposition 2.1 (3)",
             Form::Weight(Statement::new(
                 "T affine, strictly decreasing: φ_α(T(x),T(b),T(a)) = 1 − φ_{1−α}(x,a,b) for all (x,a,b) in R³.",
-                decreasing_map(true),
+                decreasing_map(1),
             )),
         )
-        .amended(Form::Weight(
-            Statement::new(
-                "T affine, strictly decreasing, a < x < b: φ_α(T(x),T(b),T(a)) = 1 − φ_{1−α}(x,a,b).",
-                decreasing_map(false),
-            )
-            .given([Proper]),
-        )),
+        .fails_by(Cause::OutsideInterval)
+        .amended(Form::Weight(Statement::new(
+            "T affine, strictly decreasing: for all (x,a,b) in R³, φ_α(T(x),T(b),T(a)) + φ_{1−α}(x,a,b) is 1 if a < x < b, and 0 otherwise.",
+            decreasing_map(0),
+        )))
+        .note("So it is false for every x outside of (a,b), the ends included, and for every a ≥ b. The engine tries nine maps T, the certificate is about all of them."),
         Claim::new(
             "C2.4",
             "Corollary 2.4",
             Form::Weight(
                 Statement::new(
                     "a ≤ t1 < t2 ≤ b: for all x in [a,b], φ_α(a+b−x,t1,t2) = 1 − φ_{1−α}(x,a+b−t2,a+b−t1).",
-                    mirrored_interval(true),
+                    mirrored_interval(1),
                 )
                 .given([Proper]),
             ),
         )
+        .fails_by(Cause::OutsideInterval)
         .amended(Form::Weight(
             Statement::new(
-                "a ≤ t1 < t2 ≤ b: for all x with a+b−t2 < x < a+b−t1, φ_α(a+b−x,t1,t2) = 1 − φ_{1−α}(x,a+b−t2,a+b−t1).",
-                mirrored_interval(false),
+                "a ≤ t1 < t2 ≤ b: for all x in [a,b], φ_α(a+b−x,t1,t2) + φ_{1−α}(x,a+b−t2,a+b−t1) is 1 if a+b−t2 < x < a+b−t1, and 0 otherwise.",
+                mirrored_interval(0),
             )
             .given([Proper]),
-        )),
+        ))
+        .note("So it is false for every x of [a,b] outside of (a+b−t2, a+b−t1). The engine tries the t1 and t2 that divide [a,b] into quarters, the certificate is about all of them."),
         Claim::new(
             "Ill2.1",
             "Illustration 2.1",
@@ -476,14 +494,15 @@ mod tests {
         // The conjugate replaced by the index itself; convex and concave exchanged.
         assert!(matches!(verdict(reflection(Index::clone)), Verdict::Refuted(_)));
         assert!(matches!(verdict(curvature(|index| *index.ratio() > integer(1))), Verdict::Refuted(_)));
-        assert!(matches!(verdict(decreasing_map(true)), Verdict::Refuted(_)));
-        assert!(matches!(verdict(mirrored_interval(true)), Verdict::Refuted(_)));
+        assert!(matches!(verdict(decreasing_map(1)), Verdict::Refuted(_)));
+        assert!(matches!(verdict(mirrored_interval(1)), Verdict::Refuted(_)));
     }
 
     #[test]
     fn their_true_counterparts_are_proved() {
         assert!(matches!(verdict(reflection(Index::conjugate)), Verdict::Proved { .. }));
         assert!(matches!(verdict(curvature(|index| *index.ratio() < integer(1))), Verdict::Proved { .. }));
-        assert!(matches!(verdict(decreasing_map(false)), Verdict::Proved { .. }));
+        assert!(matches!(verdict(decreasing_map(0)), Verdict::Proved { .. }));
+        assert!(matches!(verdict(mirrored_interval(0)), Verdict::Proved { .. }));
     }
 }

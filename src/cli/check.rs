@@ -288,6 +288,9 @@ impl fmt::Display for Check {
                 Some(reason) => writeln!(f, ": {reason}")?,
                 None => writeln!(f)?,
             }
+            for remark in &property.finding.remarks {
+                writeln!(f, "      {remark}")?;
+            }
             if let Some(witness) = &property.finding.witness {
                 writeln!(f, "      {}", property.statement)?;
                 let at = witness.given.iter().filter(|(name, _)| !["k", "U", "α"].contains(&name.as_str()));

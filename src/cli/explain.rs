@@ -6,13 +6,13 @@ use std::path::Path;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::claims::{Claim, Form, claims, formal, formal_for_degree, refutation};
-use crate::report::{Baseline, DegreeFinding, Finding};
+use crate::claims::{Cause, Claim, Form, Severity, claims, formal, formal_for_degree, refutation};
+use crate::report::{Baseline, DegreeFinding, Finding, Record, again};
 
 use super::error::CliError;
 use super::exit::Exit;
 use super::output::Output;
-use super::verdict::styled;
+use super::verdict::{styled, styled_as_printed};
 use super::verify::RECORDED;
 
 /// Explains a claim: what it says, what is known of it, and the idea of the proof or the counterexample.
@@ -38,7 +38,9 @@ The verdicts are the recorded ones; `knotproof report --claim CLAIM` judges it a
 struct Part {
     /// `as printed`, `as amended` or `degree K`.
     of: String,
+    /// It, in words and formulas.
     statement: String,
+    /// What it assumes, as far as the engine knows that one by one.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     hypotheses: Vec<String>,
     #[serde(flatten)]
@@ -51,13 +53,30 @@ struct Part {
     goals: Option<String>,
 }
 
+const AS_PRINTED: &str = "as printed";
+
 /// The result: its fields are the JSON.
 #[derive(Debug, Serialize, JsonSchema)]
 pub(super) struct Explanation {
+    /// What this object is: `knotproof.explain/1`.
+    #[schemars(extend("const" = "knotproof.explain/1"))]
     schema: &'static str,
+    /// The claim.
     id: &'static str,
+    /// Where the paper makes it.
     locator: &'static str,
+    /// Of a refutation: how bad it is.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    severity: Option<Severity>,
+    /// Of a refutation: what stands behind it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    cause: Option<Cause>,
+    /// The verdict on the printed statement in words.
+    #[serde(skip)]
+    printed: String,
+    /// Its statements with their recorded verdicts.
     parts: Vec<Part>,
+    /// How words were made into mathematics.
     #[serde(skip_serializing_if = "Option::is_none")]
     note: Option<&'static str>,
 }
@@ -73,17 +92,21 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     let Some(entry) = recorded.claims.iter().find(|entry| entry.id == claim.id) else {
         return Err(CliError::unknown_claim("CLAIM", &args.claim, &ids));
     };
-    let mut parts = vec![part(claim, "as printed".into(), &claim.printed, &entry.as_printed, args.goals)];
+    let mut parts = vec![part(claim, AS_PRINTED.into(), &claim.printed, &entry.as_printed, args.goals)];
     if let (Some(form), Some(finding)) = (&claim.amended, &entry.amended) {
         parts.push(part(claim, "as amended".into(), form, finding, args.goals));
     }
     for DegreeFinding { degree, finding, .. } in &entry.by_degree {
         parts.push(part(claim, format!("degree {degree}"), &claim.printed, finding, args.goals));
     }
+    let record = Record::recorded(claim, entry);
     let explanation = Explanation {
         schema: "knotproof.explain/1",
         id: claim.id,
         locator: claim.locator,
+        severity: record.severity,
+        cause: record.cause,
+        printed: styled_as_printed(&record),
         parts,
         note: claim.note,
     };
@@ -114,7 +137,8 @@ impl fmt::Display for Explanation {
         let mut said = "";
         for part in &self.parts {
             let finding = &part.finding;
-            writeln!(f, "\n{}: {}", capitalised(&part.of), styled(finding))?;
+            let verdict = if part.of == AS_PRINTED { self.printed.clone() } else { styled(finding) };
+            writeln!(f, "\n{}: {verdict}", capitalised(&part.of))?;
             if part.statement != said {
                 writeln!(f, "  {}", part.statement)?;
                 said = &part.statement;
@@ -124,9 +148,7 @@ impl fmt::Display for Explanation {
             }
             if let Some(witness) = &finding.witness {
                 writeln!(f, "  witness: {witness}")?;
-                if let Some(command) = &witness.reproduce {
-                    writeln!(f, "  again: {command}")?;
-                }
+                writeln!(f, "  again: {}", again(self.id, witness))?;
             }
             if let Some(reason) = &finding.reason {
                 writeln!(f, "  {reason}")?;

@@ -11,7 +11,7 @@ use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use crate::claims::PAPER;
+use crate::claims::PaperNumber;
 
 use super::error::CliError;
 use super::notation::Notation;
@@ -51,7 +51,7 @@ pub(super) struct Stamped<T> {
 pub(super) struct OfPaper<T> {
     #[serde(flatten)]
     result: T,
-    paper: &'static str,
+    paper: PaperNumber,
 }
 
 impl<T> Stamped<T> {
@@ -64,7 +64,7 @@ impl<T> Stamped<T> {
 impl<T> OfPaper<T> {
     /// Of the one paper there is.
     pub(super) fn new(result: T) -> Self {
-        Self { result, paper: PAPER }
+        Self { result, paper: PaperNumber::default() }
     }
 }
 
@@ -95,9 +95,19 @@ impl<T: JsonSchema> JsonSchema for OfPaper<T> {
         T::schema_name()
     }
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        let paper = json!({ "description": "The paper that it is about.", "const": PAPER });
-        with_key(T::json_schema(generator), "paper", paper)
+        let mut paper = generator.subschema_for::<PaperNumber>();
+        paper.insert("description".to_owned(), "The paper that it is about.".into());
+        with_key(T::json_schema(generator), "paper", paper.into())
     }
+}
+
+/// A result as JSON: what is printed, and what is written into files.
+///
+/// # Errors
+/// [`CliError::Output`], if it can't be written as JSON.
+pub(super) fn stamped_json<T: Serialize>(result: &T) -> Result<String, CliError> {
+    let text = serde_json::to_string_pretty(&Stamped::new(result)).map_err(io::Error::from)?;
+    Ok(visible_json(&text))
 }
 
 /// The schema of an object with one key more.
@@ -171,7 +181,7 @@ impl Output {
     pub fn result<T: fmt::Display + Serialize>(&self, result: &T) -> Result<(), CliError> {
         self.notation.during(|| match self.format {
             Format::Text => self.write(&visible_lines(&result.to_string())),
-            Format::Json => self.json(&Stamped::new(result)),
+            Format::Json => self.write(&stamped_json(result)?),
         })
     }
 

@@ -4,31 +4,31 @@ use std::fmt;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use schemars::JsonSchema;
+use schemars::{JsonSchema, schema_for};
 use serde::Serialize;
 
-use crate::claims::{Claim, claims};
+use crate::claims::{Claim, Source, claims};
 use crate::report::{
-    Baseline, Difference, Drift, PageSource, Report, conjecture_page, figures, markdown, page,
-    with_verdict_table,
+    Baseline, Difference, Drift, Errata, PageSource, Record, Report, by_severity, conjecture_page,
+    dependence_picture, errata_page, figures, markdown, opening, page, with_verdict_table,
 };
 
 use super::atomic::{Folder, write_atomically};
 use super::error::CliError;
 use super::exit::Exit;
-use super::file::read;
-use super::output::Output;
+use super::file::{InstanceFile, read};
+use super::output::{OfPaper, Output, stamped_json};
 use super::progress::Progress;
 use super::table::plain;
-use super::verdict::{Tally, styled};
+use super::verdict::{Tally, styled, styled_as_printed};
 use super::visible::visible_path;
 
 /// Judges every claim of the paper on its own instances and on small cases; the main job.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLE)]
 pub(super) struct Args {
-    /// Writes report.json, report.md and index.html, a page to read in a browser, into this folder, which is made if it is
-    /// not there; if all claims are judged, also conjecture.md, the page on Conjecture 3.1, with its pictures.
+    /// Writes report.json, report.md, errata.md and index.html, a page to read in a browser, into this folder, which is made
+    /// if it is not there; if all claims are judged, also conjecture.md, the page on Conjecture 3.1, with its pictures.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Compares with the verdicts in this file, instead of those recorded with the program.
@@ -37,6 +37,10 @@ pub(super) struct Args {
     /// Judges only this claim; may be repeated.
     #[arg(long, value_name = "CLAIM")]
     claim: Vec<String>,
+    /// Prints the errata of the paper, one entry for each cause, ready to be sent: from the recorded verdicts or those of
+    /// --baseline, without judging anything. With --out, errata.md and errata.json are written.
+    #[arg(long, conflicts_with = "record")]
+    errata: bool,
     /// Accepts the verdicts: rewrites proofs/verdicts.json, docs/conjecture.md with its pictures, and the table in
     /// README.md below the current folder.
     #[arg(long, conflicts_with_all = ["claim", "baseline"])]
@@ -47,11 +51,17 @@ const EXAMPLE: &str = "\
 Examples:
   knotproof report --out report
   knotproof report --claim T3.5.3 --claim P3.2 --format json
+  knotproof report --errata
 Exit code 0: every verdict is as recorded, refuted claims included. Exit code 1: one differs.";
 
 const JSON: &str = "report.json";
 const MARKDOWN: &str = "report.md";
 const PAGE: &str = "index.html";
+const ERRATA: &str = "errata.md";
+const ERRATA_JSON: &str = "errata.json";
+const CONJECTURE: &str = "conjecture.md";
+const SCHEMA: &str = "instance.schema.json";
+const DEPENDENCE: &str = "dependence.svg";
 /// The folder and the file of the recorded verdicts, and the file with their table, below the current folder.
 const PROOFS: &str = "proofs";
 const VERDICTS: &str = "verdicts.json";
@@ -88,6 +98,10 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     if let Some(folder) = &args.out {
         Folder::try_out("--out", folder)?;
     }
+    if args.errata {
+        let recorded = Baseline::recorded().map_err(CliError::Recorded)?;
+        return errata(&Report::recorded(&chosen, &baseline.unwrap_or(recorded)), args, output);
+    }
 
     let progress = Progress::new(chosen.len() + 1);
     let report = Report::of(&chosen, |name| progress.step(name))?;
@@ -101,9 +115,14 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     let differences = baseline.map(|baseline| baseline.differences(&found, partial)).unwrap_or_default();
     let mut outcome = Outcome { report, differences, written };
     if let Some(folder) = &args.out {
-        let json = serde_json::to_string_pretty(&outcome).map_err(std::io::Error::from)?;
-        let mut files =
-            vec![(JSON.to_owned(), json + "\n"), (MARKDOWN.to_owned(), markdown(&outcome.report))];
+        let [json, schema] = [stamped_json(&outcome)? + "\n", pretty(&schema_for!(InstanceFile))?];
+        let mut files = vec![
+            (JSON.to_owned(), json),
+            (MARKDOWN.to_owned(), markdown(&outcome.report)),
+            (ERRATA.to_owned(), errata_page(&Errata::of(&outcome.report.claims))),
+            (DEPENDENCE.to_owned(), dependence_picture(&outcome.report)?),
+            (SCHEMA.to_owned(), schema),
+        ];
         // The page on the conjecture is about claims that have to be there.
         let pictures = if partial { Vec::new() } else { conjecture_page(&found)? };
         let mut shown = pictures.clone();
@@ -115,10 +134,17 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
             None => "the recorded verdicts".to_owned(),
         };
         let certificates = certificates_from(folder);
+        let mut beside =
+            vec![("the errata", ERRATA), ("this report as data", JSON), ("and as text", MARKDOWN)];
+        if !partial {
+            beside.push(("the page on Conjecture 3.1", CONJECTURE));
+        }
+        beside.push(("the schema of instance files", SCHEMA));
         let source = PageSource {
             compared: (!args.record).then_some((name.as_str(), outcome.differences.as_slice())),
             pictures: &shown,
             certificates: certificates.as_deref(),
+            beside: &beside,
         };
         files.push((PAGE.to_owned(), page(&outcome.report, &source)?));
         files.extend(pictures);
@@ -128,8 +154,30 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         }
         folder.put_in_place()?;
     }
-    output.result_of_paper(&outcome)?;
+    output.result(&outcome)?;
     Ok(if outcome.differences.is_empty() { Exit::Holds } else { Exit::Refuted })
+}
+
+/// JSON for a file.
+fn pretty(value: &impl Serialize) -> Result<String, CliError> {
+    Ok(serde_json::to_string_pretty(value).map_err(std::io::Error::from)? + "\n")
+}
+
+/// Writes and prints the errata.
+fn errata(report: &Report, args: &Args, output: &Output) -> Result<Exit, CliError> {
+    let errata = Errata::of(&report.claims);
+    let page = errata_page(&errata);
+    let errata = OfPaper::new(errata);
+    if let Some(folder) = &args.out {
+        let json = stamped_json(&errata)? + "\n";
+        let folder = Folder::beside("--out", folder)?;
+        for (name, text) in [(ERRATA, page), (ERRATA_JSON, json)] {
+            folder.write(name, text)?;
+        }
+        folder.put_in_place()?;
+    }
+    output.result(&errata)?;
+    Ok(Exit::Holds)
 }
 
 /// The claims of these identifiers, or all if there are none.
@@ -179,8 +227,7 @@ fn readme_with(verdicts: &Baseline) -> Result<String, CliError> {
 fn record(found: &Baseline, written: &mut Vec<PathBuf>) -> Result<(), CliError> {
     let readme = readme_with(found)?;
     let page = conjecture_page(found)?;
-    let json = serde_json::to_string_pretty(found).map_err(std::io::Error::from)?;
-    write_file("--record", &Path::new(PROOFS).join(VERDICTS), &(json + "\n"), written)?;
+    write_file("--record", &Path::new(PROOFS).join(VERDICTS), &pretty(found)?, written)?;
     for (name, text) in page {
         write_file("--record", &Path::new(DOCS).join(name), &text, written)?;
     }
@@ -202,30 +249,40 @@ fn unwritable(argument: &'static str, path: &Path, error: std::io::Error) -> Cli
     CliError::File { argument, action: "write", path: path.to_owned(), error }
 }
 
-/// The table of verdicts, and what is not as recorded.
+/// A row for each claim, the worst refutations first.
+fn table(records: &[&Record]) -> comfy_table::Table {
+    let header = ["claim", "where", "as printed", "as amended", "statement"];
+    let mut table = plain(header.map(str::to_owned).to_vec());
+    for record in records {
+        let amended = record.amended.as_ref().map(|stated| styled(&stated.finding)).unwrap_or_default();
+        table.add_row([
+            record.id.clone(),
+            record.locator.clone(),
+            styled_as_printed(record),
+            amended,
+            record.statement.clone(),
+        ]);
+    }
+    table
+}
+
+/// What matters, the tables of verdicts, and what is not as recorded.
 impl fmt::Display for Outcome {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut table = plain(
-            ["claim", "where", "as printed", "as amended", "certificate", "checked by"]
-                .map(str::to_owned)
-                .to_vec(),
-        );
-        for record in &self.report.claims {
-            // The statement that stands: the amended one, where the printed one falls.
-            let standing = &record.amended.as_ref().unwrap_or(&record.as_printed).finding;
-            let amended = record.amended.as_ref().map(|stated| styled(&stated.finding)).unwrap_or_default();
-            table.add_row([
-                record.id.clone(),
-                record.locator.clone(),
-                styled(&record.as_printed.finding),
-                amended,
-                standing.certificate.clone().unwrap_or_default(),
-                standing.checked_by.join(", "),
-            ]);
+        for line in opening(&self.report) {
+            writeln!(f, "{line}")?;
         }
-        writeln!(f, "{table}\n")?;
-        let printed: Tally = self.report.claims.iter().map(|record| &record.as_printed.finding).collect();
-        writeln!(f, "As printed: {printed}.")?;
+        let summary = &self.report.summary;
+        for (title, source, counts) in [
+            ("The paper", Source::Paper, &summary.paper),
+            ("Our questions", Source::Question, &summary.questions),
+        ] {
+            if counts.statements > 0 {
+                let table = table(&by_severity(&self.report.claims, source));
+                writeln!(f, "\n{title}, {}\n\n{table}", counts.words())?;
+            }
+        }
+        writeln!(f)?;
         let amended = self.report.claims.iter().filter_map(|record| record.amended.as_ref());
         let amended: Vec<_> = amended.map(|stated| &stated.finding).collect();
         if !amended.is_empty() {

@@ -5,6 +5,7 @@ use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema, schema_for};
 use serde_json::Value;
 
+use crate::report::Errata;
 use crate::search::{FindingRecord, SummaryRecord};
 
 use super::error::CliError;
@@ -57,6 +58,7 @@ enum Written {
 const EVAL: &str = "One object for one point. With --points-file JSON lines: the first has what all points share, each other is a point, in the order of the file. With --format text a file of points is answered as CSV, with the columns x, side, G_0, …, G_n (or the one function that was asked for), G_0^(d), …, G_n^(d) for each derivative d from 1, and with control points curve_0, … (the coordinates) and curve_0^(d), … likewise.";
 const FORMULA: &str = "Formulas; with --equals, whether those of a file are the functions.";
 const SHAPE: &str = "Extrema; with --alpha all or --free-knot, how their number depends on the parameter.";
+const REPORT: &str = "All verdicts of a run, as in report.json; with --errata the errata from recorded verdicts, as in errata.json.";
 const SEARCH: &str =
     "JSON lines, also in a checkpoint: one for each finding, and at the end a summary of what was searched.";
 const HELP: &str = "All tasks, or the help of one command.";
@@ -115,7 +117,13 @@ impl Written {
             ),
             Self::Float => ("", vec![of::<float::Comparison>(to)]),
             Self::Figures => ("", vec![of::<figures::Drawn>(to)]),
-            Self::Report => ("", vec![of::<OfPaper<report::Outcome>>(to)]),
+            Self::Report => (
+                REPORT,
+                vec![
+                    titled("A report", of::<report::Outcome>(to)),
+                    titled("Errata (--errata)", of::<OfPaper<Errata>>(to)),
+                ],
+            ),
             Self::Explain => ("", vec![of::<OfPaper<explain::Explanation>>(to)]),
             Self::Prove => ("", vec![of::<OfPaper<prove::Proved>>(to)]),
             Self::Verify => ("", vec![of::<OfPaper<verify::Verified>>(to)]),
@@ -131,7 +139,10 @@ impl Written {
             Self::Man => ("", vec![of::<man::Pages>(to)]),
             Self::Help => (
                 HELP,
-                vec![titled("All tasks", of::<help::Examples>(to)), titled("One command", of::<help::Topic>(to))],
+                vec![
+                    titled("All tasks", of::<help::Examples>(to)),
+                    titled("One command", of::<help::Topic>(to)),
+                ],
             ),
             Self::Error => (ERROR, vec![of::<ErrorReport<'static>>(to)]),
         }

@@ -4,7 +4,7 @@ use std::fmt;
 
 use anstyle::{AnsiColor, Style};
 
-use crate::report::Finding;
+use crate::report::{Finding, Record};
 
 use super::exit::Exit;
 
@@ -16,9 +16,21 @@ pub(super) fn styled(finding: &Finding) -> String {
         "undecided" => Some(AnsiColor::Yellow),
         _ => None,
     };
+    coloured(&finding.words(), colour)
+}
+
+/// The verdict on a claim as printed: a refutation comes with its severity, in red only if the idea fails.
+pub(super) fn styled_as_printed(record: &Record) -> String {
+    match (record.as_printed.finding.is_refuted(), record.is_serious()) {
+        (true, true) => coloured(&record.words(), Some(AnsiColor::Red)),
+        (true, false) => coloured(&record.words(), Some(AnsiColor::Yellow)),
+        (false, _) => styled(&record.as_printed.finding),
+    }
+}
+
+fn coloured(text: &str, colour: Option<AnsiColor>) -> String {
     let style = Style::new().fg_color(colour.map(Into::into));
-    let reach = finding.reach().map(|reach| format!(" ({reach})")).unwrap_or_default();
-    format!("{style}{}{reach}{style:#}", finding.status)
+    format!("{style}{text}{style:#}")
 }
 
 /// How many findings have each status.

@@ -2,27 +2,33 @@
 
 use std::fmt::Write as _;
 
+use crate::claims::Source;
 use crate::float::FormulaRecord;
 
+use super::again::again;
 use super::baseline::{Baseline, Entry};
-use super::record::{Finding, Grounds, Record, Stated};
+use super::corners::Corner;
+use super::dependence::Dependency;
+use super::opening::opening;
+use super::paper::Paper;
+use super::record::{Grounds, Record, Stated, by_severity};
 use super::{Drift, Report};
 
-/// The table of verdicts: one row a claim. With `links`, certificates are links from the top folder of the project.
-fn verdict_table(baseline: &Baseline, links: bool) -> String {
+/// The table of verdicts for the README: one row a claim, with certificates as links from the top folder of the project.
+fn verdict_table(baseline: &Baseline) -> String {
     let row = |entry: &Entry| {
-        let amended = entry.amended.as_ref().map(verdict).unwrap_or_default();
-        let certificates: Vec<_> = entry.certificates().map(|name| certificate(name, links)).collect();
-        let (id, locator, printed) = (&entry.id, &entry.locator, verdict(&entry.as_printed));
+        let amended = entry.amended.as_ref().map(super::Finding::words).unwrap_or_default();
+        let certificates: Vec<_> = entry.certificates().map(certificate).collect();
+        let (id, locator, printed) = (&entry.id, &entry.locator, entry.as_printed.words());
         format!("| `{id}` | {locator} | {printed} | {amended} | {} |\n", certificates.join(", "))
     };
     let rows: String = baseline.claims.iter().map(row).collect();
     format!("| claim | where | as printed | as amended | certificates |\n|---|---|---|---|---|\n{rows}")
 }
 
-fn certificate(name: &str, links: bool) -> String {
+fn certificate(name: &str) -> String {
     let short = name.rsplit('.').next().unwrap_or(name);
-    if links { format!("[{short}](proofs/certs/{name}.statement)") } else { format!("`{name}`") }
+    format!("[{short}](proofs/certs/{name}.statement)")
 }
 
 /// The line before the table of verdicts in the README.
@@ -35,18 +41,11 @@ pub const END: &str = "<!-- end of verdicts -->";
 pub fn with_verdict_table(text: &str, baseline: &Baseline) -> Option<String> {
     let (before, rest) = text.split_once(START)?;
     let (_, after) = rest.split_once(END)?;
-    Some(format!("{before}{START}\n\n{}\n{END}{after}", verdict_table(baseline, true)))
-}
-
-fn verdict(finding: &Finding) -> String {
-    match finding.reach() {
-        Some(reach) => format!("{} ({reach})", finding.status),
-        None => finding.status.clone(),
-    }
+    Some(format!("{before}{START}\n\n{}\n{END}{after}", verdict_table(baseline)))
 }
 
 /// Text without a character that Markdown would take for markup.
-fn plain(text: &str) -> String {
+pub(super) fn plain(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars() {
         if matches!(c, '|' | '_' | '*' | '<' | '>' | '[' | ']' | '`' | '\\' | '^') {
@@ -57,8 +56,8 @@ fn plain(text: &str) -> String {
     escaped
 }
 
-/// What there is to say about one statement, as the items of a list.
-fn items(stated: &Stated) -> Vec<String> {
+/// What there is to say about one statement of a claim, as the items of a list.
+fn items(claim: &str, stated: &Stated) -> Vec<String> {
     let finding = &stated.finding;
     let mut items = Vec::new();
     if !stated.hypotheses.is_empty() {
@@ -66,8 +65,7 @@ fn items(stated: &Stated) -> Vec<String> {
     }
     items.extend(stated.rests_on.as_ref().map(decided));
     items.extend(finding.witness.iter().map(|witness| format!("witness: {}", plain(&witness.to_string()))));
-    let command = finding.witness.as_ref().and_then(|witness| witness.reproduce.as_ref());
-    items.extend(command.map(|command| format!("again: `{command}`")));
+    items.extend(finding.witness.iter().map(|witness| format!("again: `{}`", again(claim, witness))));
     items.extend(finding.reason.iter().chain(&finding.remarks).map(|text| plain(text)));
     items.extend(finding.certificate.iter().map(|name| format!("certificate: `proofs/certs/{name}`")));
     if !finding.checked_by.is_empty() {
@@ -91,21 +89,26 @@ fn decided(grounds: &Grounds) -> String {
 
 fn section(record: &Record) -> String {
     let mut text = format!("### {} ({})\n\n", record.id, record.locator);
-    let parts =
-        [Some(("As printed", &record.as_printed)), record.amended.as_ref().map(|s| ("As amended", s))];
+    let amended = record.amended.as_ref().map(|stated| ("As amended", stated.finding.words(), stated));
     // Writing to a string cannot fail.
-    for (title, stated) in parts.into_iter().flatten() {
-        let _ = writeln!(text, "**{title}: {}.** {}\n", verdict(&stated.finding), plain(&stated.statement));
-        for item in items(stated) {
+    for (title, words, stated) in
+        std::iter::once(("As printed", record.words(), &record.as_printed)).chain(amended)
+    {
+        let _ = writeln!(text, "**{title}: {words}.** {}\n", plain(&stated.statement));
+        for item in items(&record.id, stated) {
             let _ = writeln!(text, "- {item}");
         }
         text.push('\n');
+    }
+    if let Some((severity, because)) = record.severity.zip(record.severity_because.as_ref()) {
+        let cause = record.cause.map_or(super::summary::UNASSIGNED, |cause| cause.words());
+        let _ = writeln!(text, "Cause: {}. Severity: {}, {because}.\n", plain(cause), severity.name());
     }
     for of in &record.by_degree {
         let witness = of.finding.witness.as_ref().map(|witness| plain(&witness.to_string()));
         let detail = witness.or(of.rests_on.as_ref().map(decided)).map(|detail| format!("; {detail}"));
         let _ =
-            writeln!(text, "- degree {}: {}{}", of.degree, verdict(&of.finding), detail.unwrap_or_default());
+            writeln!(text, "- degree {}: {}{}", of.degree, of.finding.words(), detail.unwrap_or_default());
     }
     if !record.by_degree.is_empty() {
         text.push('\n');
@@ -136,21 +139,86 @@ fn drift_table(drifts: &[Drift]) -> String {
     )
 }
 
+/// The table of one source, by severity, with the sentences.
+fn table(report: &Report, source: Source) -> String {
+    let row = |record: &Record| {
+        let amended = record.amended.as_ref().map(|stated| stated.finding.words()).unwrap_or_default();
+        let (id, locator, statement, words) =
+            (&record.id, &record.locator, &record.statement, record.words());
+        format!("| `{id}` | {} | {} | {words} | {amended} |\n", plain(locator), plain(statement))
+    };
+    let rows: String = by_severity(&report.claims, source).into_iter().map(row).collect();
+    format!("| claim | where | statement | as printed | as amended |\n|---|---|---|---|---|\n{rows}")
+}
+
+/// What the paper says, and then what we ask, each with its counts; a source of which nothing was judged is left out.
+fn verdicts(report: &Report) -> String {
+    let sources = [
+        ("The paper's statements", Source::Paper, &report.summary.paper),
+        ("Our questions", Source::Question, &report.summary.questions),
+    ];
+    let section = |(title, source, counts): (&str, Source, &super::Counts)| {
+        format!("## {title}\n\n{}.\n\n{}\n", counts.words(), table(report, source))
+    };
+    sources.into_iter().filter(|(_, _, counts)| counts.statements > 0).map(section).collect()
+}
+
+fn dependence(uses: &[Dependency]) -> String {
+    let row = |one: &Dependency| {
+        let (claim, premise, why) = (&one.claim, &one.rests_on, plain(one.why.unwrap_or_default()));
+        format!("| `{claim}` | `{premise}` | {} | {why} |\n", one.state.name())
+    };
+    let rows: String = uses.iter().map(row).collect();
+    match uses {
+        [] => String::new(),
+        _ => format!(
+            "## What depends on what\n\n![What rests on what that fails as printed](dependence.svg)\n\n\
+             | claim | rests on | it | why |\n|---|---|---|---|\n{rows}\n"
+        ),
+    }
+}
+
+fn corner_table(corners: &[Corner]) -> String {
+    let row = |corner: &Corner| {
+        let Corner { instance, degree, alpha, knot, multiplicity, turn, .. } = corner;
+        let (angle, ratio) =
+            turn.as_ref().map_or(("–", "–"), |turn| (&turn.angle_degrees, &turn.speed_ratio));
+        format!("| {instance} | {degree} | {alpha} | {knot} | {multiplicity} | {angle} | {ratio} |\n")
+    };
+    let rows: String = corners.iter().map(row).collect();
+    format!(
+        "| curve | k | α | knot | multiplicity | turn, degrees | speed, right over left |\n|---|---|---|---|---|---|---|\n{rows}"
+    )
+}
+
+/// What was read, and what it is close to.
+fn source(paper: &Paper) -> String {
+    format!("{}\n\nRelated: {}", plain(&paper.to_string()), plain(paper.related))
+}
+
 /// The whole report.
 #[must_use]
 pub fn markdown(report: &Report) -> String {
+    let opening: String = opening(report).iter().map(|line| format!("- {}\n", plain(line))).collect();
     let sections: String = report.claims.iter().map(section).collect();
-    let table = verdict_table(&Baseline::of(&report.claims), false);
-    let drifts = drift_table(&report.float);
+    let (verdicts, drifts) = (verdicts(report), drift_table(&report.float));
+    let (source, uses) = (source(&report.paper), dependence(&report.dependence.uses));
+    let corners = corner_table(&report.corners);
     format!(
-        "# Report on the paper's claims\n\n{SCOPES}\n\n## Verdicts\n\n{table}\n## Claim by claim\n\n{sections}## f64 against exact\n\n{FLOATS}\n\n{drifts}"
+        "# Report on the paper's claims\n\n{opening}\n{source}\n\n{SCOPES}\n\n{verdicts}\n{uses}## Claim by claim\n\n{sections}## Corners\n\n{CORNERS}\n\n{corners}\n## f64 against exact\n\n{FLOATS}\n\n{drifts}"
     )
 }
+
+const CORNERS: &str = "At every knot inside the interval of every curve of the paper, for each α of its figures: by how much the tangent \
+turns, and by what factor the speed changes. A classical curve has a continuous tangent where the multiplicity is less than k. Every \
+digit is settled; exact numbers are in report.json. A dash: a one-sided derivative is 0.";
 
 const SCOPES: &str = "Every verdict comes out of a computation in exact arithmetic. *proved (knots)* means: for \
 every knot vector and every α, in the degrees k that are given; *proved (alpha)*: on the examples of the paper, for every α; \
 *proved (instance)*: decided for every x, on the instances of the paper and the small cases that are counted with each \
-claim. *refuted* comes with the smallest counterexample found, exact and small enough to be checked by hand. The *engine* \
+claim. *refuted* comes with the smallest counterexample found, exact and small enough to be checked by hand, and with its severity: \
+*slip*, an end point or the range of an index; *hypothesis*, one is missing; *reading*, of a picture or a vague word; *serious*, the \
+idea fails. The *engine* \
 decides cases one by one; the *prover* proves formal statements, and the *checker*, a program by itself, reads the \
 certificates that it writes.";
 

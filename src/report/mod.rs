@@ -1,14 +1,21 @@
 //! Floor 5: all claims judged, as data, as Markdown and against recorded verdicts; basis functions as formulas.
 
+mod again;
 mod baseline;
 mod conjecture;
 mod corners;
+mod dependence;
+mod errata;
 pub mod figures;
 mod formula;
 mod heat;
 mod markdown;
+mod opening;
 mod page;
+mod paper;
+mod picture;
 mod record;
+mod summary;
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 
@@ -22,23 +29,39 @@ use crate::claims::{Cases, Claim, Fault, instances};
 use crate::float::{Effort, Field, FloatBasis, Formula, FormulaRecord, study};
 use crate::spline::Basis;
 
+pub use again::again;
 pub use baseline::{Baseline, BaselineError, Difference, Entry};
 pub use conjecture::conjecture_page;
 pub use corners::{Corner, Turn, corners};
+pub use dependence::{Dependence, Dependency, State};
+pub use errata::{Amendment, Errata, Erratum, ErratumWitness, errata_page};
 pub use figures::PictureError;
 pub use formula::{Counterexample, Definition, Form, Language, Script, ScriptError, expression, formula};
 pub use heat::heat_map;
 pub use markdown::{END, START, markdown, with_verdict_table};
+pub use opening::opening;
 pub use page::{PageError, PageSource, page};
-pub use record::{DegreeFinding, Finding, Grounds, Record, Stated};
+pub use paper::{PAPER, Paper};
+pub use picture::dependence_picture;
+pub use record::{DegreeFinding, Finding, Grounds, Record, Stated, by_severity};
+pub use summary::{Counts, Refutations, Summary};
 
 /// All that one run found: the data of `report.json`.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct Report {
     /// `knotproof.report/1`.
+    #[schemars(extend("const" = "knotproof.report/1"))]
     pub schema: &'static str,
+    /// What is judged.
+    pub paper: Paper,
+    /// How many statements there are, and what became of them.
+    pub summary: Summary,
+    /// What rests on what, and whether a theorem falls.
+    pub dependence: Dependence,
     /// One record a claim, in the order of the paper.
     pub claims: Vec<Record>,
+    /// How far the curves of the paper are from smooth at their knots.
+    pub corners: Vec<Corner>,
     /// `f64` against exact, on every instance of the paper.
     pub float: Vec<Drift>,
     /// Goals and lemmas of every certificate that the checker has accepted, by its name.
@@ -94,7 +117,27 @@ impl Report {
             records.push(Record::new(claim, &judged, &certificates));
         }
         progress("f64 against exact");
-        Ok(Self { schema: "knotproof.report/1", claims: records, float: drifts(), steps })
+        Ok(Self { float: drifts(), steps, ..Self::on(records) })
+    }
+
+    /// The report on verdicts that were recorded: nothing is judged, and floats are not studied.
+    #[must_use]
+    pub fn recorded(claims: &[Claim], verdicts: &Baseline) -> Self {
+        let entry = |claim: &Claim| verdicts.claims.iter().find(|entry| entry.id == claim.id);
+        Self::on(claims.iter().filter_map(|claim| Some(Record::recorded(claim, entry(claim)?))).collect())
+    }
+
+    fn on(claims: Vec<Record>) -> Self {
+        Self {
+            schema: "knotproof.report/1",
+            paper: PAPER,
+            summary: Summary::of(&claims),
+            dependence: Dependence::of(&claims),
+            claims,
+            corners: corners(),
+            float: Vec::new(),
+            steps: BTreeMap::new(),
+        }
     }
 }
 

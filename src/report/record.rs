@@ -4,15 +4,19 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::certificate::{Certificate, Form as CertificateForm, Statement};
-use crate::claims::{Claim, Form, Judged, Sharpness, Verdict, Witness};
+use crate::claims::{Cause, Claim, Form, Judged, Severity, Sharpness, Source, Verdict, Witness};
+
+use super::baseline::Entry;
 
 /// One status with all that belongs to it.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct Finding {
     /// `proved`, `refuted`, `undecided`, `not-formal` or `not-applicable`.
+    #[schemars(extend("enum" = ["proved", "refuted", "undecided", "not-formal", "not-applicable"]))]
     pub status: String,
-    /// How far a proof reaches.
+    /// How far a proof reaches: `points`, `instance`, `alpha`, `knots` or `degree`, each further than the one before.
     #[serde(skip_serializing_if = "Option::is_none", default)]
+    #[schemars(extend("enum" = ["points", "instance", "alpha", "knots", "degree"]))]
     pub scope: Option<String>,
     /// The degrees in which it was decided.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
@@ -36,18 +40,40 @@ pub struct Finding {
 
 /// The engine that judges cases, and the two that a certificate takes.
 const PROVED: &str = "proved";
+const REFUTED: &str = "refuted";
 const ENGINE: &str = "engine";
 const CERTIFIED: [&str; 2] = ["prover", "checker"];
 
 impl Finding {
-    /// How far a proof reaches, with the degrees: `knots, k = 0–8`.
+    /// How far a proof reaches, with the degrees: `knots, for k ≤ 8`.
     #[must_use]
     pub fn reach(&self) -> Option<String> {
         let scope = self.scope.clone()?;
-        Some(match runs(&self.degrees) {
+        Some(match degrees(&self.degrees) {
             degrees if degrees.is_empty() => scope,
-            degrees => format!("{scope}, k = {degrees}"),
+            degrees => format!("{scope}, for {degrees}"),
         })
+    }
+
+    /// The status with the reach of a proof: `proved (knots, for k ≤ 8)`.
+    #[must_use]
+    pub fn words(&self) -> String {
+        match self.reach() {
+            Some(reach) => format!("{} ({reach})", self.status),
+            None => self.status.clone(),
+        }
+    }
+
+    /// Is it `proved`?
+    #[must_use]
+    pub fn is_proved(&self) -> bool {
+        self.status == PROVED
+    }
+
+    /// Is it `refuted`?
+    #[must_use]
+    pub fn is_refuted(&self) -> bool {
+        self.status == REFUTED
     }
 
     /// What a certificate adds that the checker has accepted: it may reach further, and settle what the cases left open.
@@ -67,6 +93,18 @@ impl Finding {
             }
         }
         self
+    }
+}
+
+/// A rising list of degrees as a condition on k: `k ≤ 8`, `2 ≤ k ≤ 8`, `k = 3`, `k = 0–3, 5`.
+pub(super) fn degrees(list: &[usize]) -> String {
+    match (list.first(), list.last()) {
+        (Some(first), Some(last)) if first < last && last - first + 1 == list.len() => match first {
+            0 => format!("k ≤ {last}"),
+            _ => format!("{first} ≤ k ≤ {last}"),
+        },
+        (Some(_), Some(_)) => format!("k = {}", runs(list)),
+        _ => String::new(),
     }
 }
 
@@ -135,8 +173,19 @@ pub struct Record {
     pub id: String,
     /// Where the paper makes the claim.
     pub locator: String,
+    /// Who says it.
+    pub source: Source,
     /// The statement as printed.
     pub statement: String,
+    /// Of a refutation: what stands behind it; nothing if that is not known.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub cause: Option<Cause>,
+    /// Of a refutation: how bad it is.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub severity: Option<Severity>,
+    /// Why that bad, and whether this is derived from the statements or stated.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub severity_because: Option<String>,
     /// The verdict as printed.
     pub as_printed: Stated,
     /// The amended statement with its verdict, where the printed one is refuted.
@@ -222,20 +271,117 @@ impl Record {
         // A degree in which there is nothing to judge is left out.
         let said =
             judged.by_degree.iter().filter(|(_, verdict)| !matches!(verdict, Verdict::NotApplicable(_)));
+        Self::of(claim, Stated::new(&claim.printed, &judged.printed, of(CertificateForm::Printed))).with(
+            amended,
+            said.map(|(degree, verdict)| DegreeFinding {
+                degree: *degree,
+                finding: Finding::from(verdict).certified(of(CertificateForm::Degree(*degree))),
+                rests_on: Grounds::of(verdict),
+            })
+            .collect(),
+        )
+    }
+
+    /// The record of a claim with the verdicts that were recorded: nothing is judged, and nothing is said of grounds.
+    #[must_use]
+    pub fn recorded(claim: &Claim, entry: &Entry) -> Self {
+        let stated = |form: &Form, finding: &Finding| Stated {
+            statement: form.text().to_owned(),
+            hypotheses: form.hypotheses(),
+            finding: finding.clone(),
+            rests_on: None,
+            sharpness: None,
+        };
+        let amended = claim.amended.as_ref().zip(entry.amended.as_ref());
+        Self::of(claim, stated(&claim.printed, &entry.as_printed))
+            .with(amended.map(|(form, finding)| stated(form, finding)), entry.by_degree.clone())
+    }
+
+    fn of(claim: &Claim, as_printed: Stated) -> Self {
+        let witness = as_printed.finding.witness.as_ref();
+        let grade = witness.and_then(|witness| claim.grade(witness));
         Self {
             id: claim.id.to_owned(),
             locator: claim.locator.to_owned(),
+            source: claim.source(),
             statement: claim.printed.text().to_owned(),
-            as_printed: Stated::new(&claim.printed, &judged.printed, of(CertificateForm::Printed)),
-            amended,
-            by_degree: said
-                .map(|(degree, verdict)| DegreeFinding {
-                    degree: *degree,
-                    finding: Finding::from(verdict).certified(of(CertificateForm::Degree(*degree))),
-                    rests_on: Grounds::of(verdict),
-                })
-                .collect(),
+            cause: witness.and(claim.cause),
+            severity: grade.map(|grade| grade.severity),
+            severity_because: grade.map(|grade| grade.because.to_owned()),
+            as_printed,
+            amended: None,
+            by_degree: Vec::new(),
             note: claim.note.map(str::to_owned),
+        }
+    }
+
+    fn with(self, amended: Option<Stated>, by_degree: Vec<DegreeFinding>) -> Self {
+        Self { amended, by_degree, ..self }
+    }
+
+    /// The verdict as printed in words: `proved (knots, for k ≤ 8)`, `refuted (slip)`.
+    #[must_use]
+    pub fn words(&self) -> String {
+        let finding = &self.as_printed.finding;
+        match finding.is_refuted() {
+            true => format!(
+                "{} ({})",
+                finding.status,
+                self.severity.map_or("severity unassigned", Severity::name)
+            ),
+            false => finding.words(),
+        }
+    }
+
+    /// Does the idea fail? Only that is shown in red.
+    #[must_use]
+    pub fn is_serious(&self) -> bool {
+        self.as_printed.finding.is_refuted()
+            && self.severity.is_none_or(|severity| severity == Severity::Serious)
+    }
+
+    /// Is it true as printed, or is an amended statement, and is the idea sound?
+    #[must_use]
+    pub fn stands(&self) -> bool {
+        let amended = self.amended.as_ref().is_some_and(|stated| stated.finding.is_proved());
+        self.as_printed.finding.is_proved() || (amended && !self.is_serious())
+    }
+
+    /// For tables: the worst refutation first, then what is open, then what is proved.
+    fn rank(&self) -> u8 {
+        match (self.as_printed.finding.status.as_str(), self.severity) {
+            (REFUTED, None | Some(Severity::Serious)) => 0,
+            (REFUTED, Some(Severity::Reading)) => 1,
+            (REFUTED, Some(Severity::Hypothesis)) => 2,
+            (REFUTED, Some(Severity::Slip)) => 3,
+            (PROVED, _) => 5,
+            _ => 4,
+        }
+    }
+}
+
+/// The records of one source for a table: by severity, and else in the order of the paper.
+#[must_use]
+pub fn by_severity(records: &[Record], source: Source) -> Vec<&Record> {
+    let mut sorted: Vec<_> = records.iter().filter(|record| record.source == source).collect();
+    sorted.sort_by_key(|record| record.rank());
+    sorted
+}
+
+#[cfg(test)]
+mod tests {
+    use super::degrees;
+
+    #[test]
+    fn degrees_are_conditions_on_k() {
+        for (list, words) in [
+            (&[][..], ""),
+            (&[0, 1, 2], "k ≤ 2"),
+            (&[2, 3, 4], "2 ≤ k ≤ 4"),
+            (&[3], "k = 3"),
+            (&[0, 1, 3], "k = 0–1, 3"),
+        ] {
+            assert_eq!(degrees(list), words);
         }
     }
 }

@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use crate::claims::PAPER;
+use crate::claims::PaperNumber;
 use crate::json::{self, JsonError};
 
 use super::block::BlockRecord;
@@ -33,7 +33,7 @@ pub struct SummaryRecord {
     /// The version of the program.
     pub version: String,
     /// The paper whose Conjecture 3.1 it is about.
-    pub paper: String,
+    pub paper: PaperNumber,
     /// A digest of the sources that decide, of the program that wrote this.
     pub decides: String,
     /// What is looked for, and where.
@@ -161,7 +161,7 @@ impl Part {
             schema: SCHEMA.to_owned(),
             record: SUMMARY.to_owned(),
             version: VERSION.to_owned(),
-            paper: PAPER.to_owned(),
+            paper: PaperNumber::default(),
             decides: DECIDES.to_owned(),
             search: self.search.clone(),
             positions: self.cases.positions(),

@@ -13,7 +13,7 @@ pub(super) const OFF_SUPPORT: &str = "(section (window A (- 0 k) (each s (- 0 k)
     (each i 1 3 (= (G i k (in A 0)) 0) (= (G i k (from A 0)) 0))))";
 
 /// The value at the first knot of G_0, which occurs q times from t_0 on.
-const AT_FIRST_KNOT: &str = "(section (each q 1 k) (window A (- 0 k) (each s (- 0 k) -1 any) (each s 0 (- q 2) 0) some \
+pub(super) const AT_FIRST_KNOT: &str = "(section (each q 1 k) (window A (- 0 k) (each s (- 0 k) -1 any) (each s 0 (- q 2) 0) some \
     (each s q (+ q k) any)) (goals (= (G 0 k (from A (- q 1))) 0)))\
     (section (window A (- 0 k) (each s (- 0 k) -1 any) (each s 1 k 0) some (each s 1 k any)) (goals \
     (= (G 0 k (from A k)) 1)))";
@@ -28,7 +28,7 @@ pub(super) const POSITIVE_INSIDE: &str = "(section (window A (- 0 k) (each s (- 
     (each i (- 0 k) 0 (> (G i k (in A 0)) 0))))";
 
 /// At a knot t_0 of multiplicity q inside of the support.
-const POSITIVE_AT_KNOTS: &str = "(section (each q 1 k) (window A (- 0 k) (each s (- 0 k) (- -1 q) any) some (each s (- 1 q) -1 0) some \
+pub(super) const POSITIVE_AT_KNOTS: &str = "(section (each q 1 k) (window A (- 0 k) (each s (- 0 k) (- -1 q) any) some (each s (- 1 q) -1 0) some \
     (each s 1 k any)) (goals (each i (- 0 k) (- 0 q) (> (G i k (from A 0)) 0))))";
 
 pub(super) const SUM_IS_ONE: &str = "(section (window A (- 0 k) (each s (- 0 k) -1 any) some (each s 1 k any)) (goals \
@@ -39,31 +39,33 @@ pub(super) const SUM_IS_ONE: &str = "(section (window A (- 0 k) (each s (- 0 k) 
 pub(super) const CONTINUITY: &str = "(section (each p 1 k) (window A (- -1 k) (each s 1 k any) some (each s 1 (- p 1) 0) some \
     (each s 1 k any)) (goals (each i (- -1 k) (- p 1) (= (G i k (to A -1)) (G i k (from A (- p 1)))))))";
 
-const MIRRORED: &str = "(section (window A (- 0 k) (each s (- 0 k) -1 any) some (each s 1 k any)) \
+pub(super) const MIRRORED: &str = "(section (window A (- 0 k) (each s (- 0 k) -1 any) some (each s 1 k any)) \
     (window B (- 0 k) (each s (- 0 k) k (A (- 0 s)))) (goals (each i (- 0 k) 0 \
     (= (at ((u (/ 1 u))) (G i k (in A 0))) (at ((r (/ 1 r))) (G (- (- 0 i) k) k (in B 0)))) \
     (= (G i k (from A 0)) (at ((r (/ 1 r))) (G (- (- 0 i) k) k (to B 0)))))))";
 
-/// At a knot of multiplicity > k: G_{−k} begins there with the value 1; its mirror image, G_0 of B, ends at
-/// t_1 = … = t_{k+1} and is 0 from there on.
-const UNSYMMETRIC: &str = "(section (window A (- 0 k) (each s 1 k 0) some (each s 1 k any)) (goals \
-    (= (G (- 0 k) k (from A 0)) 1)))\
-    (section (window B 0 some (each s 1 k 0) some (each s 1 k any)) (goals (= (G 0 k (from B (+ k 1))) 0)))";
+/// At a knot of multiplicity > k: G_{−k} begins there with the value 1.
+pub(super) const STARTS_WITH_A_JUMP: &str = "(section (window A (- 0 k) (each s 1 k 0) some (each s 1 k any)) (goals \
+    (= (G (- 0 k) k (from A 0)) 1)))";
+
+/// Its mirror image, G_0 of B, ends at t_1 = … = t_{k+1} and is 0 from there on.
+pub(super) const IS_OVER: &str =
+    "(section (window B 0 some (each s 1 k 0) some (each s 1 k any)) (goals (= (G 0 k (from B (+ k 1))) 0)))";
 
 /// The order at t_0 of G_0, whose first knot occurs q times from t_0 on.
-const ORDERS: &str = "(section (each q 1 (+ k 1)) (window A (- 0 k) (each s (- 0 k) -1 any) (each s 0 (- q 2) 0) some \
+pub(super) const ORDERS: &str = "(section (each q 1 (+ k 1)) (window A (- 0 k) (each s (- 0 k) -1 any) (each s 0 (- q 2) 0) some \
     (each s q (+ q k) any)) (goals (order 0 k (in A (- q 1)) (- (+ k 1) q))))";
 
 const DEFINED: &str = "(section (window A (- 0 k) (each s (- 0 k) -1 any) some (each s 1 k any)) (goals (each i (- 0 k) 0 \
     (defined (G i k (in A 0))) (defined (G i k (from A 0))) (defined (G i k (to A 0))))))";
 
 /// t_0 = … = t_k < t_{k+1}, and the mirror image.
-const ENDS: &str = "(section (window A 0 (each s 1 k 0) some (each s 1 k any)) (goals (= (G 0 k (from A k)) 1) \
+pub(super) const ENDS: &str = "(section (window A 0 (each s 1 k 0) some (each s 1 k any)) (goals (= (G 0 k (from A k)) 1) \
     (each i 1 k (= (G i k (from A k)) 0))))\
     (section (window A (- 0 k) (each s 1 k any) some (each s 1 k 0)) (goals (= (G 0 k (to A 0)) 1) \
     (each i (- 0 k) -1 (= (G i k (to A 0)) 0))))";
 
-const LIVING: &str = "By D3.3 a function is 0 on a span [t_j, t_{j+1}) unless j−k ≤ i ≤ j, and there it depends on t_{j−k+1}, …, t_{j+k} only; so one span with all the knots around it, at any distance ≥ 0, stands for every span of every knot vector. Near the ends of a vector, think of it as continued by any knots: a function that exists does not depend on them.";
+pub(super) const LIVING: &str = "By D3.3 a function is 0 on a span [t_j, t_{j+1}) unless j−k ≤ i ≤ j, and there it depends on t_{j−k+1}, …, t_{j+k} only; so one span with all the knots around it, at any distance ≥ 0, stands for every span of every knot vector. Near the ends of a vector, think of it as continued by any knots: a function that exists does not depend on them.";
 
 pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
     let statement = |degrees: RangeInclusive<usize>, because: &str, sections: &[&str]| {
@@ -88,12 +90,12 @@ pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
         ("T3.5.4", true) => statement(
             0..=8,
             "LIVING B is A in reverse. The reflection takes the span to the mirrored one, the coordinate u to 1/u, G_i to G_{n−i}, and to pass from α to 1 − α is to pass from r to 1/r. At a knot of multiplicity ≤ k the functions are continuous, at t_0 and t_m the limits count, so the equality holds at the knots too. At a knot inside of multiplicity > k some function is 1 from there on, while its mirror image is 0 there and beyond.",
-            &[MIRRORED, CONTINUITY, UNSYMMETRIC],
+            &[MIRRORED, CONTINUITY, STARTS_WITH_A_JUMP, IS_OVER],
         ),
         ("P4.3", true) => statement(
             0..=8,
             "LIVING B is A in reverse. The reflection takes the span to the mirrored one, the coordinate u to 1/u, G_i to G_{n−i}, and to pass from α to 1 − α is to pass from r to 1/r. At a knot of multiplicity ≤ k the functions are continuous, at t_0 and t_m the limits count, so the equality holds at the knots too. At a knot inside of multiplicity > k some function is 1 from there on, while its mirror image is 0 there and beyond. For curves on an open U: the sum of the functions is 1 on [t_0, t_m], so that the reflection, an affine map, takes Σ d_i G_i to Σ d_{n−i} G_i. Where a function differs from its mirror image, so do the curves for some symmetric polygon on a line.",
-            &[MIRRORED, CONTINUITY, UNSYMMETRIC, SUM_IS_ONE],
+            &[MIRRORED, CONTINUITY, STARTS_WITH_A_JUMP, IS_OVER, SUM_IS_ONE],
         ),
         ("L3.6", false) => statement(
             1..=8,
@@ -128,12 +130,17 @@ pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
             "t_0 = … = t_k < t_{k+1}, and in the second section, with index 0 for n, t_n < t_{n+1} = … = t_m. Functions that do not live on the first (last) span are 0 there.",
             &[ENDS],
         ),
-        ("P3.2", false) | ("proof.P3.2.induction", true) => statement(
+        ("P3.2", false) => statement(
             0..=8,
             "Let Σ c_i G_i = 0. Go through the spans from left to right, and let t_i be the first knot of a span, with q copies from t_i on: 1 ≤ q ≤ k, or up to k + 1 at t_0, by the hypotheses. The functions that live on the span and began earlier have c = 0 already. Those that begin at this knot have, as functions of u at its first knot, the orders k + 1 − q for the different q: these differ, so that the c of the lowest order is 0, then the next one.",
             &[ORDERS],
         ),
-        ("P3.3.1", false) => statement(
+        ("proof.P3.2.induction", true) => statement(
+            0..=8,
+            "Index 0 stands for i, and t_0 = … = t_{q−1} < t_q: G_0 begins at t_0, with q of its knots there, and its order at that place is k + 1 − q. For the different functions that begin at one knot q is different, 1 ≤ q ≤ k + 1, and so are the orders. Let Σ c_i G_i be 0 up to the end of the span, with c_i = 0 for those that began earlier: of those that begin here, the c of the lowest order is 0, then that of the next one.",
+            &[ORDERS],
+        ),
+        ("P3.3.1", true) => statement(
             1..=8,
             "A has the knots of degree k, B those of degree k − 1, on the same interval; w is the weight of the whole interval, and functions that do not exist are 0.",
             &[
@@ -143,7 +150,7 @@ pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
                (G (- i 1) (- k 1) (from B (- k 1)))) (* (v k 1 (from A k)) (G i (- k 1) (from B (- k 1)))))))))",
             ],
         ),
-        ("P3.3.2", false) => statement(
+        ("P3.3.2", true) => statement(
             0..=8,
             "All weights are that of the whole interval.",
             &["(section (positive h) (window A 0 (each s 1 k 0) h (each s 1 k 0)) (goals (each i 0 k \

@@ -12,7 +12,7 @@ pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
     match (claim, amended) {
         ("P4.1.1", true) => statement(
             0..=8,
-            "d_j acts through G_j only. That is 0 on every span outside of [t_j, t_{j+k+1}); and at x = t_m, as the limit from the left, it is 0 if t_m occurs at most k times among its knots, and 1, so that all others are 0, if k + 1 times.",
+            "d_j acts through G_j only. That is 0 on every span outside of [t_j, t_{j+k+1}), and so at x = t_{j+k+1} < t_m as well; at x = t_m, as the limit from the left, it is 0 if t_m occurs at most k times among its knots, and 1, so that all others are 0, if k + 1 times.",
             &[OFF_SUPPORT, AT_LAST_KNOT, SUM_IS_ONE],
         ),
         ("P4.1.2", false) => statement(
@@ -42,7 +42,7 @@ pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
         ),
         ("T4.1", false) => statement(
             0..=8,
-            "On the span j = 0, for control points whose coordinates are unknowns, and for every level q; for q = k the left side is d_j^k.",
+            "Any span of any U, for no knot of the window is asked to be an end. On the span j = 0, for control points whose coordinates are unknowns, and for every level q; for q = k the left side is d_j^k.",
             &[&format!(
                 "(section (real (each i (- 0 k) 0 (d i))) {SPAN} (goals (each q 0 k (= \
                  (+ (each i (- q k) 0 (* (de-boor i q k (in A 0)) (G i (- k q) (in A 0))))) \

@@ -3,7 +3,7 @@
 use std::ops::RangeInclusive;
 
 use super::Formal;
-use super::basis::CONTINUITY;
+use super::basis::{CONTINUITY, STARTS_WITH_A_JUMP};
 
 const FIRST: &str = "(window A 0 (each s 1 k 0) some (each s 1 k any))";
 const LAST: &str = "(window A (- 0 k) (each s 1 k any) some (each s 1 k 0))";
@@ -195,10 +195,11 @@ pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
         ),
         ("T3.11.2", true) => statement(
             1..=8,
-            "On the closed span every function is a quotient of polynomials whose denominator does not vanish, so its derivative has limits at both ends. At a knot of multiplicity ≤ k the function is continuous (second section), at t_0 and t_m the limit is the value: there the limits are the one-sided derivatives. That some function jumps at a knot inside of multiplicity > k is in T3.5.4.",
+            "On the closed span every function is a quotient of polynomials whose denominator does not vanish, so its derivative has limits at both ends. At a knot of multiplicity ≤ k the function is continuous (second section), at t_0 and t_m the limit is the value: there the limits are the one-sided derivatives. At a knot inside of multiplicity > k the function whose first k + 1 knots are copies of it is 1 from there on (last sections), and 0 before, where it does not live.",
             &[
                 "(section (window A (- 0 k) (each s (- 0 k) -1 any) some (each s 1 k any)) (goals (each i (- 0 k) 0 (defined (DG i k (from A 0))) (defined (DG i k (to A 0))))))",
                 CONTINUITY,
+                STARTS_WITH_A_JUMP,
             ],
         ),
         ("T3.11.3a", true) => statement(
@@ -233,9 +234,9 @@ pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
                 &ends(AT_FIRST, AT_LAST),
             ],
         ),
-        ("abstract.regularity", true) => statement(
+        ("abstract.regularity", false) => statement(
             1..=6,
-            "t_0 = … = t_{p−1} is a knot of multiplicity p < k with the gaps h_0 before it and h_1 after it. First section: for the function that begins at the knot before it, the right minus the left derivative is p(r−1)/(r·h_0 + h_1) times a product of weights, which are positive; for the function that ends at the knot after it, −p(r−1)/(r·h_0 + h_1) times a product of complements. One of the two functions exists on every knot vector with m ≥ 2k. So for r ≠ 1 a derivative of order 1 ≤ k − p jumps. Second section: for p ≤ k nothing jumps itself, and for p = k that is all that is claimed. Third section: at r = 1 the derivative of a function is a combination of functions of degree k − 1 on the same knots, with the constant factors ±k/(t_{i+k} − t_i); so a derivative of order s is one of functions of degree k − s, which for k − s ≥ p are continuous at the knot by the second section, for that degree. The jumps are quotients in r without a pole at 1, so they tend to those for r = 1, which are 0.",
+            "t_0 = … = t_{p−1} is a knot of multiplicity p < k with the gaps h_0 before it and h_1 after it. First section: for the function that begins at the knot before it, the right minus the left derivative is p(r−1)/(r·h_0 + h_1) times a product of weights, which are positive; for the function that ends at the knot after it, −p(r−1)/(r·h_0 + h_1) times a product of complements. One of the two functions exists, since m ≥ 2k. So for r ≠ 1 a derivative of order 1 ≤ k − p jumps. Second section: for p ≤ k nothing jumps itself, and for p = k that is all that is claimed. Third section: at r = 1 the derivative of a function is a combination of functions of degree k − 1 on the same knots, with the constant factors ±k/(t_{i+k} − t_i); so a derivative of order s is one of functions of degree k − s, which for k − s ≥ p are continuous at the knot by the second section, for that degree. The jumps are quotients in r without a pole at 1, so they tend to those for r = 1, which are 0.",
             &[JUMPS_AT_MULTIPLE_KNOT, CONTINUITY, &classical_derivatives(6)],
         ),
         ("Rem3.1", false) => statement(

@@ -45,7 +45,7 @@ pub(super) fn jumps(on: &Example<'_>, jumping: &[(usize, [u8; 2])]) -> String {
 }
 
 /// G_i of α at t_0 + t_m − x is G_{n−i} of 1 − α at x.
-fn symmetric_functions(on: &Example<'_>) -> String {
+pub(super) fn symmetric_functions(on: &Example<'_>) -> String {
     let spans = on.spans();
     let goal = |(span, partner): (&usize, &usize)| -> String {
         let goal = |i: usize| {
@@ -125,11 +125,13 @@ pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
         ),
         ("C6.larger", false) => Some(Formal::on_all_knots(
             1..=6,
-            "For r = 1 every weight of every knot vector is (x − a)/(b − a): the recursion is that of the polynomial B-splines. On U4 with α = −1, so r = 1/2, G_0 has a pole at u = −2, that is x = 2, and so is no polynomial on its first span.",
+            "For r = 1 every weight of every knot vector is (x − a)/(b − a): the recursion is that of the polynomial B-splines. On the first span of U4 with α = −1, so r = 1/2, the curve has the coordinates X = G_0 and Y = G_2. By the last goals none of 1, X, Y, X², XY, Y² is a combination of those before it: so the piece lies on no conic, and only finitely many of its points on one. A quadratic polynomial B-spline curve consists of finitely many arcs of parabolas and lines.",
             &[
                 "(section (window A (- 0 k) (each s (- 0 k) -1 any) some (each s 1 k any)) (goals (each i (- 1 k) 0 \
              (= (at ((r 1)) (w i k (in A 0))) (/ (- (x (in A 0)) (t A i)) (- (t A (+ i k)) (t A i)))))))\
-             (section (each a 2 k) (each b k 2) (let r 1/2) (knots A 0 0 0 0 1 2 3 3 3) (goals (pole (in A 2) ((G 0 2 (in A 2))) -2)))",
+             (section (each a 2 k) (each b k 2) (let r 1/2) (knots A 0 0 0 0 1 2 3 3 3) (goals \
+             (outside (in A 2) (G 0 2 (in A 2)) (1)) (outside (in A 2) (G 2 2 (in A 2)) (1 (G 0 2 (in A 2)))) (outside (in A 2) (^ (G 0 2 (in A 2)) 2) (1 (G 0 2 (in A 2)) (G 2 2 (in A 2)))) \
+             (outside (in A 2) (* (G 0 2 (in A 2)) (G 2 2 (in A 2))) (1 (G 0 2 (in A 2)) (G 2 2 (in A 2)) (^ (G 0 2 (in A 2)) 2))) (outside (in A 2) (^ (G 2 2 (in A 2)) 2) (1 (G 0 2 (in A 2)) (G 2 2 (in A 2)) (^ (G 0 2 (in A 2)) 2) (* (G 0 2 (in A 2)) (G 2 2 (in A 2)))))))",
             ],
         )),
         _ => None,

@@ -34,6 +34,17 @@ pub(super) fn reparametrised(on: &Example<'_>, span: usize) -> String {
     (0..2).map(goal).collect()
 }
 
+/// The derivative of the second coordinate at the first knot of the span is greater for r + s than for r.
+fn rises_with_ratio(on: &Example<'_>, span: usize) -> String {
+    let points = on.instance.points.as_deref().unwrap_or_default();
+    let term = |i: usize| {
+        let slope = Place::start(span).value("DG", i, on.k);
+        points.get(i).and_then(|point| point.get(1)).map(|y| format!(" (* {y} {slope})")).unwrap_or_default()
+    };
+    let slope = format!("(+{})", on.living(span).map(term).collect::<String>());
+    format!("(> (at ((r (+ r s))) {slope}) {slope})")
+}
+
 /// On the span j the curve of degree 1 is (1 − w)d_{j−1} + w·d_j.
 fn along_the_leg(on: &Example<'_>, span: usize) -> String {
     let points = on.instance.points.as_deref().unwrap_or_default();
@@ -76,7 +87,7 @@ pub(super) fn squared(differences: [String; 2]) -> String {
 }
 
 /// The squared distance from the curve for ∞ at a place.
-fn from_classical(on: &Example<'_>, place: Place) -> String {
+pub(super) fn from_classical(on: &Example<'_>, place: Place) -> String {
     squared([0, 1].map(|c| {
         let coordinate = on.coordinate(c, place);
         format!("(- {coordinate} (at ((r 1)) {coordinate}))")
@@ -163,7 +174,21 @@ pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
             &format!("{ALPHA} At every x the factors of the control points are ≥ 0 with sum 1."),
             sections(&all(&HULL), "", hull),
         ),
-        ("Ill5.7.shift", false) => {
+        ("Ill5.6.bezier.function", true) => {
+            let instances = [of_degree(&["C6a"], &[3]), of_degree(&["C6b"], &[5])].concat();
+            let goals = |on: &Example<'_>| {
+                on_spans(reparametrised)(on)
+                    + &on.spans().into_iter().map(|span| rises_with_ratio(on, span)).collect::<String>()
+            };
+            statement(
+                &[3, 5],
+                &format!(
+                    "{ALPHA} On the only span the curve for α at u is the curve for ∞ at r·u, and u ↦ r·u maps (0, ∞) onto itself: so the trace is the same. The derivative of the second coordinate with respect to x at the first knot rises strictly with r: so the functions are different for any two indices."
+                ),
+                sections(&instances, "(positive s)", goals),
+            )
+        }
+        ("Ill5.7.shift", true) | ("Ill5.7.shift.order", false) => {
             let instances = all(&["C7a"]);
             statement(
                 &[3],

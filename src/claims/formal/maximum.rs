@@ -8,7 +8,7 @@ use crate::scalar::{BigRational, Polynomial};
 use crate::spline::{Basis, Index};
 
 use super::Formal;
-use super::basis::CONTINUITY;
+use super::basis::{AT_LAST_KNOT, CONTINUITY};
 use super::example::{Example, all};
 use super::place::Place;
 
@@ -32,7 +32,10 @@ pub(super) const MIDDLE: &str = "(section (each first 2 k) (each last k 2) (nonn
     (> (* (+ (* a (+ c d)) (* 2 b c)) e1) (* 2 a c e2)) \
     (> (* 2 b d e2) (* (+ (* d (+ a b)) (* 2 b c)) e3))))";
 
-pub(super) const BECAUSE: &str = "A function lives on at most k + 1 spans. It rises on the span [t_i, t_{i+1}], and falls on [t_{i+k}, t_{i+k+1}], if these are not empty (first section). For k = 2 its derivative on [t_{i+1}, t_{i+2}] has the sign of a polynomial E of degree 4 in s = r·u, with e_0 > 0 > e_4. The last two goals say: if e_1 ≤ 0 then e_2 < 0, and if e_3 ≥ 0 then e_2 > 0. So the signs of the coefficients change exactly once, and by Descartes' rule E changes its sign exactly once, from + to −. At knots of multiplicity ≤ k the functions are continuous (last section). So a function rises and then falls, once; it may begin with a jump to 1, if t_i = t_{i+k}, and fall from there, or, if t_{i+1} = t_{i+k+1} = t_m, rise to the limit 1 that counts as its value. So it has one local maximum, and as it rises and falls strictly, that is its only largest value. Continuous on (t_0, t_m) is meant; if t_i = t_{i+k+1} the function is 0 and not meant.";
+pub(super) const BECAUSE: &str = "A function lives on at most k + 1 spans. It rises on the span [t_i, t_{i+1}], and falls on [t_{i+k}, t_{i+k+1}], if these are not empty (first section). For k = 2 its derivative on [t_{i+1}, t_{i+2}] has the sign of a polynomial E of degree 4 in s = r·u, with e_0 > 0 > e_4. The last two goals say: if e_1 ≤ 0 then e_2 < 0, and if e_3 ≥ 0 then e_2 > 0. So the signs of the coefficients change exactly once, and by Descartes' rule E changes its sign exactly once, from + to −. At knots of multiplicity ≤ k the functions are continuous (last section). So a function rises and then falls, once; it may begin with a jump to 1, if t_i = t_{i+k}, and fall from there, or, if t_{i+1} = t_{i+k+1} = t_m, rise to the limit 1 that counts as its value. So it has one local maximum, and as it rises and falls strictly, that is its only largest value.";
+
+/// What is added where functions that drop are spoken of.
+const DROPS: &str = " If t_i < t_{i+1} = t_{i+k+1} < t_m, it rises on its only span to the limit 1, and is 0 from there on, where it does not live any more.";
 
 /// On every span of the support: the sign of the derivative, or its quotient of polynomials.
 fn unimodal(on: &Example<'_>, index: &Index) -> Option<String> {
@@ -84,10 +87,13 @@ pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
     const EXAMPLES: [&str; 14] =
         ["U0", "U1", "U2", "U3", "U4", "U5", "U6", "U7", "U8", "U9", "U10", "U11", "U12", "U13"];
     match (claim, amended) {
-        (
-            "Conj3.1.strong" | "Conj3.1.strong.continuous" | "Conj3.1.weak" | "Conj3.1.weak.continuous",
-            true,
-        ) => Some(Formal::on_all_knots(1..=2, BECAUSE, &[OUTER, MIDDLE, CONTINUITY])),
+        ("Conj3.1.strong" | "Conj3.1.weak", true) => {
+            let sections = [OUTER, MIDDLE, CONTINUITY, AT_LAST_KNOT];
+            Some(Formal::on_all_knots(1..=2, &[BECAUSE, DROPS].concat(), &sections))
+        }
+        ("Conj3.1.strong.continuous" | "Conj3.1.weak.continuous", true) => {
+            Some(Formal::on_all_knots(1..=2, BECAUSE, &[OUTER, MIDDLE, CONTINUITY]))
+        }
         ("Rem5.1.conj", true) => {
             let mut instances = all(&EXAMPLES);
             instances.retain(|instance| instance.degree > 0);

@@ -10,15 +10,21 @@ use std::ops::RangeInclusive;
 mod action;
 mod approximation;
 mod basis;
+mod captions;
+mod classical;
 mod curve;
+mod curve_ends;
+mod definitions;
 mod derivatives;
 mod deviation;
 mod effect;
 mod example;
 mod illustrated_bases;
 mod illustrated_curves;
+mod influence;
 mod maximum;
 mod place;
+mod proofs_steps;
 mod questions;
 mod refutations;
 mod single_spans;
@@ -26,6 +32,7 @@ mod symmetric_curves;
 mod traces;
 mod two_maxima;
 mod weight;
+mod weight_effect;
 
 use super::verdict::{Scope, Witness};
 
@@ -64,10 +71,14 @@ impl Formal {
 #[must_use]
 pub fn formal(claim: &str, amended: bool) -> Option<Formal> {
     let parts = [
+        classical::formal,
         weight::formal,
+        weight_effect::formal,
+        definitions::formal,
         basis::formal,
         derivatives::formal,
         curve::formal,
+        curve_ends::formal,
         illustrated_bases::formal,
         illustrated_curves::formal,
         traces::formal,
@@ -75,6 +86,9 @@ pub fn formal(claim: &str, amended: bool) -> Option<Formal> {
         deviation::formal,
         symmetric_curves::formal,
         effect::formal,
+        influence::formal,
+        captions::formal,
+        proofs_steps::formal,
         questions::formal_for_all,
         two_maxima::formal_for_all,
         action::formal_for_all,

@@ -1,11 +1,12 @@
 //! The questions that are ours: what is true of them, degree by degree.
 
 use std::fmt::Write as _;
+use std::ops::RangeInclusive;
 
 use crate::scalar::{BigRational, rational};
 
 use super::Formal;
-use super::basis::SUM_IS_ONE;
+use super::basis::{ORDERS, SUM_IS_ONE};
 use super::place::Place;
 
 const TANGENTS: &str = "(section (window A (- -1 k) (each s 1 k any) some some (each s 1 k any)) (goals \
@@ -106,10 +107,83 @@ const NURBS: &str = "On a span every weight of degree d is a quotient of polynom
 
 /// What is proved of a question for all degrees at once.
 pub(super) fn formal_for_all(question: &str, amended: bool) -> Option<Formal> {
-    let sections: String = (1..=GENERIC.len()).map(poles).collect();
-    (question == "X.nurbs" && !amended)
-        .then(|| Formal::on_all_knots(1..=GENERIC.len(), NURBS, &[LINEAR_FACTORS, &sections]))
+    let statement = |degrees: RangeInclusive<usize>, because: &str, sections: &[&str]| {
+        Some(Formal::on_all_knots(degrees, because, sections))
+    };
+    match (question, amended) {
+        ("X.nurbs", false) => {
+            let sections: String = (1..=GENERIC.len()).map(poles).collect();
+            statement(1..=GENERIC.len(), NURBS, &[LINEAR_FACTORS, &sections])
+        }
+        ("X.G1", true) => statement(2..=8, EXACTLY_CONTINUOUS, &[COALESCED, NOT_PARALLEL, JUMP_AND_SLOPES]),
+        ("X.linear", true) => statement(
+            1..=8,
+            "In the equation the factor of x on the left side is r − 1, which is not 0 for finite α: so each weight of a span, as a quotient of polynomials in x, tends to r/(r − 1) as x → ∞, and a function that lives on the span, which is a sum of products of weights and of 1 minus weights, has a finite limit as well. So has every combination of them; but x, x², …, x^k have none.",
+            &[BOUNDED],
+        ),
+        ("X.nested", true) => statement(1..=8, EXACTLY_NESTED, &[NOT_NESTED, ORDERS, SPLIT_IN_TWO]),
+        ("X.derivative", true) => statement(
+            1..=8,
+            "A has the knots of degree k, B those of degree k − 1, on the same interval; w is the weight of the whole interval, and functions that do not exist are 0.",
+            &[
+                "(section (positive h) (window A 0 (each s 1 k 0) h (each s 1 k 0)) (window B 0 (each s 2 k 0) h (each s 2 k 0)) (goals \
+                 (each i 0 k (= (DG i k (in A k)) (* (integer k) (Dw k 1 (in A k)) (- (G (- i 1) (- k 1) (in B (- k 1))) (G i (- k 1) (in B (- k 1)))))))))",
+            ],
+        ),
+        _ => None,
+    }
 }
+
+/// Every weight of a span is r(x − a)/((r − 1)(x − a) + b − a).
+const BOUNDED: &str = "(section (window A (- 0 k) (each s (- 0 k) -1 any) some (each s 1 k any)) (goals (each d 1 k (each i (- 1 d) 0 \
+    (= (* (w i d (in A 0)) (+ (* (- r 1) (- (x (in A 0)) (t A i))) (- (t A (+ i d)) (t A i)))) \
+    (* r (- (x (in A 0)) (t A i))))))))";
+
+/// The k − 1 knots next to the simple knot t_0 are one on either side.
+const COALESCED: &str = "(section (window A (- -1 k) any any (each s 3 k 0) some some (each s 3 k 0) any any) (goals \
+    (each i (- -1 k) 0 (= (* (DG i k (to A -1)) (DG -1 k (from A 0))) (* (DG -1 k (to A -1)) (DG i k (from A 0))))) \
+    (> (* (DG -1 k (to A -1)) (DG -1 k (from A 0))) 0)))";
+
+/// With h and g for the gaps beside the knot, and h + z and g + y for the distances of further knots: the terms of the
+/// sum, which are 0 for y = z = 0 only, and how they and the determinant come about.
+const NOT_PARALLEL: &str = "(section (positive h g y) (nonnegative z) (goals (> (/ (+ g y) (+ (* r h) g y)) (/ g (+ (* r (+ h z)) g)))))\
+    (section (positive h g z) (nonnegative y) (goals (> (/ (+ g y) (+ (* r h) g y)) (/ g (+ (* r (+ h z)) g)))))\
+    (section (positive h g) (goals (= (/ g (+ (* r h) g)) (/ g (+ (* r h) g)))))\
+    (section (positive h g) (nonnegative y z) (goals \
+    (= (- (/ (* r (+ h g y)) (+ (* r h) g y)) (/ (* r (+ h z g)) (+ (* r (+ h z)) g))) \
+    (* (- r 1) (- (/ (+ g y) (+ (* r h) g y)) (/ g (+ (* r (+ h z)) g)))))))\
+    (section (real c p q e f) (goals (= (- (* p (- c f) q (+ c e)) (* q e (* -1 p f))) (* p q c (+ (- e f) c)))))";
+
+/// At the simple knot t_0: what is right of it of the derivative of the function that has it as its last knot but one, and what is left of it
+/// of that which has it as its second knot; and the jumps of both.
+const JUMP_AND_SLOPES: &str = "(section (window A (- -1 k) (each s 1 k any) some some (each s 1 k any)) (goals \
+    (= (DG -1 k (to A -1)) (* (each d 3 k (w -1 d (from A 0))) (/ r (+ (* r (A -1)) (A 0))) \
+    (+ (each i 0 (- k 1) (/ (+ (A -1) (- (t A i) (t A 0))) (+ (* r (A -1)) (- (t A i) (t A 0)))))))) \
+    (= (DG (- 0 k) k (from A 0)) (* -1 (each d 3 k (v (- 1 d) d (from A 0))) (/ r (+ (* r (A -1)) (A 0))) \
+    (+ (each i 0 (- k 1) (/ (+ (A 0) (- (t A 0) (t A (- 0 i)))) (+ (* r (- (t A 0) (t A (- 0 i)))) (A 0))))))) \
+    (= (- (DG -1 k (from A 0)) (DG -1 k (to A -1))) (* (/ (- r 1) (+ (* r (A -1)) (A 0))) (each d 3 k (w -1 d (from A 0))))) \
+    (= (- (DG (- 0 k) k (from A 0)) (DG (- 0 k) k (to A -1))) (* (/ (- 1 r) (+ (* r (A -1)) (A 0))) (each d 3 k (v (- 1 d) d (from A 0))))) \
+    (each d 3 k (> (w -1 d (from A 0)) 0) (> (v (- 1 d) d (from A 0)) 0))))";
+
+const EXACTLY_CONTINUOUS: &str = "The knot is t_0, with the gaps h before and g after it. First section: if the k − 1 knots next to it are one on either side, the two one-sided derivatives of every function are proportional to those of G_{−1}, whose product is positive; so the derivatives of every curve from the two sides are positive multiples of each other. Otherwise take the functions G_{−1}, whose second knot is t_0, and G_{−k}, whose last knot but one it is. By the last section, with the positive products P and Q of weights, c = (r − 1)/(rh + g) and sums E and F times r/(rh + g): the derivatives of G_{−1} are QE from the left and Q(E + c) from the right, those of G_{−k} P(c − F) and −PF. Their determinant is PQc(E − F + c) (section before). The terms of E − F for i = 0 are r(1/r − 1)/(rh + g) = −c; those for i = 1, …, k − 1 are, with y and z for the distances of t_i from t_1 and of t_{−i} from t_{−1}, by the section before that, (r − 1)/(rh + g) times a difference that is 0 for y = z = 0 and else positive. So the determinant is PQc² times a positive number: not 0 for finite α, and the derivatives of a curve for which the two control points are (1, 0) and (0, 1) and all others 0 are not parallel.";
+
+/// On its first span, of which t_1 is the end and where the new knot goes: p copies of the latter are there already, which
+/// makes it t_1 if p > 0.
+const NOT_NESTED: &str = "(section (each p 1 (- k 1)) (window A 0 some (each s 2 p 0) some (each s (+ p 1) k any)) \
+    (window B 0 (A 0) (each s 1 p 0) (A p) (each s (+ p 1) k (A s))) (goals \
+    (= (* (G 0 k (in A 0)) (w 0 1 (in B 0))) (* (G 0 k (in B 0)) (w 0 k (in A 0)))) (= (t B 1) (t A 1)) (> (t A k) (t B 1)) \
+    (= (x (in A 0)) (x (in B 0)))))\
+    (section (positive h g) (window A 0 (+ h g) (each s 1 k any)) (window B 0 h g (each s 1 k (A s))) (goals \
+    (= (* (at ((u (/ (* u h) (+ h g (* g u))))) (G 0 k (in A 0))) (w 0 1 (in B 0))) \
+    (* (G 0 k (in B 0)) (at ((u (/ (* u h) (+ h g (* g u))))) (w 0 k (in A 0))))) (> (t A k) (t B 1)) \
+    (= (at ((u (/ (* u h) (+ h g (* g u))))) (x (in A 0))) (x (in B 0)))))";
+
+/// The function with k inner knots that are one, for A, and the two that it becomes with one more copy, for B.
+const SPLIT_IN_TWO: &str = "(section (window A 0 some (each s 2 k 0) some) (window B 0 (A 0) (each s 1 k 0) (A k)) (goals \
+    (= (G 0 k (in A 0)) (G 0 k (in B 0))) (= (G 0 k (from A 0)) (G 0 k (from B 0))) \
+    (= (G 0 k (in A k)) (G 1 k (in B (+ k 1)))) (= (G 0 k (from A k)) (G 1 k (from B (+ k 1)))) (= (G 0 k (to A k)) (G 1 k (to B (+ k 1))))))";
+
+const EXACTLY_NESTED: &str = "U is open, and the new knot t, of multiplicity p in U. If p < k, it lies inside (t_0, t_m). Index 0 stands for that of the last knot of U before t, so that t lies in [t_0, t_1], and G_0 exists for U. A has the knots of U, B those with t. On the part of the first span up to t the two functions G_0 are products of the weights of the intervals from t_0 to the next k knots; the goals of the first two sections say that for A it is that for B times w_0^k of A over the weight of [t_0, t]. The two have their poles at different places, since t_k > t and r ≠ 1; so the functions are no multiples of each other. Now let G_0 of A be a combination Σ c_i G_i of functions of B. It is 0 before t_0: go through the spans from left to right; the functions that begin at one knot have different orders there (third kind of section: k + 1 − q, with q copies of the knot from the first of the function on), so that all that begin before t_0 have c_i = 0, or are 0. G_0 of A has the order k at t_0, and of the functions that begin there only G_0 of B has it, the others lower ones: so their c_i are 0 too, and G_0 of A is a multiple of G_0 of B up to t, which it is not. If p > k, every function has its knots one after the other in the refined vector too. If p = k, one function has not: that with the k copies inside; it is the sum of the two into which it falls (last section), each of which is 0 on the other's span.";
 
 /// For a degree: what is proved of the question for every knot vector and every α.
 pub(super) fn formal(question: &str, k: usize) -> Option<Formal> {

@@ -90,18 +90,45 @@ fn tangents_at_double_point(on: &Example<'_>) -> String {
         + &cross
 }
 
-/// The coordinate c of the double point is greater than that of the curve everywhere; and on the span, at u, the squared
-/// distance is less than 1/16.
-fn misses(on: &Example<'_>, c: usize, span: usize, u: &str) -> String {
+const NEAR: &str = "At one point of the curves of S2 and S5, whose coordinate u depends on r, the squared distance from the double point is less than 1/16.";
+const MEETS: &str =
+    "The curves of S3 and S6 are at the double point at their double knot, that of S7 at t_0 and at t_m.";
+
+/// The coordinate c of the double point is greater than that of the curve everywhere.
+fn misses(on: &Example<'_>, c: usize) -> String {
     let Some(double) = double_point(on.instance) else { return String::new() };
-    let mut goals = String::new();
-    for place in on.spans().into_iter().flat_map(Place::closed) {
-        let _ = write!(goals, "(> {} {})", double[c], on.coordinate(c, place));
-    }
+    let goal = |place| format!("(> {} {})", double[c], on.coordinate(c, place));
+    on.spans().into_iter().flat_map(Place::closed).map(goal).collect()
+}
+
+/// At one point of S2 or S5 the squared distance from the double point is less than 1/16.
+fn comes_near(on: &Example<'_>) -> String {
+    let (span, u) = match on.instance.name {
+        "S2" => (4, "(/ (+ r 2) (* r (+ (* 2 r) 1)))"),
+        _ => (8, "(/ 1 r)"),
+    };
+    let Some(double) = double_point(on.instance) else { return String::new() };
     let square =
         squared([0, 1].map(|c| format!("(- {} {})", on.coordinate(c, Place::inside(span)), double[c])));
-    let _ = write!(goals, "(< (at ((u {u})) {square}) 1/16)");
-    goals
+    format!("(< (at ((u {u})) {square}) 1/16)")
+}
+
+/// The curve is at its double point at its double knot, or else at both ends.
+fn meets(on: &Example<'_>) -> String {
+    let (Some(double), spans) = (double_point(on.instance), on.spans()) else { return String::new() };
+    let places = match spans.windows(2).find(|pair| pair[1] - pair[0] == 2) {
+        Some(pair) => vec![Place::start(pair[1])],
+        None => spans
+            .first()
+            .map(|first| Place::start(*first))
+            .into_iter()
+            .chain(spans.last().map(|last| Place::end(*last)))
+            .collect(),
+    };
+    let goal = |place: &Place| -> String {
+        (0..2).map(|c| format!("(= {} {})", on.coordinate(c, *place), double[c])).collect()
+    };
+    places.iter().map(goal).collect()
 }
 
 /// The control points of an instance of a degree.
@@ -136,10 +163,16 @@ pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
         ("Ill5.8.double", true) => statement(
             &[3],
             &format!(
-                "{ALPHA} S2: the double point has the ordinate 14, and the curve a smaller one everywhere. S5: it has the abscissa 5, and the curve a smaller one everywhere. At one point of every curve, whose coordinate u depends on r, the squared distance is less than 1/16."
+                "{ALPHA} S2: the double point has the ordinate 14, and the curve a smaller one everywhere. S5: it has the abscissa 5, and the curve a smaller one everywhere. {NEAR} {MEETS}"
             ),
-            sections(&all(&["S2"]), "", |on| misses(on, 1, 4, "(/ (+ r 2) (* r (+ (* 2 r) 1)))"))
-                + &sections(&all(&["S5"]), "", |on| misses(on, 0, 8, "(/ 1 r)")),
+            sections(&all(&["S2"]), "", |on| misses(on, 1) + &comes_near(on))
+                + &sections(&all(&["S5"]), "", |on| misses(on, 0) + &comes_near(on))
+                + &sections(&all(&["S3", "S6", "S7"]), "", meets),
+        ),
+        ("Ill5.8.double.near", false) => statement(
+            &[3],
+            &format!("{ALPHA} {NEAR} {MEETS}"),
+            sections(&all(&["S2", "S5"]), "", comes_near) + &sections(&all(&["S3", "S6", "S7"]), "", meets),
         ),
         ("Ill5.8.fig29", false) => statement(
             &[3],

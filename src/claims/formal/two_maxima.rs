@@ -64,6 +64,15 @@ fn most(k: usize) -> String {
     format!("(section (let r {ratio}) (knots A 0 {knots}) (goals {goals}))")
 }
 
+const TWO_AT_MOST: &str = " So after it has fallen it can rise again only from the one knot between these two spans on, and then falls on to its end: it has two local maxima at most. At a knot of multiplicity ≤ 3 it is continuous (last section); if it begins with a jump to 1, it lives on one span and falls, and if it ends at t_m with the limit 1, it rises.";
+
+/// The uniform cubic function at its middle knot and, for α = ∞, on its inner spans: r > 1, r < 1 and r = 1.
+const UNIFORM: &str = "(section (positive s) (let r (+ 1 s)) (knots A 0 0 1 2 3 4) (goals (< (DG 0 3 (to A 1)) 0) (< (DG 0 3 (from A 2)) 0)))\
+    (section (positive s) (let r (/ 1 (+ 1 s))) (knots A 0 0 1 2 3 4) (goals (> (DG 0 3 (to A 1)) 0) (> (DG 0 3 (from A 2)) 0)))\
+    (section (let r 1) (knots A 0 0 1 2 3 4) (goals (> (DG 0 3 (in A 1)) 0) (< (DG 0 3 (in A 2)) 0)))";
+
+const ONE_IF_UNIFORM: &str = " So after it has fallen it can rise again only from the one knot between these two spans on. There, on the knots 0, 1, 2, 3, 4, it falls on both sides for r > 1, so that it falls from there on; for r < 1 it rises on both sides, and so it does before; and for r = 1 it rises before and falls after. It is continuous (last section). Its proportions are the same on any simple uniform knots.";
+
 /// What is proved for all degrees at once.
 pub(super) fn formal_for_all(question: &str, amended: bool) -> Option<Formal> {
     let sections = [ON_THE_WAY, CONTINUITY].concat();
@@ -77,8 +86,15 @@ pub(super) fn formal(question: &str, k: usize) -> Option<Formal> {
         ("X.maxima", 3..=8) => {
             Some(Formal::new(Scope::Alpha, vec![k], EVERY_INDEX, [ON_THE_WAY, CONTINUITY].concat()))
         }
-        ("X.maxima.classical" | "X.maxima.spans", 1 | 2) => {
+        ("X.maxima.classical" | "X.maxima.spans" | "X.maxima.uniform", 1 | 2) | ("X.maxima.bound", 2) => {
             Some(Formal::on_all_knots(k..=k, BECAUSE, &[OUTER, MIDDLE, CONTINUITY]))
+        }
+        ("X.maxima.bound", 3) => {
+            Some(Formal::on_all_knots(3..=3, &[CUBIC, TWO_AT_MOST].concat(), &[OUTER, &cubic(), CONTINUITY]))
+        }
+        ("X.maxima.uniform", 3) => {
+            let sections = [OUTER, &cubic(), UNIFORM, CONTINUITY];
+            Some(Formal::on_all_knots(3..=3, &[CUBIC, ONE_IF_UNIFORM].concat(), &sections))
         }
         ("X.maxima.classical", 3) => {
             Some(Formal::new(Scope::Knots, vec![3], CLASSICAL, [OUTER, CLASSICAL_CUBIC, CONTINUITY].concat()))

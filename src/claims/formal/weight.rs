@@ -19,7 +19,7 @@ fn denominator(place: Place) -> String {
 }
 
 /// The formula of D2.3 is the weight in terms of r.
-fn printed_formula() -> String {
+pub(super) fn printed_formula() -> String {
     let place = Place::inside(0);
     let (w, x) = (place.value("w", 0, 1), place.x());
     for_both(&format!("(= {w} (/ (* alpha (- (+ a {x}) a)) {}))", denominator(place)))
@@ -32,7 +32,7 @@ const CLIMBS: &str = "(section (positive s) (window A 0 some) (goals (defined (w
     (= (w 0 1 (from A 0)) 0) (= (w 0 1 (to A 0)) 1)))";
 const CONJUGATE: &str = "(= (/ (- 1 alpha) (- (- 1 alpha) 1)) (/ 1 r))";
 
-const FORMULA: &str =
+pub(super) const FORMULA: &str =
     "The first two sections show that the weight of D2.3 is w with r = α/(α − 1), for α < 0 and for α > 1.";
 
 pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
@@ -107,23 +107,25 @@ pub(super) fn formal(claim: &str, amended: bool) -> Option<Formal> {
                (= (w 0 1 (from B 0)) (w 0 1 (from A 0)))))"],
         ),
         ("P2.1.3", true) => statement(
-            "FORMULA T(x) = −c·x + e with c > 0. T takes [a, b] to the interval [T(b), T(a)], c times as long, and the point with coordinate u to the one with coordinate 1/u. To pass from α to 1 − α is to pass from r to 1/r.",
+            "FORMULA T(x) = −c·x + e with c > 0. T takes [a, b] to the interval [T(b), T(a)], c times as long, and the point with coordinate u to the one with coordinate 1/u. To pass from α to 1 − α is to pass from r to 1/r. At x = a, T(x) = T(a) is not in [T(b), T(a)), and the other weight is 0; at x = b it is the other way round. For other x, and for a ≥ b, both are 0 by definition.",
             &[
                 &formula,
                 &for_both(CONJUGATE),
                 "(section (positive c) (window A 0 some) (window B 0 (* c (A 0))) (goals \
                  (= (at ((u (/ 1 u))) (x (in B 0))) (* c (- (t A 1) (x (in A 0))))) \
-                 (= (at ((u (/ 1 u))) (w 0 1 (in B 0))) (at ((r (/ 1 r))) (v 0 1 (in A 0))))))",
+                 (= (at ((u (/ 1 u))) (w 0 1 (in B 0))) (at ((r (/ 1 r))) (v 0 1 (in A 0)))) \
+                 (= (w 0 1 (from A 0)) 0) (= (w 0 1 (from B 0)) 0)))",
             ],
         ),
         ("C2.4", true) => statement(
-            "FORMULA The knots of A are a, t1, t2, b, those of B are a, a+b−t2, a+b−t1, b. If x has the coordinate u in the middle span of B, then a + b − x has 1/u in that of A. To pass from α to 1 − α is to pass from r to 1/r.",
+            "FORMULA The knots of A are a, t1, t2, b, those of B are a, a+b−t2, a+b−t1, b. If x has the coordinate u in the middle span of B, then a + b − x has 1/u in that of A. To pass from α to 1 − α is to pass from r to 1/r. At the first knot of its interval a weight is 0, and at every other point outside of it by definition: so both are 0 where x is not inside.",
             &[
                 &formula,
                 &for_both(CONJUGATE),
                 "(section (window A 0 any some any) (window B 0 (A 2) (A 1) (A 0)) (goals \
                  (= (at ((u (/ 1 u))) (x (in A 1))) (- (t A 3) (x (in B 1)))) \
-                 (= (at ((u (/ 1 u))) (w 1 1 (in A 1))) (at ((r (/ 1 r))) (v 1 1 (in B 1))))))",
+                 (= (at ((u (/ 1 u))) (w 1 1 (in A 1))) (at ((r (/ 1 r))) (v 1 1 (in B 1)))) \
+                 (= (w 1 1 (from A 1)) 0) (= (w 1 1 (from B 1)) 0)))",
             ],
         ),
         ("Ill2.1", false) => {

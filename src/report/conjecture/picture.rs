@@ -76,7 +76,7 @@ fn around(marks: &[Mark], whole: Frame) -> Frame {
 fn panel(panel: &Panel<'_>, basis: &Basis, i: usize, marks: &[Mark]) -> Drawn {
     grid(panel)?;
     knot_lines(panel, basis.knots())?;
-    graph(panel, basis, i, Pen::thick(BLUE, Dash::Solid))?;
+    let _ = graph(panel, basis, i, Pen::thick(BLUE, Dash::Solid))?;
     for mark in marks {
         let dot = match mark.kind {
             ExtremumKind::Maximum => Dot::Filled,

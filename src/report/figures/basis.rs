@@ -1,13 +1,12 @@
 //! Figures 4 to 21: all functions of a basis, a panel for each α.
 
-use std::cmp::Ordering;
-
 use crate::analysis::{Pieces, Shape};
 use crate::claims::Instance;
-use crate::scalar::{BigRational, integer, rational};
+use crate::scalar::{integer, rational};
 use crate::spline::{Basis, Side};
 
-use super::canvas::{Canvas, Cell, Dot, Drawn, Frame, Lies, Panel, Pen, PictureError};
+use super::canvas::{Canvas, Cell, Dot, Drawn, Frame, Panel, Pen, PictureError};
+use super::labels::{Label, Named};
 use super::layout::{Sheet, heading, knot_axis, levels};
 use super::notation::{alpha, indexed, knots};
 use super::sample::{float, polygon, value};
@@ -21,7 +20,8 @@ const NOTE: &str = "Below the axis: knots, and how often they occur. ● value (
 /// [`PictureError`].
 pub(super) fn svg(title: &str, instance: &Instance) -> Result<String, PictureError> {
     let subtitle = format!("Basis functions of degree {} on U = {}", instance.degree, knots(&instance.knots));
-    let sheet = Sheet { title, subtitle: &subtitle, note: NOTE, cells: instance.indices.len(), panel: 190 };
+    let sheet =
+        Sheet { title, subtitle: &subtitle, notes: &[NOTE], cells: instance.indices.len(), panel: 190 };
     sheet.svg(|canvas, number, cell| {
         let basis = Basis::new(instance.knots.clone(), instance.degree, instance.indices[number].clone())
             .map_err(super::canvas::failed)?;
@@ -38,25 +38,34 @@ fn panel(canvas: &Canvas<'_>, cell: Cell, basis: &Basis) -> Drawn {
     knot_axis(&panel, basis.knots(), 0.0)?;
     let pieces = Pieces::of(basis);
     let shapes: Vec<Shape> = (0..=basis.n()).map(|i| Shape::of(&pieces, i)).collect();
+    let mut labels = Vec::new();
     for (i, shape) in shapes.iter().enumerate() {
         let pen = Pen::nth(i);
-        graph(&panel, basis, i, pen)?;
+        let line = graph(&panel, basis, i, pen)?;
         limits(&panel, shape, pen)?;
-        if let Some(top) = top(shape) {
-            panel.text(top, &indexed("G", i), Lies::Above, pen.colour)?;
+        if !line.is_empty() {
+            labels.push(Label { text: indexed("G", i), colour: pen.colour, named: Named::Line(line, pen) });
         }
     }
     // The value of one function in the limit of another: the dot goes into the ring.
-    shapes.iter().enumerate().try_for_each(|(i, shape)| values(&panel, basis, i, shape, Pen::nth(i)))
+    for (i, shape) in shapes.iter().enumerate() {
+        values(&panel, basis, i, shape, Pen::nth(i))?;
+    }
+    panel.labels(&labels)
 }
 
-/// The graph over the support, broken where the function jumps.
-pub(in crate::report) fn graph(panel: &Panel<'_>, basis: &Basis, i: usize, pen: Pen) -> Drawn {
+/// Draws the graph over the support, broken where the function jumps, and gives its points.
+pub(in crate::report) fn graph(
+    panel: &Panel<'_>,
+    basis: &Basis,
+    i: usize,
+    pen: Pen,
+) -> Result<Vec<(f64, f64)>, PictureError> {
     let knots = basis.knots();
     let (low, high) = basis.support(i);
     let tolerance = (panel.unit.0 / 2.0, panel.unit.1 / 2.0);
     let Frame { x: (left, right), y: (bottom, top) } = panel.frame;
-    let mut line: Vec<(f64, f64)> = Vec::new();
+    let (mut drawn, mut line) = (Vec::new(), Vec::new());
     for span in knots.spans() {
         let (start, end) = (knots.t(span.index()), knots.t(span.index() + 1));
         if start < low || high < end {
@@ -73,13 +82,17 @@ pub(in crate::report) fn graph(panel: &Panel<'_>, basis: &Basis, i: usize, pen: 
         // What is outside of the frame is left out.
         for point in polygon(|x| (x, value(basis, i, span, x)), (from, to), tolerance) {
             if (bottom..=top).contains(&point.1) {
+                drawn.push(point);
                 line.push(point);
             } else if !line.is_empty() {
                 panel.line(&std::mem::take(&mut line), pen)?;
             }
         }
     }
-    if line.is_empty() { Ok(()) } else { panel.line(&line, pen) }
+    if !line.is_empty() {
+        panel.line(&line, pen)?;
+    }
+    Ok(drawn)
 }
 
 /// The limits from the left at jumps.
@@ -100,21 +113,4 @@ fn values(panel: &Panel<'_>, basis: &Basis, i: usize, shape: &Shape, pen: Pen) -
         }
     }
     Ok(())
-}
-
-/// The middle of the highest maximum; where the supremum is a limit at a jump, that limit.
-fn top(shape: &Shape) -> Option<(f64, f64)> {
-    let maxima = shape.local_maxima().map(|maximum| {
-        let (lo, hi) = maximum.place.interval();
-        // Close enough to tell which of two is the higher.
-        let (height, _) = maximum.height().bounds_within(&rational(1, 1 << 60));
-        ((lo + hi) / integer(2), height)
-    });
-    let limits = shape.jumps().iter().map(|jump| (jump.at.clone(), jump.left.clone()));
-    let higher = |a: &(BigRational, BigRational), b: &(BigRational, BigRational)| match a.1.cmp(&b.1) {
-        // Of two that are equally high the first.
-        Ordering::Equal => b.0.cmp(&a.0),
-        order => order,
-    };
-    maxima.chain(limits).max_by(higher).map(|(x, y)| (float(&x), float(&y)))
 }

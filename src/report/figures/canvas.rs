@@ -3,11 +3,16 @@
 //! The library that draws rounds to whole units, so a unit is a tenth of a pixel here: curves stay smooth when they
 //! are enlarged. A pixel is 0.75 pt in print; no line is thinner, and no text smaller than 8 pt.
 
+use std::cell::RefCell;
+use std::rc::Rc;
+
 use plotters::coord::Shift;
 use plotters::coord::types::RangedCoordf64;
 use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
+
+use super::labels::{Area, Label, Named, Scene, Spot, area};
 
 /// Colours that stay apart for the colour-blind (Okabe and Ito, 2008), and in print.
 pub(in crate::report) const BLUE: RGBColor = RGBColor(0, 114, 178);
@@ -54,7 +59,7 @@ pub(in crate::report) enum Dash {
 }
 
 /// Colour, width in tenths of a pixel, and dashes of a line.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::report) struct Pen {
     pub(in crate::report) colour: RGBColor,
     pub(in crate::report) width: u32,
@@ -70,6 +75,11 @@ impl Pen {
     /// A line of 1.8 pixels, 1.35 pt.
     pub(in crate::report) fn thick(colour: RGBColor, dash: Dash) -> Self {
         Self { colour, width: 18, dash }
+    }
+
+    /// Does it draw what text may stand on: grids, areas and guides?
+    pub(super) fn is_pale(self) -> bool {
+        self.colour == PALE
     }
 
     /// The pen of the i-th curve of several: they differ in colour and, for those who see none, in their dashes.
@@ -91,10 +101,25 @@ pub(in crate::report) enum Dot {
     Small,
 }
 
+impl Dot {
+    /// In units of the sheet.
+    fn size(self) -> u16 {
+        match self {
+            Self::Filled => 30,
+            Self::Open => 52,
+            Self::Small => 22,
+        }
+    }
+
+    /// In pixels.
+    pub(super) fn radius(self) -> f64 {
+        f64::from(self.size()) / f64::from(UNITS)
+    }
+}
+
 /// Where a text lies from its point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::report) enum Lies {
-    Above,
     Below,
     Left,
     Right,
@@ -147,6 +172,7 @@ impl Frame {
 /// The sheet, and what can be put on it anywhere.
 pub(in crate::report) struct Canvas<'a> {
     sheet: Sheet<'a>,
+    scene: Rc<RefCell<Scene>>,
 }
 
 impl<'a> Canvas<'a> {
@@ -164,7 +190,7 @@ impl<'a> Canvas<'a> {
             let size = (width * UNITS.unsigned_abs(), height * UNITS.unsigned_abs());
             let sheet = SVGBackend::with_string(&mut svg, size).into_drawing_area();
             sheet.fill(&WHITE).map_err(failed)?;
-            draw(&Canvas { sheet: sheet.clone() })?;
+            draw(&Canvas { sheet: sheet.clone(), scene: Rc::default() })?;
             sheet.present().map_err(failed)?;
         }
         // The size on the page is in pixels, the drawing in units.
@@ -187,6 +213,8 @@ impl<'a> Canvas<'a> {
         colour: RGBColor,
     ) -> Drawn {
         let at = (units(x), units(y));
+        let anchor = (h, VPos::Center);
+        self.scene.borrow_mut().text(area(text, size, anchor, (f64::from(x), f64::from(y))));
         self.sheet.draw(&Text::new(text.to_owned(), at, style(size, h, VPos::Center, colour))).map_err(failed)
     }
 
@@ -215,13 +243,23 @@ impl<'a> Canvas<'a> {
             (frame.x.1 - frame.x.0) / f64::from(units(cell.right - cell.left)),
             (frame.y.1 - frame.y.0) / f64::from(units(cell.bottom - cell.top)),
         );
-        Panel { plot: self.sheet.apply_coord_spec(coordinates), frame, unit }
+        Panel {
+            plot: self.sheet.apply_coord_spec(coordinates),
+            sheet: self.sheet.clone(),
+            scene: self.scene.clone(),
+            cell,
+            frame,
+            unit,
+        }
     }
 }
 
 /// A part of the sheet with coordinates of its own.
 pub(in crate::report) struct Panel<'a> {
     plot: Plot<'a>,
+    sheet: Sheet<'a>,
+    scene: Rc<RefCell<Scene>>,
+    cell: Cell,
     /// What it shows.
     pub(in crate::report) frame: Frame,
     /// How much of either coordinate is one unit of the sheet.
@@ -231,6 +269,7 @@ pub(in crate::report) struct Panel<'a> {
 impl Panel<'_> {
     /// A line through the points.
     pub(in crate::report) fn line(&self, points: &[(f64, f64)], pen: Pen) -> Drawn {
+        self.scene.borrow_mut().stroke(pen, points.iter().map(|point| self.spot(*point)).collect());
         let style = pen.colour.stroke_width(pen.width);
         let (dash, gap) = match pen.dash {
             Dash::Solid => {
@@ -251,11 +290,8 @@ impl Panel<'_> {
 
     /// A marked point.
     pub(in crate::report) fn dot(&self, at: (f64, f64), dot: Dot, colour: RGBColor) -> Drawn {
-        let (size, inside) = match dot {
-            Dot::Filled => (30, colour),
-            Dot::Open => (52, WHITE),
-            Dot::Small => (22, colour),
-        };
+        self.scene.borrow_mut().dot(self.spot(at), dot);
+        let (size, inside) = (u32::from(dot.size()), if dot == Dot::Open { WHITE } else { colour });
         self.plot.draw(&Circle::new(at, size, inside.filled())).map_err(failed)?;
         if dot == Dot::Open {
             self.plot.draw(&Circle::new(at, size - 7, colour.stroke_width(14))).map_err(failed)?;
@@ -263,17 +299,66 @@ impl Panel<'_> {
         Ok(())
     }
 
-    /// Small text beside a point.
+    /// Small text beside a point, wherever that may be: for what stands at the edges of the panel.
     pub(in crate::report) fn text(&self, at: (f64, f64), text: &str, lies: Lies, colour: RGBColor) -> Drawn {
         let (offset, h, v) = match lies {
-            Lies::Above => ((0, -50), HPos::Center, VPos::Bottom),
             Lies::Below => ((0, 50), HPos::Center, VPos::Top),
             Lies::Left => ((-60, 0), HPos::Right, VPos::Center),
             Lies::Right => ((60, 0), HPos::Left, VPos::Center),
         };
+        let (x, y) = self.spot(at);
+        let pixels = |units: i32| f64::from(units) / f64::from(UNITS);
+        let anchor = (x + pixels(offset.0), y + pixels(offset.1));
+        self.scene.borrow_mut().text(area(text, SMALL, (h, v), anchor));
         let text = Text::new(text.to_owned(), offset, style(SMALL, h, v, colour));
         self.plot.draw(&(EmptyElement::at(at) + text)).map_err(failed)
     }
+
+    /// Small texts beside the points and lines that they name, and on nothing that has been drawn: they come last.
+    pub(super) fn labels(&self, labels: &[Label]) -> Drawn {
+        for label in labels {
+            let named = match &label.named {
+                Named::Point(at, best) => Named::Point(self.spot(*at), *best),
+                Named::Line(points, pen) => {
+                    Named::Line(points.iter().map(|point| self.spot(*point)).collect(), *pen)
+                }
+            };
+            let (x, y) = self.scene.borrow_mut().place(&Label { named, ..label.clone() }, self.bounds());
+            let at = (whole(x * f64::from(UNITS)), whole(y * f64::from(UNITS)));
+            let style = style(SMALL, HPos::Center, VPos::Center, label.colour);
+            self.sheet.draw(&Text::new(label.text.clone(), at, style)).map_err(failed)?;
+        }
+        Ok(())
+    }
+
+    /// Where labels may stand: in the cell, and in the margin above and beside it.
+    fn bounds(&self) -> Area {
+        const MARGIN: f64 = 12.0;
+        let Cell { left, top, right, bottom } = self.cell;
+        Area {
+            left: f64::from(left) - MARGIN,
+            top: f64::from(top) - MARGIN,
+            right: f64::from(right) + MARGIN,
+            bottom: f64::from(bottom),
+        }
+    }
+
+    /// A point of the frame on the sheet.
+    fn spot(&self, (x, y): (f64, f64)) -> Spot {
+        let Frame { x: (left, right), y: (low, high) } = self.frame;
+        let share = |at: f64, (from, to): (f64, f64), (first, last): (u32, u32)| {
+            f64::from(first) + (at - from) / (to - from) * (f64::from(last) - f64::from(first))
+        };
+        (
+            share(x, (left, right), (self.cell.left, self.cell.right)),
+            share(y, (low, high), (self.cell.bottom, self.cell.top)),
+        )
+    }
+}
+
+/// The nearest whole number of units: a place on a sheet is far within the range.
+fn whole(x: f64) -> i32 {
+    format!("{x:.0}").parse().unwrap_or_default()
 }
 
 fn style(size: u32, h: HPos, v: VPos, colour: RGBColor) -> TextStyle<'static> {

@@ -102,20 +102,45 @@ const UNIT_ABOVE: Weights = Weights { panels: &[ABOVE], ..UNIT };
 const WIDER: Weights = Weights { interval: (1, 3), from: 0, to: 6, panels: COMPARED };
 
 const PHI: &[&str] = &["Ill2.1", "phi.range", "phi.shape", "R2.2.2a"];
-const CONJUGATES: &[&str] = &["Ill2.1", "R2.2.2b", "R2.2.2c"];
+const CONJUGATES: &[&str] = &["Ill2.1", "R2.2.2b", "R2.2.2c", "Ill2.1.crucial"];
 const PERIODIC: &[&str] = &["Ill5.1.translate", "Ill5.1.support", "Ill5.1.effect"];
-const FIGURE_7: &[&str] = &["Ill5.1.fig7", "Ill5.1.translate", "Ill5.1.support"];
+const FIGURE_7: &[&str] = &["Ill5.1.fig7", "Ill5.1.translate", "Ill5.1.support", "D3.2.examples"];
 const UNEVEN: &[&str] = &["Ill5.2.support", "Ill5.1.effect", "Rem5.1.conj", "Rem5.1.approx"];
 const SYMMETRIC_BASIS: &[&str] = &["Ill5.3.symmetry", "T3.5.4", "Rem5.1.conj", "Rem5.1.approx"];
 const OPEN: &[&str] = &["P3.1.3", "Rem5.1.conj", "Rem5.1.approx"];
 const REGULARITY: &[&str] = &["Ill5.4.regularity", "Rem5.1.conj", "Rem5.1.approx"];
-const C5: &[&str] = &["Ill5.5.1", "Ill5.5.2", "Ill5.7.hull", "Rem5.2"];
-const C6: &[&str] = &["Ill5.6.k1", "Ill5.6.bezier", "Ill5.6.between", "Ill5.7.hull", "Rem5.2"];
-const C7: &[&str] = &["Ill5.7.local", "Ill5.7.hull", "Ill5.7.shift", "Rem5.2"];
-const SYMMETRY: &[&str] = &["Ill5.8.symmetry"];
-const DOUBLE_POINT: &[&str] = &["Ill5.8.symmetry", "Ill5.8.double"];
-const FIGURE_29: &[&str] = &["Ill5.8.fig29", "Ill5.8.symmetry", "Ill5.8.multiplicity"];
-const DOUBLE_KNOT: &[&str] = &["Ill5.8.symmetry", "Ill5.8.multiplicity"];
+const C5: &[&str] = &["Ill5.5.1", "Ill5.5.2", "Ill5.5.2.zero", "Ill5.5.2.general", "Ill5.7.hull", "Rem5.2"];
+const C6: &[&str] = &[
+    "Ill5.6.k1",
+    "Ill5.6.bezier",
+    "Ill5.6.bezier.function",
+    "Ill5.6.between",
+    "Ill5.6.increasing",
+    "Ill5.7.hull",
+    "Rem5.2",
+];
+const C7: &[&str] =
+    &["Ill5.7.local", "Ill5.7.hull", "Ill5.7.shift", "Ill5.7.shift.order", "Ill5.7.small", "Rem5.2"];
+const SYMMETRY: &[&str] = &["Ill5.8.symmetry", "Ill5.8.remarkable", "Fig27-33"];
+const DOUBLE_POINT: &[&str] =
+    &["Ill5.8.symmetry", "Ill5.8.double", "Ill5.8.double.near", "Ill5.8.remarkable", "Fig27-33"];
+const FIGURE_29: &[&str] = &[
+    "Ill5.8.fig29",
+    "Ill5.8.symmetry",
+    "Ill5.8.multiplicity",
+    "Ill5.8.double",
+    "Ill5.8.double.near",
+    "Ill5.8.remarkable",
+    "Fig27-33",
+];
+const DOUBLE_KNOT: &[&str] = &[
+    "Ill5.8.symmetry",
+    "Ill5.8.multiplicity",
+    "Ill5.8.double",
+    "Ill5.8.double.near",
+    "Ill5.8.remarkable",
+    "Fig27-33",
+];
 const C7_NAMES: &[&str] = &["C7a", "C7b", "C7c"];
 
 const fn paper(
@@ -192,7 +217,7 @@ const FIGURES: &[Figure] = &[
     paper(30, "fig30", "Fig. 30: S4, degree 3", SYMMETRY, symmetric(&["S4"])),
     paper(31, "fig31", "Fig. 31: S5, degree 3", DOUBLE_POINT, symmetric(&["S5"])),
     paper(32, "fig32", "Fig. 32: S6, degree 3", DOUBLE_KNOT, symmetric(&["S6"])),
-    paper(33, "fig33", "Fig. 33: S7, degree 3", SYMMETRY, symmetric(&["S7"])),
+    paper(33, "fig33", "Fig. 33: S7, degree 3", DOUBLE_POINT, symmetric(&["S7"])),
     ours(
         "derivative-jumps",
         "Derivatives jump at simple knots, and stop as α → ∞",

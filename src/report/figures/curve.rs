@@ -1,12 +1,15 @@
 //! Figures 22 to 33: curves with their control polygons, convex hulls and axes of symmetry.
 
+use std::collections::BTreeSet;
+
 use plotters::style::{BLACK, RGBColor};
 
 use crate::claims::{Instance, Reflection, instances_named};
 use crate::scalar::{BigRational, integer};
 use crate::spline::{Basis, Curve, Index, Point};
 
-use super::canvas::{Dash, Dot, Drawn, Frame, GREY, Lies, PALE, Panel, Pen, PictureError, failed};
+use super::canvas::{Dash, Dot, Drawn, Frame, GREY, PALE, Panel, Pen, PictureError, failed};
+use super::labels::{Label, Named};
 use super::layout::{BEHIND, PANEL, Sheet, grid, heading};
 use super::notation::{alpha, indexed, knots};
 use super::sample::{curve_point, float, planar, polygon};
@@ -55,22 +58,28 @@ pub(super) fn svg(title: &str, names: &[&str], panels: Panels, hull: bool) -> Re
         }
         (_, false) => "Dashed grey: control polygon; small dots: the knots on the curve.",
     };
-    Sheet { title, subtitle: &subtitle, note, cells: all.len(), panel }.svg(|canvas, number, cell| {
-        if all[number].is_empty() {
-            return canvas.legend(cell, &legend(&instances));
-        }
-        let panel = canvas.panel(cell, frame.with_equal_scales(cell));
-        let names: Vec<String> = all[number].iter().map(alpha).collect();
-        heading(
-            canvas,
-            cell,
-            &match names.as_slice() {
-                [one, two] => format!("k = {}, α = {one} (solid) and α = {two} (dashed)", first.degree),
-                _ => format!("{}α = {}", degree(&instances), names.join(", ")),
-            },
-        )?;
-        draw(&panel, &instances, &all[number], panels, hull)
-    })
+    let mut notes = vec![note];
+    if panels == Panels::Conjugates && instances.len() > 1 {
+        notes.push("Of the paper's α only ∞ and −1 can be read in the scan: those of the other nine panels are ours.");
+    }
+    Sheet { title, subtitle: &subtitle, notes: &notes, cells: all.len(), panel }.svg(
+        |canvas, number, cell| {
+            if all[number].is_empty() {
+                return canvas.legend(cell, &legend(&instances));
+            }
+            let panel = canvas.panel(cell, frame.with_equal_scales(cell));
+            let names: Vec<String> = all[number].iter().map(alpha).collect();
+            heading(
+                canvas,
+                cell,
+                &match names.as_slice() {
+                    [one, two] => format!("k = {}, α = {one} (solid) and α = {two} (dashed)", first.degree),
+                    _ => format!("{}α = {}", degree(&instances), names.join(", ")),
+                },
+            )?;
+            draw(&panel, &instances, &all[number], panels, hull)
+        },
+    )
 }
 
 /// The degree, if there is one for all.
@@ -150,7 +159,11 @@ fn draw(panel: &Panel<'_>, instances: &[Instance], indices: &[Index], panels: Pa
             curve(panel, &Curve::new(basis, points).map_err(failed)?, pen)?;
         }
     }
-    Ok(())
+    // Of polygons that differ in one point the ends are the same.
+    let mut labels: Vec<Label> = polygons.iter().flat_map(|points| point_labels(points)).collect();
+    let mut names = BTreeSet::new();
+    labels.retain(|label| names.insert(label.text.clone()));
+    panel.labels(&labels)
 }
 
 /// The pen of α, and that of 1 − α.
@@ -164,30 +177,34 @@ pub(super) fn control_polygon(panel: &Panel<'_>, points: &[Point]) -> Drawn {
     for corner in &corners {
         panel.dot(*corner, Dot::Small, BEHIND)?;
     }
-    // The ends, and what is there twice.
-    for (i, corner) in corners.iter().enumerate() {
-        let twice = corners.get(i + 1) == Some(corner);
-        let name = indexed("d", i);
-        let last = i + 1 == corners.len();
-        if twice {
-            panel.text(*corner, &format!("{name} = {}", indexed("d", i + 1)), Lies::Above, GREY)?;
-        } else if i == 0 && points.first() == points.last() {
-            panel.text(
-                *corner,
-                &format!("{name} = {}", indexed("d", points.len() - 1)),
-                Lies::Right,
-                GREY,
-            )?;
-        } else if i == 0 || (last && points.first() != points.last()) {
-            panel.text(*corner, &name, outwards(panel, *corner), GREY)?;
-        }
-    }
     Ok(())
 }
 
-/// Above in the upper half of the panel, and below in the lower.
-fn outwards(panel: &Panel<'_>, (_, y): (f64, f64)) -> Lies {
-    if y > f64::midpoint(panel.frame.y.0, panel.frame.y.1) { Lies::Above } else { Lies::Below }
+/// The names of the ends, and of what is there twice; best away from the middle of the polygon.
+fn point_labels(points: &[Point]) -> Vec<Label> {
+    let corners: Vec<_> = points.iter().map(planar).collect();
+    let Frame { x, y } = Frame::of(corners.iter().copied());
+    let middle = (f64::midpoint(x.0, x.1), f64::midpoint(y.0, y.1));
+    let closed = points.first() == points.last();
+    let mut labels = Vec::new();
+    for (i, &at) in corners.iter().enumerate() {
+        let same = match (i, points.get(i + 1) == Some(&points[i])) {
+            (_, true) => Some(i + 1),
+            (0, false) if closed => Some(points.len() - 1),
+            _ => None,
+        };
+        let text = match same {
+            Some(other) => format!("{} = {}", indexed("d", i), indexed("d", other)),
+            None if !closed && (i == 0 || i + 1 == points.len()) => indexed("d", i),
+            None => continue,
+        };
+        // The second coordinate of the sheet goes down.
+        let away = (at.0 - middle.0, middle.1 - at.1);
+        let length = away.0.hypot(away.1).max(f64::MIN_POSITIVE);
+        let named = Named::Point(at, (away.0 / length, away.1 / length));
+        labels.push(Label { text, colour: GREY, named });
+    }
+    labels
 }
 
 fn curve(panel: &Panel<'_>, curve: &Curve, pen: Pen) -> Drawn {

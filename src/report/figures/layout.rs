@@ -15,9 +15,9 @@ use super::sample::float;
 /// The width of a figure in pixels: 210 mm, a page.
 const WIDTH: u32 = 800;
 const COLUMNS: usize = 2;
-/// The heights of the title and of the note below the panels.
+/// The heights of the title, and of a note below the panels.
 const TITLE: u32 = 58;
-const NOTE: u32 = 26;
+const NOTE: u32 = 17;
 /// What is left free around the panel of a cell: left, above, right, below.
 const MARGINS: (u32, u32, u32, u32) = (40, 26, 14, 40);
 /// The width of a panel.
@@ -29,8 +29,8 @@ pub(super) struct Sheet<'a> {
     pub(super) title: &'a str,
     /// In small ones below.
     pub(super) subtitle: &'a str,
-    /// What the marks mean.
-    pub(super) note: &'a str,
+    /// What the marks mean, and what else is to be said: a line each.
+    pub(super) notes: &'a [&'a str],
     /// How many cells there are.
     pub(super) cells: usize,
     /// The height of a panel.
@@ -48,11 +48,14 @@ impl Sheet<'_> {
     ) -> Result<String, PictureError> {
         let row = self.panel + MARGINS.1 + MARGINS.3;
         let rows = u32::try_from(self.cells.div_ceil(COLUMNS)).unwrap_or(1);
-        let size = (WIDTH, TITLE + rows * row + NOTE);
+        let notes = u32::try_from(self.notes.len()).unwrap_or_default();
+        let size = (WIDTH, TITLE + rows * row + notes * NOTE + 9);
         Canvas::svg(self.title, size, |canvas| {
             canvas.text(self.title, (14, 22), LARGE, HPos::Left, BLACK)?;
             canvas.text(self.subtitle, (14, 43), SMALL, HPos::Left, GREY)?;
-            canvas.text(self.note, (14, size.1 - 14), SMALL, HPos::Left, GREY)?;
+            for (note, up) in self.notes.iter().rev().zip(0..) {
+                canvas.text(note, (14, size.1 - 14 - up * NOTE), SMALL, HPos::Left, GREY)?;
+            }
             let places = (0..rows).flat_map(|row| [(row, 0), (row, WIDTH / 2)]);
             for (number, (place, left)) in places.take(self.cells).enumerate() {
                 let (left, top) = (left + MARGINS.0, TITLE + place * row + MARGINS.1);

@@ -28,7 +28,7 @@ pub(super) fn svg(title: &str, name: &str) -> Result<String, PictureError> {
     let panels = [(Way::Zero, indices), (Way::Infinity, conjugates)];
     let frame = Frame::of(instance.points.iter().flatten().map(planar)).padded(0.07, 0.09);
     let subtitle = format!("A curve of degree {} on U = {}", instance.degree, knots(&instance.knots));
-    Sheet { title, subtitle: &subtitle, note: NOTE, cells: 4, panel: 150 }.svg(|canvas, number, cell| {
+    Sheet { title, subtitle: &subtitle, notes: &[NOTE], cells: 4, panel: 150 }.svg(|canvas, number, cell| {
         let Some((way, indices)) = panels.get(number) else {
             let (_, indices) = &panels[number - 2];
             let curve = |(i, index)| (pen(i), format!("α = {}", alpha(index)));

@@ -7,9 +7,8 @@ use resvg::usvg::fontdb::Database;
 use resvg::usvg::{Options, Tree};
 
 use super::canvas::{PictureError, failed};
+use super::metrics::FONT;
 
-/// DejaVu Sans, reduced to the characters that the figures need.
-const FONT: &[u8] = include_bytes!("font/DejaVuSans-subset.ttf");
 /// Pixels of the PNG for one of the SVG: at 96 pixels an inch, 192 dots an inch.
 const SCALE: u16 = 2;
 

@@ -32,7 +32,7 @@ pub(super) fn svg(title: &str, name: &str) -> Result<String, PictureError> {
     let subtitle =
         format!("D⁺G − D⁻G at the inner knots of U = {}, degree {}", knots(&instance.knots), instance.degree);
     let cells = places.len() + 1;
-    Sheet { title, subtitle: &subtitle, note: NOTE, cells, panel: 230 }.svg(|canvas, number_of, cell| {
+    Sheet { title, subtitle: &subtitle, notes: &[NOTE], cells, panel: 230 }.svg(|canvas, number_of, cell| {
         let Some(at) = places.get(number_of) else {
             let mut pens: Vec<_> = lines.iter().flatten().map(|line| (line.i, Pen::nth(line.i))).collect();
             pens.sort_by_key(|(i, _)| *i);

@@ -10,7 +10,10 @@ use super::layout::{Sheet, heading, knot_axis, levels};
 use super::notation::alpha;
 use super::sample::{float, polygon};
 
-const NOTE: &str = "φ is 0 outside of [a, b). At b ○ is the limit from the left, ● the value.";
+const NOTES: &[&str] = &[
+    "φ is 0 outside of [a, b). At b ○ is the limit from the left, ● the value.",
+    "Which α the paper draws cannot be read in the scan: these are ours.",
+];
 
 /// φ_α(x, a, b) for x from `from` to `to`.
 #[derive(Debug)]
@@ -36,16 +39,17 @@ pub(super) fn svg(title: &str, weights: &Weights) -> Result<String, PictureError
         .map(|panel| panel.iter().map(|text| text.parse()).collect::<Result<_, _>>())
         .collect::<Result<_, _>>()
         .map_err(failed)?;
-    // The last cell says which line is which.
-    let sheet = Sheet { title, subtitle: &subtitle, note: NOTE, cells: all.len() + 1, panel: 210 };
-    let pens: Vec<(Pen, String)> =
-        distinct(&all).into_iter().zip(0..).map(|(index, i)| (Pen::nth(i), alpha(index))).collect();
+    // Beside each panel, a cell says which of its lines is which.
+    let sheet = Sheet { title, subtitle: &subtitle, notes: NOTES, cells: 2 * all.len(), panel: 210 };
     sheet.svg(|canvas, number, cell| {
-        let Some(indices) = all.get(number) else {
-            let entries: Vec<_> = pens.iter().map(|(pen, alpha)| (*pen, format!("α = {alpha}"))).collect();
+        let pens: Vec<(Pen, &Index)> =
+            all[number / 2].iter().enumerate().map(|(i, index)| (Pen::nth(i), index)).collect();
+        if number % 2 == 1 {
+            let entries: Vec<_> =
+                pens.iter().map(|(pen, index)| (*pen, format!("α = {}", alpha(index)))).collect();
             return canvas.legend(cell, &entries);
-        };
-        let names: Vec<_> = indices.iter().map(alpha).collect();
+        }
+        let names: Vec<_> = all[number / 2].iter().map(alpha).collect();
         heading(canvas, cell, &format!("α = {}", names.join(", ")))?;
         let frame = Frame {
             x: (float(&rational(weights.from, 1)), float(&rational(weights.to, 1))),
@@ -54,24 +58,11 @@ pub(super) fn svg(title: &str, weights: &Weights) -> Result<String, PictureError
         let panel = canvas.panel(cell, frame);
         levels(&panel, &[integer(0), rational(1, 2), integer(1)])?;
         knot_axis(&panel, &knots, 0.0)?;
-        for index in indices {
-            let pen =
-                pens.iter().find(|(_, name)| *name == alpha(index)).map_or(Pen::nth(0), |(pen, _)| *pen);
+        for (pen, index) in pens {
             graph(&panel, &knots, index, pen)?;
         }
         ends(&panel, &knots)
     })
-}
-
-/// All indices, once each, in the order in which they come.
-fn distinct(panels: &[Vec<Index>]) -> Vec<&Index> {
-    let mut distinct: Vec<&Index> = Vec::new();
-    for index in panels.iter().flatten() {
-        if !distinct.contains(&index) {
-            distinct.push(index);
-        }
-    }
-    distinct
 }
 
 fn graph(panel: &Panel<'_>, knots: &KnotVector, index: &Index, pen: Pen) -> Drawn {

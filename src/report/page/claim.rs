@@ -1,18 +1,26 @@
 //! What the page shows of one claim.
 
 use super::super::Report;
+use super::super::again::again;
 use super::super::figures::all;
 use super::super::record::{Finding, Grounds, Record, Stated};
+use super::super::summary::UNASSIGNED;
+use super::example::{self, Example, example};
 use super::working::{Setting, Working, workings};
 use super::{PageSource, formula};
 
-use crate::claims::Witness;
+use crate::claims::{Severity, Witness};
 
 /// One row of the table of verdicts.
 pub(super) struct Row<'a> {
     pub(super) id: &'a str,
     pub(super) locator: &'a str,
+    /// The sentence, in HTML.
+    pub(super) statement: String,
     pub(super) status: &'a str,
+    /// Of a refutation: its severity; empty if there is none.
+    pub(super) severity: &'a str,
+    pub(super) badge: String,
     pub(super) printed: String,
     pub(super) amended: String,
     pub(super) amended_status: &'a str,
@@ -22,11 +30,10 @@ pub(super) struct Row<'a> {
     pub(super) text: String,
 }
 
-fn verdict(finding: &Finding) -> String {
-    match finding.reach() {
-        Some(reach) => format!("{} ({reach})", finding.status),
-        None => finding.status.clone(),
-    }
+/// The classes of a badge: a refutation is red only if it is serious.
+fn badge(record: &Record) -> String {
+    let status = &record.as_printed.finding.status;
+    if record.is_serious() { format!("{status} serious") } else { status.clone() }
 }
 
 /// The row of a claim.
@@ -40,9 +47,12 @@ pub(super) fn row(record: &Record) -> Row<'_> {
     Row {
         id: &record.id,
         locator: &record.locator,
+        statement: formula::html(&record.statement),
         status: &printed.status,
-        printed: verdict(printed),
-        amended: amended.map(verdict).unwrap_or_default(),
+        severity: record.severity.map_or("", Severity::name),
+        badge: badge(record),
+        printed: record.words(),
+        amended: amended.map(Finding::words).unwrap_or_default(),
         amended_status: amended.map_or("", |finding| finding.status.as_str()),
         scope: standing.scope.as_deref().unwrap_or(""),
         text: text.join(" ").to_lowercase(),
@@ -55,6 +65,9 @@ pub(super) struct Section<'a> {
     pub(super) statement: &'a str,
     pub(super) parts: Vec<Part<'a>>,
     pub(super) degrees: Vec<OfDegree<'a>>,
+    /// What stands behind a refutation, how bad it is, and why.
+    pub(super) cause: Option<String>,
+    pub(super) example: Option<Example>,
     pub(super) note: Option<String>,
     pub(super) figures: Vec<Figure<'a>>,
     pub(super) command: String,
@@ -63,7 +76,7 @@ pub(super) struct Section<'a> {
 /// A statement, as printed or as amended.
 pub(super) struct Part<'a> {
     pub(super) title: &'static str,
-    pub(super) status: &'a str,
+    pub(super) badge: String,
     pub(super) verdict: String,
     pub(super) statement: String,
     pub(super) hypotheses: Vec<String>,
@@ -82,7 +95,7 @@ pub(super) struct Shown<'a> {
     pub(super) claimed: String,
     pub(super) found: String,
     pub(super) workings: Vec<Working>,
-    pub(super) command: Option<&'a str>,
+    pub(super) command: String,
     pub(super) panel: Option<String>,
 }
 
@@ -136,7 +149,7 @@ const FIGURES: &[(&str, &str, &str)] = &[
 ];
 
 /// The figures of a claim, out of the pictures that there are.
-fn figures<'a>(claim: &str, pictures: &'a [(String, String)]) -> Vec<Figure<'a>> {
+pub(super) fn figures<'a>(claim: &str, pictures: &'a [(String, String)]) -> Vec<Figure<'a>> {
     let found = |&(of, file, caption): &(&str, &str, &'static str)| {
         let (_, svg) = pictures.iter().find(|(name, _)| of == claim && name == file)?;
         Some(Figure { caption, svg })
@@ -172,13 +185,13 @@ fn panel(witness: &Witness) -> Option<String> {
 }
 
 impl<'a> Shown<'a> {
-    fn of(witness: &'a Witness, worked: bool) -> Self {
+    fn of(claim: &str, witness: &'a Witness, worked: bool) -> Self {
         Self {
             given: &witness.given,
             claimed: formula::html(&witness.claimed),
             found: formula::html(&witness.found),
             workings: if worked { workings(witness) } else { Vec::new() },
-            command: witness.reproduce.as_deref(),
+            command: again(claim, witness),
             panel: panel(witness),
         }
     }
@@ -191,17 +204,17 @@ impl<'a> Section<'a> {
             let name = finding.certificate.as_deref()?;
             Some(Certificate { name, folder: source.certificates, steps: report.steps.get(name).copied() })
         };
-        let part = |title, stated: &'a Stated| {
+        let part = |title, badge: String, verdict: String, stated: &'a Stated| {
             let finding = &stated.finding;
             Part {
                 title,
-                status: &finding.status,
-                verdict: verdict(finding),
+                badge,
+                verdict,
                 statement: formula::html(&stated.statement),
                 hypotheses: stated.hypotheses.iter().map(|hypothesis| formula::html(hypothesis)).collect(),
                 grounds: stated.rests_on.as_ref().map(decided),
                 reason: finding.reason.as_deref().map(formula::html),
-                witness: finding.witness.as_ref().map(|witness| Shown::of(witness, true)),
+                witness: finding.witness.as_ref().map(|witness| Shown::of(&record.id, witness, true)),
                 remarks: &finding.remarks,
                 certificate: certificate(finding),
                 checked_by: finding.checked_by.join(", "),
@@ -213,16 +226,28 @@ impl<'a> Section<'a> {
                 }),
             }
         };
-        let mut parts = vec![part("As printed", &record.as_printed)];
-        parts.extend(record.amended.as_ref().map(|stated| part("As amended", stated)));
+        let mut parts = vec![part("As printed", badge(record), record.words(), &record.as_printed)];
+        parts.extend(
+            record.amended.as_ref().map(|stated| {
+                part("As amended", stated.finding.status.clone(), stated.finding.words(), stated)
+            }),
+        );
+        let cause = record.severity.zip(record.severity_because.as_ref()).map(|(severity, because)| {
+            let cause = record.cause.map_or(UNASSIGNED, |cause| cause.words());
+            formula::html(&format!("Cause: {cause}. Severity: {}, {because}.", severity.name()))
+        });
+        let command = match &record.as_printed.finding.witness {
+            Some(witness) => again(&record.id, witness),
+            None => format!("knotproof report --claim {}", record.id),
+        };
         let degrees = record
             .by_degree
             .iter()
             .map(|of| OfDegree {
                 degree: of.degree,
                 status: &of.finding.status,
-                verdict: verdict(&of.finding),
-                witness: of.finding.witness.as_ref().map(|witness| Shown::of(witness, false)),
+                verdict: of.finding.words(),
+                witness: of.finding.witness.as_ref().map(|witness| Shown::of(&record.id, witness, false)),
                 grounds: of.rests_on.as_ref().map(decided),
                 certificate: certificate(&of.finding),
             })
@@ -232,9 +257,11 @@ impl<'a> Section<'a> {
             statement: &record.statement,
             parts,
             degrees,
+            cause,
+            example: (record.id == example::CLAIM).then(example).flatten(),
             note: record.note.as_deref().map(formula::html),
             figures: figures(&record.id, source.pictures),
-            command: format!("knotproof report --claim {}", record.id),
+            command,
         }
     }
 }

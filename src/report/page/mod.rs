@@ -5,6 +5,7 @@
 
 mod claim;
 mod escape;
+mod example;
 mod formula;
 mod instances;
 mod working;
@@ -14,15 +15,28 @@ use std::collections::BTreeSet;
 use askama::Template;
 use thiserror::Error;
 
-use super::Report;
 use super::baseline::Difference;
+use super::corners::Corner;
+use super::dependence::Dependency;
+use super::opening::{CONJECTURE, opening};
+use super::paper::Paper;
+use super::record::by_severity;
+use super::{PictureError, Report, dependence_picture};
 
-use claim::{Row, Section, row};
+use crate::claims::Source;
+
+use claim::{Figure, Row, Section, figures, row};
 
 /// Why there is no page: a bug of this program.
 #[derive(Debug, Error)]
-#[error("the page of the report could not be written: {0}")]
-pub struct PageError(#[from] askama::Error);
+pub enum PageError {
+    /// The template.
+    #[error("the page of the report could not be written: {0}")]
+    Template(#[from] askama::Error),
+    /// A picture in it.
+    #[error(transparent)]
+    Picture(#[from] PictureError),
+}
 
 /// What a page is made from, besides the report.
 #[derive(Debug, Clone, Copy)]
@@ -33,6 +47,16 @@ pub struct PageSource<'a> {
     pub pictures: &'a [(String, String)],
     /// Where the folder of certificates is, seen from the page; without it, certificates are only named.
     pub certificates: Option<&'a str>,
+    /// What there is beside the page: what it is, and the name of its file.
+    pub beside: &'a [(&'a str, &'a str)],
+}
+
+/// One source of statements, with its counts and its rows.
+struct Table<'a> {
+    id: &'static str,
+    title: &'static str,
+    counts: String,
+    rows: Vec<Row<'a>>,
 }
 
 /// The template, and the fields that it shows.
@@ -44,12 +68,22 @@ struct Page<'a> {
     panel_script: &'static str,
     instances: String,
     version: &'static str,
-    tallies: Vec<(&'static str, usize)>,
+    paper: Paper,
+    /// What matters, in lines of HTML, and the picture of the conjecture.
+    opening: Vec<String>,
+    picture: Option<Figure<'a>>,
+    count: usize,
     statuses: Vec<&'a str>,
+    severities: Vec<&'a str>,
     scopes: Vec<&'a str>,
-    rows: Vec<Row<'a>>,
+    tables: Vec<Table<'a>>,
+    uses: Vec<(&'a Dependency, String)>,
+    dependence: String,
+    corners: &'a [Corner],
     sections: Vec<Section<'a>>,
     compared: Option<(&'a str, &'a [Difference])>,
+    beside: &'a [(&'a str, &'a str)],
+    certificates: Option<&'a str>,
 }
 
 /// The page: HTML with its style and its scripts, and no reference to anything outside but certificates.
@@ -60,25 +94,39 @@ struct Page<'a> {
 /// [`PageError`].
 pub fn page(report: &Report, source: &PageSource<'_>) -> Result<String, PageError> {
     let rows: Vec<Row<'_>> = report.claims.iter().map(row).collect();
-    let statuses = distinct(&rows, |row| row.status);
-    let scopes = distinct(&rows, |row| row.scope);
-    let tallies = ["proved", "refuted", "undecided", "not-formal"]
-        .map(|status| (status, rows.iter().filter(|row| row.status == status).count()))
-        .into_iter()
-        .filter(|(_, count)| *count > 0)
-        .collect();
+    let table = |id, title, source, counts: &super::Counts| Table {
+        id,
+        title,
+        counts: counts.words(),
+        rows: by_severity(&report.claims, source).into_iter().map(row).collect(),
+    };
+    let tables = [
+        table("table", "The paper's statements", Source::Paper, &report.summary.paper),
+        table("questions", "Our questions", Source::Question, &report.summary.questions),
+    ];
+    let why = |one: &'_ Dependency| formula::html(one.why.unwrap_or_default());
+    let uses = &report.dependence.uses;
     let page = Page {
         style: include_str!("page.css"),
         page_script: include_str!("page.js"),
         panel_script: include_str!("panel.js"),
         instances: instances::json(),
         version: env!("CARGO_PKG_VERSION"),
-        tallies,
-        statuses,
-        scopes,
+        paper: report.paper,
+        opening: opening(report).iter().map(|line| formula::html(line)).collect(),
+        picture: figures(CONJECTURE, source.pictures).into_iter().next(),
+        count: rows.len(),
+        statuses: distinct(&rows, |row| row.status),
+        severities: distinct(&rows, |row| row.severity),
+        scopes: distinct(&rows, |row| row.scope),
+        tables: tables.into_iter().filter(|table| !table.rows.is_empty()).collect(),
+        uses: uses.iter().map(|one| (one, why(one))).collect(),
+        dependence: if uses.is_empty() { String::new() } else { dependence_picture(report)? },
+        corners: &report.corners,
         sections: report.claims.iter().map(|record| Section::of(record, report, source)).collect(),
-        rows,
         compared: source.compared,
+        beside: source.beside,
+        certificates: source.certificates,
     };
     Ok(page.render()?)
 }

@@ -3,17 +3,17 @@
 {
   const byId = (id) => document.getElementById(id);
   const all = (selector) => [...document.querySelectorAll(selector)];
-  const rows = all("#table tbody tr");
+  const rows = all(".verdicts tbody tr");
   const sections = new Map(all("details.claim").map((section) => [section.dataset.claim, section]));
 
   // The filter hides rows of the table, and the sections of the same claims.
   const filter = () => {
-    const [status, scope] = [byId("status").value, byId("scope").value];
+    const chosen = ["status", "severity", "scope"].map((id) => [id, byId(id).value]);
     const words = byId("search").value.toLowerCase().split(/\s+/).filter(Boolean);
     let shown = 0;
     for (const row of rows) {
       const { claim, text } = row.dataset;
-      const fits = (!status || row.dataset.status === status) && (!scope || row.dataset.scope === scope)
+      const fits = chosen.every(([id, value]) => !value || row.dataset[id] === value)
         && words.every((word) => text.includes(word));
       row.hidden = !fits;
       sections.get(claim).hidden = !fits;
@@ -22,19 +22,18 @@
     byId("count").textContent = `${shown} of ${rows.length} claims`;
     byId("none").hidden = shown > 0;
   };
-  for (const id of ["search", "status", "scope"]) byId(id).addEventListener("input", filter);
+  for (const id of ["search", "status", "severity", "scope"]) byId(id).addEventListener("input", filter);
   byId("filter").addEventListener("submit", (event) => event.preventDefault());
   byId("filter").addEventListener("reset", () => setTimeout(filter));
 
-  // #claim=ID opens the claim, #panel=… sets the panel.
+  // #ID opens the claim (so does #claim=ID, of older pages), #panel=… sets the panel.
   const follow = () => {
     const hash = location.hash.slice(1);
-    if (hash.startsWith("claim=")) {
-      const section = sections.get(decodeURIComponent(hash.slice("claim=".length)));
-      if (!section) return;
+    const section = sections.get(decodeURIComponent(hash.replace(/^claim=/, "")));
+    if (section) {
       if (section.hidden) {
         byId("filter").reset();
-        for (const id of ["search", "status", "scope"]) byId(id).value = "";
+        for (const id of ["search", "status", "severity", "scope"]) byId(id).value = "";
         filter();
       }
       section.open = true;
@@ -48,7 +47,7 @@
   addEventListener("hashchange", follow);
   for (const section of sections.values()) {
     section.querySelector("summary").addEventListener("click", () => {
-      if (!section.open) history.replaceState(null, "", `#claim=${section.dataset.claim}`);
+      if (!section.open) history.replaceState(null, "", `#${section.dataset.claim}`);
     });
   }
   const every = (open) => sections.forEach((section) => { section.open = open; });

@@ -125,7 +125,7 @@ fn difference(high: &BigRational, low: &BigRational) -> String {
 }
 
 /// The triangle at x, seen from the side; `None` outside of [t_0, t_m], where there is nothing to compute.
-fn working(basis: &Basis, x: &BigRational, side: Side, derivatives: bool) -> Option<Working> {
+pub(super) fn working(basis: &Basis, x: &BigRational, side: Side, derivatives: bool) -> Option<Working> {
     let (knots, k, m) = (basis.knots(), basis.degree(), basis.knots().m());
     let span = knots.span_at(x, side)?;
     let (j, (start, end)) = (span.index(), knots.ends(span).ok()?);

@@ -57,19 +57,31 @@ pub(super) fn refutation(claim: &str, found: &Found<'_>) -> Refuted {
                 found.section(&differ(&value, &wanted.to_string())),
             )
         }
-        "abstract.regularity" => {
-            let goal = |i| {
-                let value = |side| found.value(&x()?, side, i);
-                Some(format!("(= {} {})", value(Side::Left)?, value(Side::Right)?))
-            };
-            if found.natural("p")? != k {
+        "P3.3.1" | "P3.3.2" => {
+            let (x, i) = (x()?, i()?);
+            let value = found.value(&x, Side::Left, i)?;
+            if x != *knots.last() {
                 return None;
             }
-            let goals: Option<String> = (0..=n).map(goal).collect();
-            (
-                "The knot has multiplicity k, so that derivatives of order ≤ 0 are meant: and no function jumps there.",
-                found.section(&goals?),
-            )
+            match (claim, i) {
+                // The functions of degree k − 1 on their own knots, B.
+                ("P3.3.1", i) if i + 1 == k => {
+                    let below: String = knots.knots()[1..knots.m()].iter().map(|t| format!(" {t}")).collect();
+                    let limit = Place::end(i).on('B').value("G", i, i);
+                    (
+                        "At b, the limit of B_{k−1}^k is 0; on the right side w is 0 by definition (a ≤ x < b does not hold), and what remains is B_{k−1}^{k−1}, on the knots B, with the limit 1.",
+                        found.section_with(
+                            &format!("(knots B 0{below})"),
+                            &format!("(= {value} 0) (= {limit} 1)"),
+                        ),
+                    )
+                }
+                ("P3.3.2", 0) => (
+                    "At b, the function is 0, as a limit and by definition; on the right side w is 0 by definition (a ≤ x < b does not hold), so that for i = 0 it is 1.",
+                    found.section(&format!("(= {value} 0)")),
+                ),
+                _ => return None,
+            }
         }
         "L3.8" | "L3.9" => end_relations(claim, found)?,
         "L3.10" | "T3.11.3a" | "T3.11.3b" => {

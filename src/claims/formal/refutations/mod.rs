@@ -4,8 +4,11 @@ mod approximation;
 mod basis;
 mod found;
 mod illustrations;
+mod influence;
 mod maximum;
+mod proofs_steps;
 mod questions;
+mod sentences;
 mod weight;
 
 use crate::claims::verdict::{Scope, Witness};
@@ -20,6 +23,13 @@ pub(super) fn refutation(claim: &str, witness: &Witness) -> Option<Formal> {
     let found = Found::new(witness);
     let of_basis = |found| {
         let parts = [
+            sentences::refutation,
+            basis::refutation,
+            maximum::refutation,
+            illustrations::refutation,
+            influence::refutation,
+            proofs_steps::refutation,
+            questions::refutation,
             basis::refutation,
             maximum::refutation,
             illustrations::refutation,

@@ -1,0 +1,184 @@
+//! Sentences of the paper besides its theorems: definitions, captions, steps of proofs, what the text says on pictures and
+//! on the class as a whole. Their verdicts, and that each formal statement about them, made false at one place, has no
+//! proof.
+
+use std::sync::LazyLock;
+
+use knotproof::certificate::{Certificate, Form, Sexp, Statement, prove, statement};
+use knotproof::claims::{Cases, Cause, Claim, Judged, Verdict, claims};
+use knotproof_checker::check;
+use rayon::prelude::*;
+
+static CLAIMS: LazyLock<Vec<Claim>> = LazyLock::new(claims);
+
+fn claim(id: &str) -> &'static Claim {
+    CLAIMS.iter().find(|claim| claim.id == id).expect(id)
+}
+
+/// The sentences that are true as printed.
+const TRUE: [&str; 8] = [
+    "abstract.bezier",
+    "Ill2.1.crucial",
+    "D3.2.stop",
+    "P3.1.extension",
+    "Ill5.5.2.zero",
+    "Ill5.6.increasing",
+    "Ill5.7.small",
+    "Fig27-33",
+];
+
+/// A claim, names and values of its witness, and why it fails.
+type Refuted = (&'static str, &'static [(&'static str, &'static str)], Cause);
+
+/// Those that are false as printed, with what is given for each witness, in part, and why it fails.
+#[rustfmt::skip]
+const FALSE: [Refuted; 16] = [
+    ("abstract.classical", &[("property", "X.linear"), ("k", "1")], Cause::Conjecture),
+    ("abstract.bezier.points", &[("k", "1"), ("U", "(0, 0, 1, 1)")], Cause::VagueWords),
+    ("D3.1.interval", &[("k", "1"), ("U", "(0, 0, 1, 2)"), ("i", "3")], Cause::EndPoints),
+    ("D3.2.examples", &[("instance", "U0"), ("k", "3")], Cause::EndPoints),
+    ("P4.2.tangent", &[("k", "1"), ("d", "d_0 = d_1 = 0, d_2 = … = d_2 = 1")], Cause::VagueWords),
+    ("T4.1.range", &[("k", "1"), ("j", "1"), ("r", "0"), ("i", "0")], Cause::IndexRange),
+    ("Ill5.5.2.general", &[("instance", "C5"), ("α", "-4")], Cause::Picture),
+    ("Ill5.8.remarkable", &[("instance", "S3"), ("α", "-1/2")], Cause::Picture),
+    ("C6.classical", &[("property", "X.linear"), ("k", "1")], Cause::Conjecture),
+    ("proof.T3.5.3.iff", &[("k", "1"), ("U", "(0, 0, 1, 1)"), ("i", "1"), ("j", "1"), ("x", "0")], Cause::ProofStep),
+    ("proof.P4.1.2.iff", &[("k", "1"), ("U", "(0, 0, 1, 1)"), ("i", "1"), ("j", "1"), ("x", "0")], Cause::ProofStep),
+    ("proof.P3.1.2.induction", &[("k", "1")], Cause::ProofStep),
+    ("proof.P3.2.hypothesis", &[("k", "1"), ("i", "0")], Cause::ProofStep),
+    ("proof.T3.5.4.base", &[("k", "0")], Cause::ProofStep),
+    ("proof.T3.5.4.corollary", &[("k", "1")], Cause::OutsideInterval),
+    ("proof.P4.3.bisector", &[("k", "1"), ("i", "1")], Cause::ProofStep),
+];
+
+/// Judging all of them takes a few seconds: the tests share it.
+static JUDGED: LazyLock<Vec<(&str, Judged)>> = LazyLock::new(|| {
+    let cases = Cases::all();
+    let ids = TRUE.into_iter().chain(FALSE.map(|(id, ..)| id));
+    ids.map(|id| (id, claim(id).judge(&cases).expect("no two computations disagree"))).collect()
+});
+
+fn judged(id: &str) -> &'static Judged {
+    &JUDGED.iter().find(|(of, _)| *of == id).expect(id).1
+}
+
+#[test]
+fn what_is_true_as_printed_is_proved() {
+    for id in TRUE {
+        assert!(matches!(judged(id).printed, Verdict::Proved { .. }), "{id}: {:?}", judged(id).printed);
+        assert!(claim(id).amended.is_none() && claim(id).cause.is_none(), "{id}");
+    }
+}
+
+#[test]
+fn what_is_false_has_the_smallest_witness_a_cause_and_an_amendment_that_is_proved() {
+    for (id, given, cause) in FALSE {
+        let Judged { printed, amended, .. } = judged(id);
+        let Verdict::Refuted(witness) = printed else { unreachable!("{id}: {printed:?}") };
+        for (name, value) in given {
+            let found =
+                witness.given.iter().find(|(known, _)| known == name).map(|(_, value)| value.as_str());
+            assert_eq!(found, Some(*value), "{id}: {name} in {witness}");
+        }
+        assert!(matches!(amended, Some(Verdict::Proved { .. })), "{id}: {amended:?}");
+        assert_eq!(claim(id).cause, Some(cause), "{id}");
+    }
+}
+
+/// The enclosures of the eight distances tell the two columns of Fig. 22 apart.
+#[test]
+fn the_columns_of_figure_22_are_told_apart() {
+    let Verdict::Proved { reach, .. } = &judged("Ill5.5.2.zero").printed else {
+        unreachable!("it is proved")
+    };
+    let expected = [
+        ("-4", "[0.24798, 0.24799]", "[0.24718, 0.24719]"),
+        ("-1/2", "[1.19646, 1.19647]", "[1.16154, 1.16155]"),
+        ("-1/5", "[1.89055, 1.89056]", "[1.78777, 1.78778]"),
+        ("-1/7", "[2.15128, 2.15129]", "[2.04915, 2.04917]"),
+    ];
+    assert_eq!(reach.remarks.len(), expected.len());
+    for (remark, (alpha, own, other)) in reach.remarks.iter().zip(expected) {
+        let text = format!("lies in {own} for α = {alpha}, in {other} for α = ");
+        assert!(remark.contains(&text), "{remark}: {text}");
+    }
+}
+
+/// Formal statements, each made false at one place.
+#[rustfmt::skip]
+const MISSES: &[(&str, Form, [&str; 2])] = &[
+    ("abstract.classical", Form::Amended, ["(> ", "(< "]),
+    ("C6.classical", Form::Amended, ["(- (+ k 1) q)", "(- (+ k 2) q)"]),
+    ("abstract.bezier", Form::Printed, ["(> ", "(< "]),
+    ("abstract.bezier.points", Form::Amended, ["(* r u)", "(/ u r)"]),
+    ("Ill2.1.crucial", Form::Printed, ["(^ (- 1 u) 2)", "(^ (- 2 u) 2)"]),
+    ("D3.1.interval", Form::Amended, ["(< (t A 0)", "(> (t A 0)"]),
+    ("D3.2.examples", Form::Amended, ["(< (t A", "(> (t A"]),
+    ("P3.1.extension", Form::Printed, ["(G i k (to A 0))", "(/ 1 (G i k (to A 0)))"]),
+    ("P4.2.tangent", Form::Amended, ["(order i k (in A k) i)", "(order i k (in A k) 1)"]),
+    ("T4.1.range", Form::Amended, ["(each i (- (+ q 1) k)", "(each i (- q k)"]),
+    ("Ill5.5.2.zero", Form::Printed, ["(let r 4/5)", "(let r 9/10)"]),
+    ("Ill5.5.2.general", Form::Amended, ["(/ 1 r)", "r"]),
+    ("Ill5.6.increasing", Form::Printed, ["(+ 1 s q)", "(+ 1 s)"]),
+    ("Ill5.7.small", Form::Printed, ["9/16", "1/100"]),
+    ("Ill5.8.remarkable", Form::Amended, ["1/400", "4"]),
+    ("Fig27-33", Form::Printed, ["(= (t A 0)", "(< (t A 0)"]),
+    ("proof.T3.5.3.iff", Form::Amended, ["(= (G 0 k (from A k)) 1)", "(= (G 0 k (from A k)) 0)"]),
+    ("proof.P4.1.2.iff", Form::Amended, ["(= (G 0 k (from A k)) 1)", "(= (G 0 k (from A k)) 0)"]),
+    ("proof.P3.1.2.induction", Form::Amended, ["(= (G -1 (- k 1) (to A -1)) 1)", "(= (G -1 (- k 1) (to A -1)) 0)"]),
+    ("proof.P3.2.hypothesis", Form::Amended, ["(- k q)", "(- (+ k 1) q)"]),
+    ("proof.T3.5.4.base", Form::Amended, ["(= (G 0 k (from B (+ k 1))) 0)", "(= (G 0 k (from B (+ k 1))) 1)"]),
+    ("proof.T3.5.4.corollary", Form::Amended, ["(/ 1 r)", "r"]),
+    ("proof.P4.3.bisector", Form::Amended, ["(/ 1 r)", "r"]),
+];
+
+fn text_of(statement: &Statement) -> String {
+    statement.sections.iter().map(ToString::to_string).collect()
+}
+
+/// The statement has a proof that the checker accepts; with other sections it has none, and that one is rejected.
+fn only_the_truth_is_proved(truth: Statement, sections: &str) {
+    let id = truth.claim.clone();
+    let sections = Sexp::parse_all(sections).expect("still in the language");
+    let lie = Statement { sections, ..truth.clone() };
+    let proof = prove(&truth).unwrap_or_else(|error| unreachable!("{id}: {error}"));
+    let certificate = Certificate { statement: truth, proof };
+    certificate.check().unwrap_or_else(|error| unreachable!("{error}"));
+    assert!(prove(&lie).is_err(), "{id}");
+    assert!(check(&lie.to_sexp().to_string(), &certificate.proof_text()).is_err(), "{id}");
+}
+
+#[test]
+fn a_statement_made_false_at_one_place_has_no_proof() {
+    MISSES.par_iter().for_each(|(id, form, [part, instead])| {
+        let stated = statement(claim(id), *form, None).expect("it is in the language");
+        let mut truth = stated.unwrap_or_else(|| unreachable!("{id} is not stated formally"));
+        // The least degrees do.
+        let fewest = truth.degrees.first().copied().unwrap_or(0).max(3);
+        truth.degrees.retain(|k| *k <= fewest);
+        let sections = text_of(&truth);
+        assert!(sections.contains(part), "{id}: `{part}`");
+        only_the_truth_is_proved(truth, &sections.replacen(part, instead, 1));
+    });
+}
+
+#[test]
+fn a_refutation_made_false_at_one_place_has_no_proof() {
+    FALSE.par_iter().for_each(|(id, ..)| {
+        let Verdict::Refuted(witness) = &judged(id).printed else { unreachable!("{id} is refuted") };
+        let stated = statement(claim(id), Form::Printed, Some(witness)).expect("it is in the language");
+        let truth = stated.unwrap_or_else(|| unreachable!("{id} is not stated formally"));
+        assert!(truth.refuted, "{id}");
+        // The first goal, turned round.
+        let sections = text_of(&truth);
+        let (before, goal) = sections.split_once("(goals (").expect("there are goals");
+        let turned = match goal.split_once(' ').expect("a comparison") {
+            ("=" | "<", rest) => format!("(goals (> {rest}"),
+            (">" | ">=", rest) => format!("(goals (< {rest}"),
+            // Unlike x, 1 is a combination of the functions.
+            ("outside", rest) => format!("(goals (outside {}", rest.replacen("(x (in A 1))", "1", 1)),
+            (other, _) => unreachable!("{id}: a goal with {other}"),
+        };
+        only_the_truth_is_proved(truth, &format!("{before}{turned}"));
+    });
+}
