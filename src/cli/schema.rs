@@ -81,14 +81,12 @@ impl Written {
         let name = self.to_possible_value().map(|value| value.get_name().to_owned()).unwrap_or_default();
         schema.insert("$schema".to_owned(), SchemaSettings::draft2020_12().meta_schema.into());
         schema.insert("title".to_owned(), format!("knotproof {name} --format json").into());
-        if !description.is_empty() {
-            schema.insert("description".to_owned(), description.into());
-        }
+        schema.insert("description".to_owned(), description.into());
         schema.insert("$defs".to_owned(), Value::Object(generator.take_definitions(true)));
         schema
     }
 
-    /// What there is to say of the whole, and each kind of object that is written.
+    /// A word on the whole, and each kind of object that is written.
     fn shapes(self, to: &mut SchemaGenerator) -> (&'static str, Vec<Schema>) {
         match self {
             Self::Eval => (
@@ -106,8 +104,11 @@ impl Written {
                     titled("A comparison (--equals)", of::<formula::Comparison>(to)),
                 ],
             ),
-            Self::Bezier => ("", vec![of::<bezier::Conversion>(to)]),
-            Self::Check => ("", vec![of::<OfPaper<check::Check>>(to)]),
+            Self::Bezier => ("The curve as rational Bézier pieces.", vec![of::<bezier::Conversion>(to)]),
+            Self::Check => (
+                "The verdicts on the claims of the paper, on one instance.",
+                vec![of::<OfPaper<check::Check>>(to)],
+            ),
             Self::Shape => (
                 SHAPE,
                 vec![
@@ -115,8 +116,8 @@ impl Written {
                     titled("By a parameter (--alpha all, --free-knot)", of::<shape::Partitions>(to)),
                 ],
             ),
-            Self::Float => ("", vec![of::<float::Comparison>(to)]),
-            Self::Figures => ("", vec![of::<figures::Drawn>(to)]),
+            Self::Float => ("The errors of `f64` against exact values.", vec![of::<float::Comparison>(to)]),
+            Self::Figures => ("The pictures that were written.", vec![of::<figures::Drawn>(to)]),
             Self::Report => (
                 REPORT,
                 vec![
@@ -124,9 +125,13 @@ impl Written {
                     titled("Errata (--errata)", of::<OfPaper<Errata>>(to)),
                 ],
             ),
-            Self::Explain => ("", vec![of::<OfPaper<explain::Explanation>>(to)]),
-            Self::Prove => ("", vec![of::<OfPaper<prove::Proved>>(to)]),
-            Self::Verify => ("", vec![of::<OfPaper<verify::Verified>>(to)]),
+            Self::Explain => {
+                ("One claim with its recorded verdicts.", vec![of::<OfPaper<explain::Explanation>>(to)])
+            }
+            Self::Prove => ("The certificates that were written.", vec![of::<OfPaper<prove::Proved>>(to)]),
+            Self::Verify => {
+                ("What the checker says of certificates.", vec![of::<OfPaper<verify::Verified>>(to)])
+            }
             Self::Search => (
                 SEARCH,
                 vec![
@@ -134,9 +139,11 @@ impl Written {
                     titled("The last line", to.subschema_for::<SummaryRecord>()),
                 ],
             ),
-            Self::Merge => ("", vec![of::<OfPaper<merge::Merged<'static>>>(to)]),
-            Self::Completions => ("", vec![of::<completions::Completions>(to)]),
-            Self::Man => ("", vec![of::<man::Pages>(to)]),
+            Self::Merge => {
+                ("The shards of a search, put together.", vec![of::<OfPaper<merge::Merged<'static>>>(to)])
+            }
+            Self::Completions => ("The script for a shell.", vec![of::<completions::Completions>(to)]),
+            Self::Man => ("The manual pages that were written.", vec![of::<man::Pages>(to)]),
             Self::Help => (
                 HELP,
                 vec![

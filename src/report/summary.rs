@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use schemars::JsonSchema;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Serialize;
 
-use crate::claims::{Severity, Source};
+use crate::claims::{Cause, Severity, Source};
 
 use super::record::Record;
 
@@ -43,13 +43,20 @@ pub struct Counts {
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Refutations {
     /// By how bad they are; all four words are there.
+    #[schemars(extend("propertyNames" = named::<Severity>()))]
     pub by_severity: BTreeMap<&'static str, usize>,
     /// By what stands behind them.
+    #[schemars(extend("propertyNames" = named::<Cause>()))]
     pub by_cause: BTreeMap<&'static str, usize>,
 }
 
 /// The name of a cause or a severity that nobody has given yet.
 pub(super) const UNASSIGNED: &str = "unassigned";
+
+/// The schema of a key: a name from the list, or none given yet.
+fn named<T: JsonSchema>() -> Schema {
+    json_schema!({ "anyOf": [T::json_schema(&mut SchemaGenerator::default()), { "const": UNASSIGNED }] })
+}
 
 #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes a reference")]
 fn is_zero(count: &usize) -> bool {
