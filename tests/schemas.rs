@@ -335,11 +335,12 @@ fn every_output_is_as_its_schema_says() {
             assert_eq!(telling["version"], env!("CARGO_PKG_VERSION"), "{arguments:?}");
             let paper = telling.pointer("/paper/arxiv").and_then(Value::as_str);
             assert_eq!(paper, OF_PAPER.contains(&name).then_some("1805.04433"), "{arguments:?}");
-            for object in objects {
-                let found = errors(&strict, &object);
+            for (at, object) in objects.iter().enumerate() {
+                let found = errors(&strict, object);
                 assert!(found.is_empty(), "{arguments:?}: {found:#?}\n{object:#}");
-                // Whatever is written is held against the schema in earnest: it fails once it is changed.
-                for (what, object, less) in changed(&object) {
+                // It is held against the schema in earnest: it fails once it is changed. Many lines are much alike.
+                let changes = if at == 0 || at + 1 == objects.len() { changed(object) } else { Vec::new() };
+                for (what, object, less) in changes {
                     let holds = strict.is_valid(&object);
                     assert!(!holds || less, "{arguments:?}: nobody notices {what}");
                     missed += usize::from(less && !holds);
