@@ -50,6 +50,7 @@ fn all_fields_are_there_and_exact() {
         bezier(&["--degree", "1", "--knots", "0 0 1 3 3", "--alpha", "-1", "--points", "0,1 4,5 6,7"]);
     let expected = json!({
         "schema": "knotproof.bezier/1",
+        "version": env!("CARGO_PKG_VERSION"),
         "degree": 1,
         "knots": ["0", "0", "1", "3", "3"],
         "alpha": "-1",

@@ -96,12 +96,15 @@ fn all_fields_are_there() {
     // On [1/2, 1) only G_1 is left: 1 − φ_{−1}(2/3, 1/2, 1) = 1 − (1/6)/(1/6 + 2/3) = 4/5.
     let expected = json!({
         "schema": "knotproof.check/1",
+        "version": env!("CARGO_PKG_VERSION"),
+        "paper": {"arxiv": "1805.04433"},
         "degree": 1,
         "knots": ["0", "0", "1/2", "1"],
         "properties": [
             {
                 "id": "T3.5.3",
                 "alpha": "-1",
+                "form": "printed",
                 "statement": text,
                 "status": "refuted",
                 "witness": {
@@ -123,6 +126,7 @@ fn all_fields_are_there() {
             {
                 "id": "P3.1.1",
                 "alpha": "-1",
+                "form": "printed",
                 "statement": "Every G_i^k is piecewise rational.",
                 "status": "proved",
                 "scope": "knots",

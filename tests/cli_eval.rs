@@ -33,6 +33,7 @@ fn all_fields_are_there_and_exact() {
     let found = eval(&[&BERNSTEIN[..], &["--derivatives", "1", "--points", "0,0 1,2 2,0"]].concat());
     let expected = json!({
         "schema": "knotproof.eval/1",
+        "version": env!("CARGO_PKG_VERSION"),
         "degree": 2,
         "knots": ["0", "0", "0", "1", "1", "1"],
         "alpha": "-1",
@@ -55,7 +56,7 @@ fn all_fields_are_there_and_exact() {
 fn optional_fields_are_left_out() {
     let found = eval(&BERNSTEIN);
     let keys: Vec<_> = found.as_object().unwrap().keys().collect();
-    assert_eq!(keys, ["schema", "degree", "knots", "alpha", "x", "side", "values"]);
+    assert_eq!(keys, ["schema", "degree", "knots", "alpha", "x", "side", "values", "version"]);
 }
 
 #[test]

@@ -144,11 +144,14 @@ x,side,G_0,G_1,G_0^(1),G_1^(1),curve_0,curve_0^(1)
 #[test]
 fn the_answer_as_json_word_for_word() {
     let options = ["--degree", "1", "--knots", "0 0 1 1", "--index", "1", "--format", "json"];
-    let expected = r#"{"schema":"knotproof.eval/1","degree":1,"knots":["0","0","1","1"],"alpha":"-1","index":1}
+    let expected = r#"{"schema":"knotproof.eval/1","degree":1,"knots":["0","0","1","1"],"alpha":"-1","index":1,"version":"VERSION"}
 {"x":"1/2","side":"right","values":["1/3"]}
 {"x":"1","side":"left","values":["1"]}
 "#;
-    assert_eq!(answer("points.jsonl", "0.5\n{\"side\": \"left\", \"x\": 1.0}\n", &options), expected);
+    assert_eq!(
+        answer("points.jsonl", "0.5\n{\"side\": \"left\", \"x\": 1.0}\n", &options),
+        expected.replace("VERSION", env!("CARGO_PKG_VERSION"))
+    );
 }
 
 #[test]

@@ -5,8 +5,9 @@ use std::process::Command;
 use serde_json::Value;
 
 /// Licences that ask for no more than attribution. MPL-2.0 and the GPL family are left out on purpose.
-const PERMISSIVE: [&str; 9] = [
+const PERMISSIVE: [&str; 10] = [
     "MIT",
+    "MIT-0",
     "Apache-2.0",
     "Apache-2.0 WITH LLVM-exception",
     "BSD-2-Clause",

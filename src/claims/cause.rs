@@ -1,9 +1,10 @@
 //! Who says a statement, and why a printed one fails.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Who says it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Source {
     /// The paper.
@@ -13,7 +14,7 @@ pub enum Source {
 }
 
 /// How bad it is that a printed statement fails, mildest first.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Severity {
     /// An end point of an interval, or a bound of an index.
@@ -27,7 +28,7 @@ pub enum Severity {
 }
 
 /// What stands behind a refutation. Many statements fail by one cause.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Cause {
     /// An interval is given with the wrong end points.

@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::case::{Case, Origin};
@@ -156,7 +157,7 @@ fn summarise<C: Case>(decided: &[(Outcome, &C)]) -> Result<Verdict, Fault> {
 }
 
 /// How an amended statement compares with the cases that its extra hypotheses exclude.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct Sharpness {
     /// Cases that meet the printed hypotheses and not the amended ones.
     pub excluded: usize,

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::analysis::{Piece, always_positive};
@@ -47,7 +48,7 @@ impl fmt::Display for Scope {
 }
 
 /// An exact counterexample that a reader can check by hand.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct Witness {
     /// The case and the place in it, as name and exact value, in reading order: `k`, `U`, `α`, `i`, `x`, ….
     pub given: Vec<(String, String)>,

@@ -4,6 +4,7 @@ use std::fmt;
 
 use clap::builder::PossibleValuesParser;
 use clap::builder::TypedValueParser as _;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::certificate::{Form as Of, certify_for_degree};
@@ -60,24 +61,33 @@ fn scope_parser() -> impl clap::builder::TypedValueParser<Value = Scope> {
 }
 
 /// The result: its fields are the JSON.
-#[derive(Debug, Serialize)]
-struct Check {
+#[derive(Debug, Serialize, JsonSchema)]
+pub(super) struct Check {
+    /// What this object is: `knotproof.check/1`.
+    #[schemars(extend("const" = "knotproof.check/1"))]
     schema: &'static str,
+    /// k.
     degree: usize,
+    /// t_0, …, t_m, as fractions in lowest terms.
     knots: Vec<String>,
+    /// The claims, for one α after the other.
     properties: Vec<Property>,
     #[serde(skip)]
     label: Option<String>,
 }
 
 /// One claim on the instance with one index.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct Property {
+    /// The claim.
     id: &'static str,
+    /// α: `inf`, or an exact number.
     alpha: String,
     /// Is it the printed statement, or the amended one?
     #[serde(serialize_with = "named")]
+    #[schemars(with = "String", extend("enum" = ["printed", "amended"]))]
     form: Of,
+    /// It, in words and formulas.
     statement: &'static str,
     #[serde(flatten)]
     finding: Finding,
@@ -89,8 +99,10 @@ struct Property {
     amended: Option<Amended>,
 }
 
-#[derive(Debug, Serialize)]
+/// A statement that takes the place of the printed one, with its verdict.
+#[derive(Debug, Serialize, JsonSchema)]
 struct Amended {
+    /// It, in words and formulas.
     statement: &'static str,
     #[serde(flatten)]
     finding: Finding,
@@ -125,7 +137,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         properties,
         label: subject.label,
     };
-    output.result(&check)?;
+    output.result_of_paper(&check)?;
     Ok(counted.exit())
 }
 

@@ -4,6 +4,7 @@ use std::fmt;
 
 use clap::CommandFactory;
 use clap_complete::{Shell, generate};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::Program;
@@ -25,10 +26,14 @@ const EXAMPLE: &str = "Examples, the first for one session, the second for good:
   knotproof completions fish > ~/.config/fish/completions/knotproof.fish";
 
 /// The result: its fields are the JSON.
-#[derive(Debug, Serialize)]
-struct Completions {
+#[derive(Debug, Serialize, JsonSchema)]
+pub(super) struct Completions {
+    /// What this object is: `knotproof.completions/1`.
+    #[schemars(extend("const" = "knotproof.completions/1"))]
     schema: &'static str,
+    /// The shell.
     shell: String,
+    /// What it has to read.
     script: String,
 }
 

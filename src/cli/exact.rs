@@ -47,7 +47,13 @@ impl JsonSchema for Exact {
     fn schema_name() -> Cow<'static, str> {
         "Number".into()
     }
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        if generator.contract().is_serialize() {
+            return json_schema!({
+                "description": "A number: an exact one in lowest terms, as a string, such as \"3\" or \"-1/2\". With --digits N a decimal, as a string; with --float a JSON number, and beyond the largest one the string \"inf\" or \"-inf\".",
+                "type": ["number", "string"],
+            });
+        }
         json_schema!({
             "description": "An exact number, as a JSON number or as a string: \"3\", \"-1/2\", \"0.4\" (that is 2/5), \"1e-3\", \"0x1.8p-3\".",
             "type": ["number", "string"],

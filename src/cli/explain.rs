@@ -3,6 +3,7 @@
 use std::fmt;
 use std::path::Path;
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::claims::{Cause, Claim, Form, Severity, claims, formal, formal_for_degree, refutation};
@@ -33,11 +34,13 @@ Examples:
 The verdicts are the recorded ones; `knotproof report --claim CLAIM` judges it again.";
 
 /// One statement of the claim.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct Part {
     /// `as printed`, `as amended` or `degree K`.
     of: String,
+    /// It, in words and formulas.
     statement: String,
+    /// What it assumes, as far as the engine knows that one by one.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     hypotheses: Vec<String>,
     #[serde(flatten)]
@@ -53,10 +56,14 @@ struct Part {
 const AS_PRINTED: &str = "as printed";
 
 /// The result: its fields are the JSON.
-#[derive(Debug, Serialize)]
-struct Explanation {
+#[derive(Debug, Serialize, JsonSchema)]
+pub(super) struct Explanation {
+    /// What this object is: `knotproof.explain/1`.
+    #[schemars(extend("const" = "knotproof.explain/1"))]
     schema: &'static str,
+    /// The claim.
     id: &'static str,
+    /// Where the paper makes it.
     locator: &'static str,
     /// Of a refutation: how bad it is.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -67,7 +74,9 @@ struct Explanation {
     /// The verdict on the printed statement in words.
     #[serde(skip)]
     printed: String,
+    /// Its statements with their recorded verdicts.
     parts: Vec<Part>,
+    /// How words were made into mathematics.
     #[serde(skip_serializing_if = "Option::is_none")]
     note: Option<&'static str>,
 }
@@ -101,7 +110,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         parts,
         note: claim.note,
     };
-    output.result(&explanation)?;
+    output.result_of_paper(&explanation)?;
     Ok(Exit::Holds)
 }
 

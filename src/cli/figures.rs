@@ -3,6 +3,7 @@
 use std::fmt;
 use std::path::PathBuf;
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::report::figures::{Figure, all, figure, png};
@@ -33,18 +34,25 @@ Examples:
 The same program writes the same bytes every time.";
 
 /// The result: its fields are the JSON.
-#[derive(Debug, Serialize)]
-struct Drawn {
+#[derive(Debug, Serialize, JsonSchema)]
+pub(super) struct Drawn {
+    /// What this object is: `knotproof.figures/1`.
+    #[schemars(extend("const" = "knotproof.figures/1"))]
     schema: &'static str,
+    /// What was written.
     files: Vec<PathBuf>,
+    /// What it shows.
     figures: Vec<Entry>,
 }
 
 /// A figure that was drawn.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct Entry {
+    /// Its name: that of its files, without the ending.
     name: &'static str,
+    /// Its title.
     title: &'static str,
+    /// The claims that it belongs to.
     claims: &'static [&'static str],
 }
 

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::float::{
@@ -72,24 +73,31 @@ const COUNT_LIMIT: usize = 1_000_000;
 const STEPS_LIMIT: usize = 10_000_000;
 
 /// The result: its fields are the JSON.
-#[derive(Debug, Serialize)]
-struct Comparison {
+#[derive(Debug, Serialize, JsonSchema)]
+pub(super) struct Comparison {
+    /// What this object is: `knotproof.float/1`.
+    #[schemars(extend("const" = "knotproof.float/1"))]
     schema: &'static str,
+    /// k.
     degree: usize,
+    /// The seed of all that is random.
     seed: usize,
+    /// How many random cases were measured.
     count: usize,
+    /// How many steps the search for the worst case took.
     steps: usize,
     /// What was given and is no `f64`.
     rounded: Vec<Rounded>,
     /// The positions of neighbouring knots that are different, and the same in `f64`.
     merged: Vec<[usize; 2]>,
+    /// One for each way to compute a basis function in `f64`.
     formulas: Vec<FormulaRecord>,
     #[serde(skip)]
     written: Vec<PathBuf>,
 }
 
 /// A number that was rounded.
-#[derive(Debug, PartialEq, Serialize)]
+#[derive(Debug, PartialEq, Serialize, JsonSchema)]
 struct Rounded {
     /// `x`, `alpha` or `t_i`.
     what: String,

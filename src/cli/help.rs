@@ -4,6 +4,7 @@ use std::fmt;
 
 use anstyle::Style;
 use clap::CommandFactory;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::Program;
@@ -27,17 +28,22 @@ const EXAMPLE: &str = "Examples:
 const HEADING: Style = Style::new().bold();
 
 /// What somebody wants to do.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct Task {
+    /// What it is.
     task: &'static str,
+    /// Commands that do it.
     examples: &'static [Example],
 }
 
 /// A command line, what it shows, and the exit code that it ends with; a test runs each.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct Example {
+    /// A command line.
     command: &'static str,
+    /// What it shows.
     shows: &'static str,
+    /// The exit code that it ends with.
     exit: u8,
 }
 
@@ -128,17 +134,24 @@ const TASKS: &[Task] = &[
 ];
 
 /// The result: its fields are the JSON.
-#[derive(Debug, Serialize)]
-struct Examples {
+#[derive(Debug, Serialize, JsonSchema)]
+pub(super) struct Examples {
+    /// What this object is: `knotproof.help/1`.
+    #[schemars(extend("const" = "knotproof.help/1"))]
     schema: &'static str,
+    /// By task.
     tasks: &'static [Task],
 }
 
 /// Help for one command.
-#[derive(Debug, Serialize)]
-struct Topic {
+#[derive(Debug, Serialize, JsonSchema)]
+pub(super) struct Topic {
+    /// What this object is: `knotproof.help/1`.
+    #[schemars(extend("const" = "knotproof.help/1"))]
     schema: &'static str,
+    /// Its name.
     command: String,
+    /// Its options and examples, as text.
     help: String,
 }
 

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use clap::CommandFactory;
 use clap_mangen::Man;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::Program;
@@ -30,9 +31,12 @@ const EXAMPLE: &str = "Example, after which `man knotproof-eval` shows a page:
 const NO_HYPHENS: &[u8] = b".nh\n";
 
 /// The result: its fields are the JSON.
-#[derive(Debug, Serialize)]
-struct Pages {
+#[derive(Debug, Serialize, JsonSchema)]
+pub(super) struct Pages {
+    /// What this object is: `knotproof.man/1`.
+    #[schemars(extend("const" = "knotproof.man/1"))]
     schema: &'static str,
+    /// What was written.
     files: Vec<PathBuf>,
 }
 

@@ -6,6 +6,7 @@ use std::hash::{BuildHasher, Hasher};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::search::{Audit, AuditError, Draw, FindingRecord, Part, SummaryRecord, audit, merge};
@@ -60,14 +61,18 @@ fn amount(text: &str) -> Result<Amount, WholeNumberError> {
 }
 
 /// The result: its fields are the JSON.
-#[derive(Serialize)]
-struct Merged<'a> {
+#[derive(Serialize, JsonSchema)]
+pub(super) struct Merged<'a> {
+    /// What this object is: `knotproof.merge/1`.
+    #[schemars(extend("const" = "knotproof.merge/1"))]
     schema: &'static str,
     /// Every position of the space is in exactly one of the files, and no audit has found that one says what is not so.
     covered: bool,
+    /// What was searched, and how it came out.
     searched: SummaryRecord,
+    /// What was found.
     findings: Vec<&'a FindingRecord>,
-    /// `null` if nothing was computed again.
+    /// What was computed again; `null` if nothing was computed again.
     audited: Option<Audited>,
     #[serde(skip)]
     part: &'a Part,
@@ -76,9 +81,9 @@ struct Merged<'a> {
 }
 
 /// What was computed again, and what came of it.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct Audited {
-    /// `null` if all blocks were.
+    /// The seed from which they were drawn; `null` if all blocks were.
     seed: Option<u64>,
     /// The number of blocks of the search.
     blocks: u64,
@@ -86,16 +91,20 @@ struct Audited {
     recomputed: Vec<[u64; 2]>,
     /// The number of those that were not.
     not_recomputed: u64,
+    /// What came out differently.
     differences: Vec<Difference>,
 }
 
 /// Something that came out differently.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct Difference {
+    /// The first position of the block.
     from: u64,
+    /// The position after its last one.
     to: u64,
     /// The shards that have these positions.
     files: Vec<String>,
+    /// What is different.
     what: String,
 }
 
@@ -116,7 +125,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     if let Some(path) = args.out.as_ref().filter(|_| holds) {
         write_atomically("--out", path, &part.to_text().map_err(std::io::Error::from)?)?;
     }
-    output.result(&Merged {
+    output.result_of_paper(&Merged {
         schema: "knotproof.merge/1",
         covered: holds,
         searched: part.summary(),

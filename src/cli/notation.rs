@@ -1,9 +1,11 @@
 //! How exact numbers are written: as fractions, as decimals, or as floats.
 
+use std::borrow::Cow;
 use std::cell::Cell;
 
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Serialize, Serializer};
 
 use crate::analysis::{Enclosed, settled, settled_apart};
@@ -136,6 +138,18 @@ impl Notation {
 /// An approximation with settled digits; a number in JSON where floats are asked for.
 #[derive(Debug, Clone)]
 pub(super) struct Decimal(pub(super) String);
+
+impl JsonSchema for Decimal {
+    fn schema_name() -> Cow<'static, str> {
+        "Decimal".into()
+    }
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({
+            "description": "A decimal whose digits are settled, as a string, such as \"0.5773502692\"; with --float a JSON number.",
+            "type": ["number", "string"],
+        })
+    }
+}
 
 impl Serialize for Decimal {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {

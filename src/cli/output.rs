@@ -1,13 +1,17 @@
 //! Results to standard output, errors to standard error, as text or as JSON.
 
+use std::borrow::Cow;
 use std::fmt;
 use std::io::{self, BufWriter, Write};
 use std::panic::PanicHookInfo;
 
 use anstyle::{AnsiColor, Style};
 use clap::ValueEnum;
-use schemars::JsonSchema;
+use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::Serialize;
+use serde_json::{Value, json};
+
+use crate::claims::PaperNumber;
 
 use super::error::CliError;
 use super::notation::Notation;
@@ -35,12 +39,19 @@ pub struct Output {
 }
 
 /// A result with what made it.
-#[derive(Serialize, JsonSchema)]
+#[derive(Serialize)]
 pub(super) struct Stamped<T> {
     #[serde(flatten)]
     result: T,
-    /// The version of the program.
     version: &'static str,
+}
+
+/// A result that says something of the paper, with its number.
+#[derive(Serialize)]
+pub(super) struct OfPaper<T> {
+    #[serde(flatten)]
+    result: T,
+    paper: PaperNumber,
 }
 
 impl<T> Stamped<T> {
@@ -50,16 +61,85 @@ impl<T> Stamped<T> {
     }
 }
 
-/// An error under `--format json`.
-#[derive(Serialize)]
-struct ErrorReport<'a> {
+impl<T> OfPaper<T> {
+    /// Of the one paper there is.
+    pub(super) fn new(result: T) -> Self {
+        Self { result, paper: PaperNumber::default() }
+    }
+}
+
+impl<T: fmt::Display> fmt::Display for OfPaper<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.result.fmt(f)
+    }
+}
+
+impl<T: JsonSchema> JsonSchema for Stamped<T> {
+    fn inline_schema() -> bool {
+        true
+    }
+    fn schema_name() -> Cow<'static, str> {
+        T::schema_name()
+    }
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let version = json!({ "description": "The version of the program.", "type": "string" });
+        with_key(T::json_schema(generator), "version", version)
+    }
+}
+
+impl<T: JsonSchema> JsonSchema for OfPaper<T> {
+    fn inline_schema() -> bool {
+        true
+    }
+    fn schema_name() -> Cow<'static, str> {
+        T::schema_name()
+    }
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let mut paper = generator.subschema_for::<PaperNumber>();
+        paper.insert("description".to_owned(), "The paper that it is about.".into());
+        with_key(T::json_schema(generator), "paper", paper.into())
+    }
+}
+
+/// A result as JSON: what is printed, and what is written into files.
+///
+/// # Errors
+/// [`CliError::Output`], if it can't be written as JSON.
+pub(super) fn stamped_json<T: Serialize>(result: &T) -> Result<String, CliError> {
+    let text = serde_json::to_string_pretty(&Stamped::new(result)).map_err(io::Error::from)?;
+    Ok(visible_json(&text))
+}
+
+/// The schema of an object with one key more.
+fn with_key(mut object: Schema, name: &str, of: Value) -> Schema {
+    let object_fields = object.ensure_object();
+    let properties = object_fields.entry("properties").or_insert_with(|| json!({}));
+    if let Some(properties) = properties.as_object_mut() {
+        properties.insert(name.to_owned(), of);
+    }
+    let required = object_fields.entry("required").or_insert_with(|| json!([]));
+    if let Some(required) = required.as_array_mut() {
+        required.push(name.into());
+    }
+    object
+}
+
+/// An error under `--format json`, on standard error.
+#[derive(Serialize, JsonSchema)]
+pub(super) struct ErrorReport<'a> {
+    /// What this object is: `knotproof.error/1`.
+    #[schemars(extend("const" = "knotproof.error/1"))]
     schema: &'static str,
+    /// What is wrong.
     error: ErrorBody<'a>,
 }
 
-#[derive(Serialize)]
+/// What is wrong with a request.
+#[derive(Serialize, JsonSchema)]
 struct ErrorBody<'a> {
+    /// One line that says what, where, and what to do.
     message: &'a str,
+    /// The option to blame, if there is one.
     #[serde(skip_serializing_if = "Option::is_none")]
     argument: Option<&'a str>,
 }
@@ -101,8 +181,16 @@ impl Output {
     pub fn result<T: fmt::Display + Serialize>(&self, result: &T) -> Result<(), CliError> {
         self.notation.during(|| match self.format {
             Format::Text => self.write(&visible_lines(&result.to_string())),
-            Format::Json => self.json(&Stamped::new(result)),
+            Format::Json => self.write(&stamped_json(result)?),
         })
+    }
+
+    /// Writes a result that says something of the paper: in JSON, with its number.
+    ///
+    /// # Errors
+    /// Those of [`result`](Self::result).
+    pub(super) fn result_of_paper<T: fmt::Display + Serialize>(&self, result: &T) -> Result<(), CliError> {
+        self.result(&OfPaper::new(result))
     }
 
     /// Writes a result that is JSON in either format.
@@ -160,7 +248,7 @@ impl Output {
             }
             Format::Json => {
                 let error = ErrorBody { message, argument };
-                let report = ErrorReport { schema: "knotproof.error/1", error };
+                let report = Stamped::new(ErrorReport { schema: "knotproof.error/1", error });
                 // Strings always serialise; if not, the bare message is better than none.
                 visible_json(&serde_json::to_string(&report).unwrap_or_else(|_| message.to_owned()))
             }

@@ -4,6 +4,7 @@ use std::fmt;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::certificate::{Certificate, certify};
@@ -39,9 +40,12 @@ Examples:
 The claims are judged first: a certificate of a refutation rests on the witness that was found.";
 
 /// The result: its fields are the JSON.
-#[derive(Debug, Serialize)]
-struct Proved {
+#[derive(Debug, Serialize, JsonSchema)]
+pub(super) struct Proved {
+    /// What this object is: `knotproof.prove/1`.
+    #[schemars(extend("const" = "knotproof.prove/1"))]
     schema: &'static str,
+    /// The certificates, accepted by the checker.
     checked: Vec<Checked>,
     /// The folder.
     written: PathBuf,
@@ -73,7 +77,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     let names: Vec<_> = proved.iter().map(Certificate::name).collect();
     let stale = if args.claim.is_empty() { stale(&args.out, &names)? } else { Vec::new() };
     let proved = Proved { schema: "knotproof.prove/1", checked, written: args.out.clone(), stale };
-    output.result(&proved)?;
+    output.result_of_paper(&proved)?;
     Ok(if proved.stale.is_empty() { Exit::Holds } else { Exit::Refuted })
 }
 

@@ -4,7 +4,7 @@ use std::fmt;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use schemars::schema_for;
+use schemars::{JsonSchema, schema_for};
 use serde::Serialize;
 
 use crate::claims::{Claim, Source, claims};
@@ -17,7 +17,7 @@ use super::atomic::{Folder, write_atomically};
 use super::error::CliError;
 use super::exit::Exit;
 use super::file::{InstanceFile, read};
-use super::output::Output;
+use super::output::{OfPaper, Output, stamped_json};
 use super::progress::Progress;
 use super::table::plain;
 use super::verdict::{Tally, styled, styled_as_printed};
@@ -71,8 +71,8 @@ const README: &str = "README.md";
 const DOCS: &str = "docs";
 
 /// The result: its fields are the JSON.
-#[derive(Debug, Serialize)]
-struct Outcome {
+#[derive(Debug, Serialize, JsonSchema)]
+pub(super) struct Outcome {
     #[serde(flatten)]
     report: Report,
     /// The verdicts that are not as recorded.
@@ -115,7 +115,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     let differences = baseline.map(|baseline| baseline.differences(&found, partial)).unwrap_or_default();
     let mut outcome = Outcome { report, differences, written };
     if let Some(folder) = &args.out {
-        let [json, schema] = [pretty(&outcome)?, pretty(&schema_for!(InstanceFile))?];
+        let [json, schema] = [stamped_json(&outcome)? + "\n", pretty(&schema_for!(InstanceFile))?];
         let mut files = vec![
             (JSON.to_owned(), json),
             (MARKDOWN.to_owned(), markdown(&outcome.report)),
@@ -166,10 +166,12 @@ fn pretty(value: &impl Serialize) -> Result<String, CliError> {
 /// Writes and prints the errata.
 fn errata(report: &Report, args: &Args, output: &Output) -> Result<Exit, CliError> {
     let errata = Errata::of(&report.claims);
+    let page = errata_page(&errata);
+    let errata = OfPaper::new(errata);
     if let Some(folder) = &args.out {
-        let json = pretty(&errata)?;
+        let json = stamped_json(&errata)? + "\n";
         let folder = Folder::beside("--out", folder)?;
-        for (name, text) in [(ERRATA, errata_page(&errata)), (ERRATA_JSON, json)] {
+        for (name, text) in [(ERRATA, page), (ERRATA_JSON, json)] {
             folder.write(name, text)?;
         }
         folder.put_in_place()?;

@@ -5,6 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::certificate::{Certificate, CertificateError, Form, ProofError, Sexp, statement};
@@ -47,13 +48,19 @@ The checker is a program of its own as well: cargo run --package knotproof-check
 pub(super) const RECORDED: &str = "proofs/certs";
 
 /// One certificate that was accepted.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub(super) struct Checked {
+    /// The claim.
     claim: String,
+    /// Which statement: `printed`, `amended` or `degree K`.
     form: String,
+    /// What is proved of it.
     verdict: String,
+    /// How far that reaches.
     scope: String,
+    /// The degrees k.
     degrees: Vec<usize>,
+    /// The parts of the proof.
     sections: usize,
     /// Goals and lemmas.
     steps: usize,
@@ -93,17 +100,23 @@ impl From<knotproof_checker::Checked> for Checked {
 }
 
 /// One that was not.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct Rejection {
+    /// The file.
     file: String,
+    /// What is wrong.
     reason: String,
 }
 
 /// The result: its fields are the JSON.
-#[derive(Debug, Serialize)]
-struct Verified {
+#[derive(Debug, Serialize, JsonSchema)]
+pub(super) struct Verified {
+    /// What this object is: `knotproof.verify/1`.
+    #[schemars(extend("const" = "knotproof.verify/1"))]
     schema: &'static str,
+    /// The certificates that were accepted.
     checked: Vec<Checked>,
+    /// Those that were not.
     rejected: Vec<Rejection>,
     /// Accepted, but not what the program says that the claim is in formal terms: the statement has to be read.
     unknown: Vec<String>,
@@ -161,7 +174,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
             Err(rejected) => verified.rejected.push(Rejection { file, reason: rejected.to_string() }),
         }
     }
-    output.result(&verified)?;
+    output.result_of_paper(&verified)?;
     let own = verified.unknown.is_empty() || args.foreign;
     let holds = verified.rejected.is_empty() && verified.missing.is_empty() && own;
     Ok(if holds { Exit::Holds } else { Exit::Refuted })

@@ -1,6 +1,7 @@
 //! How far the curves of the paper are from smooth at their knots: the turn of the tangent and the jump of the speed.
 
 use num_traits::{One, Signed, Zero};
+use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
 
 use crate::claims::instances;
@@ -10,7 +11,7 @@ use crate::spline::{Basis, Curve, Index, Point, Side};
 /// The two one-sided derivatives of a curve of the paper at a knot inside its interval.
 ///
 /// Exact numbers are written as fractions, `"1672/225"`.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct Corner {
     /// The instance, such as `S1`.
     pub instance: &'static str,
@@ -20,30 +21,36 @@ pub struct Corner {
     pub degree: usize,
     /// α.
     #[serde(serialize_with = "text")]
+    #[schemars(with = "String")]
     pub alpha: Index,
     /// The knot t.
     #[serde(serialize_with = "text")]
+    #[schemars(with = "String")]
     pub knot: BigRational,
     /// How often it occurs: the classical curve has a continuous tangent there if that is less than k.
     pub multiplicity: usize,
     /// D⁻G_α(t).
     #[serde(serialize_with = "texts")]
+    #[schemars(with = "Vec<String>")]
     pub left: Point,
     /// D⁺G_α(t).
     #[serde(serialize_with = "texts")]
+    #[schemars(with = "Vec<String>")]
     pub right: Point,
     /// det(D⁻, D⁺): not 0 if there is a corner.
     #[serde(serialize_with = "text")]
+    #[schemars(with = "String")]
     pub determinant: BigRational,
-    /// `None` where a one-sided derivative is 0: no direction and no ratio can be read off it.
+    /// The turn there; nothing where a one-sided derivative is 0: no direction and no ratio can be read off it.
     pub turn: Option<Turn>,
 }
 
 /// How the direction and the speed change at a knot.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct Turn {
     /// (D⁻·D⁺)²/(|D⁻|²·|D⁺|²), the squared cosine of the angle.
     #[serde(serialize_with = "text")]
+    #[schemars(with = "String")]
     pub cos2: BigRational,
     /// D⁻·D⁺ < 0: the angle is more than a right one.
     pub turns_back: bool,
@@ -51,6 +58,7 @@ pub struct Turn {
     pub angle_degrees: String,
     /// |D⁺|²/|D⁻|².
     #[serde(serialize_with = "text")]
+    #[schemars(with = "String")]
     pub speed_ratio_squared: BigRational,
     /// |D⁺|/|D⁻|; every digit is settled.
     pub speed_ratio: String,

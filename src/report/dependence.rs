@@ -1,5 +1,6 @@
 //! What depends on what, and whether a theorem of the paper falls: computed from the verdicts.
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::claims::{Source, USES, claims};
@@ -7,7 +8,7 @@ use crate::claims::{Source, USES, claims};
 use super::record::Record;
 
 /// What the refutations of premises do to the statements that rest on them.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Dependence {
     /// One sentence on the theorems, propositions, corollaries and lemmas; nothing unless all of them were judged.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -19,7 +20,7 @@ pub struct Dependence {
 }
 
 /// One use, with what the verdicts say of it.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Dependency {
     /// The conclusion.
     pub claim: String,
@@ -33,7 +34,7 @@ pub struct Dependency {
 }
 
 /// What becomes of a conclusion.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum State {
     /// The premise is true as printed.

@@ -3,6 +3,7 @@
 use std::fmt;
 use std::fmt::Write as _;
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::claims::{Cause, Severity, Source};
@@ -14,16 +15,17 @@ use super::record::Record;
 use super::summary::UNASSIGNED;
 
 /// All that is wrong in the paper.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Errata {
     /// `knotproof.errata/1`.
+    #[schemars(extend("const" = "knotproof.errata/1"))]
     pub schema: &'static str,
     /// One entry a cause, the worst first.
     pub errata: Vec<Erratum>,
 }
 
 /// What is wrong by one cause.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Erratum {
     /// The name of the cause.
     pub cause: &'static str,
@@ -42,7 +44,7 @@ pub struct Erratum {
 }
 
 /// A counterexample.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct ErratumWitness {
     /// To which claim.
     pub claim: String,
@@ -55,7 +57,7 @@ pub struct ErratumWitness {
 }
 
 /// A true statement in place of a false one.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Amendment {
     /// In place of which.
     pub claim: String,

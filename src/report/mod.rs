@@ -20,6 +20,7 @@ mod summary;
 use std::collections::{BTreeMap, HashMap, HashSet};
 
 use rayon::prelude::*;
+use schemars::JsonSchema;
 use serde::Serialize;
 use thiserror::Error;
 
@@ -46,9 +47,10 @@ pub use record::{DegreeFinding, Finding, Grounds, Record, Stated, by_severity};
 pub use summary::{Counts, Refutations, Summary};
 
 /// All that one run found: the data of `report.json`.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct Report {
     /// `knotproof.report/1`.
+    #[schemars(extend("const" = "knotproof.report/1"))]
     pub schema: &'static str,
     /// What is judged.
     pub paper: Paper,
@@ -68,7 +70,7 @@ pub struct Report {
 }
 
 /// How far `f64` is from exact on one instance and index, its numbers rounded to `f64` and then taken as exact.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct Drift {
     /// The instance.
     pub instance: &'static str,

@@ -2,10 +2,13 @@
 
 use std::fmt;
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
+use crate::claims::ARXIV;
+
 /// A paper and the version of it that was read.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Paper {
     /// The title.
     pub title: &'static str,
@@ -27,7 +30,7 @@ pub struct Paper {
 pub const PAPER: Paper = Paper {
     title: "A new class of rational B-splines",
     authors: &[],
-    arxiv: "1805.04433",
+    arxiv: ARXIV,
     listed: "72 pages, 32 figures",
     read: "a scan, from the abstract to the conclusion (section 6), with 33 figures",
     missing: &[

@@ -1,5 +1,6 @@
 //! What is reported of a claim: the data of `report.json`.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::certificate::{Certificate, Form as CertificateForm, Statement};
@@ -8,12 +9,14 @@ use crate::claims::{Cause, Claim, Form, Judged, Severity, Sharpness, Source, Ver
 use super::baseline::Entry;
 
 /// One status with all that belongs to it.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct Finding {
     /// `proved`, `refuted`, `undecided`, `not-formal` or `not-applicable`.
+    #[schemars(extend("enum" = ["proved", "refuted", "undecided", "not-formal", "not-applicable"]))]
     pub status: String,
-    /// How far a proof reaches.
+    /// How far a proof reaches: `points`, `instance`, `alpha`, `knots` or `degree`, each further than the one before.
     #[serde(skip_serializing_if = "Option::is_none", default)]
+    #[schemars(extend("enum" = ["points", "instance", "alpha", "knots", "degree"]))]
     pub scope: Option<String>,
     /// The degrees in which it was decided.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
@@ -121,7 +124,7 @@ fn runs(list: &[usize]) -> String {
 }
 
 /// On how much a proof rests. Kept apart from the finding: it may grow without the verdict changing.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct Grounds {
     /// Instances of the paper (each U, k and α counts).
     pub instances: usize,
@@ -132,7 +135,7 @@ pub struct Grounds {
 }
 
 /// A statement with what was found about it.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct Stated {
     /// The statement in words and formulas.
     pub statement: String,
@@ -151,7 +154,7 @@ pub struct Stated {
 }
 
 /// The verdict on a question for one degree.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct DegreeFinding {
     /// k.
     pub degree: usize,
@@ -164,7 +167,7 @@ pub struct DegreeFinding {
 }
 
 /// All that is reported of a claim.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct Record {
     /// The identifier, such as `T3.5.2`.
     pub id: String,

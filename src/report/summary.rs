@@ -2,14 +2,15 @@
 
 use std::collections::BTreeMap;
 
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Serialize;
 
-use crate::claims::{Severity, Source};
+use crate::claims::{Cause, Severity, Source};
 
 use super::record::Record;
 
 /// The counts of one run.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Summary {
     /// What the paper says.
     pub paper: Counts,
@@ -18,7 +19,7 @@ pub struct Summary {
 }
 
 /// The counts of one source, as printed.
-#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub struct Counts {
     /// All of them.
@@ -39,16 +40,23 @@ pub struct Counts {
 }
 
 /// The refuted statements, counted in two ways.
-#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Refutations {
     /// By how bad they are; all four words are there.
+    #[schemars(extend("propertyNames" = named::<Severity>()))]
     pub by_severity: BTreeMap<&'static str, usize>,
     /// By what stands behind them.
+    #[schemars(extend("propertyNames" = named::<Cause>()))]
     pub by_cause: BTreeMap<&'static str, usize>,
 }
 
 /// The name of a cause or a severity that nobody has given yet.
 pub(super) const UNASSIGNED: &str = "unassigned";
+
+/// The schema of a key: a name from the list, or none given yet.
+fn named<T: JsonSchema>() -> Schema {
+    json_schema!({ "anyOf": [T::json_schema(&mut SchemaGenerator::default()), { "const": UNASSIGNED }] })
+}
 
 #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes a reference")]
 fn is_zero(count: &usize) -> bool {

@@ -4,6 +4,7 @@ use std::cmp::Reverse;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
@@ -67,12 +68,14 @@ struct Entry {
 }
 
 /// A finding as the line of a file; rational numbers are strings.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FindingRecord {
     /// `knotproof.search/1`.
+    #[schemars(extend("const" = "knotproof.search/1"))]
     pub schema: String,
     /// `finding`.
+    #[schemars(extend("const" = "finding"))]
     pub record: String,
     /// k.
     pub degree: usize,
@@ -95,14 +98,14 @@ pub struct FindingRecord {
 }
 
 /// The extrema of a finding, on its full knot vector.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Witness {
     /// How many local maxima there are at α.
     pub local_maxima: usize,
     /// From left to right.
     pub extrema: Vec<ExtremumRecord>,
-    /// Bounds of its [`Dip`], decimals of ten digits, equal if it is known exactly.
+    /// Bounds of its dip, the deepest fall between two maxima as a share of the largest value: decimals of ten digits, equal if it is known exactly.
     pub dip: [String; 2],
     /// For equal maxima: the proof that they exist at some index of an interval.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -110,10 +113,11 @@ pub struct Witness {
 }
 
 /// A local maximum or minimum.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ExtremumRecord {
     /// `maximum` or `minimum`.
+    #[schemars(extend("enum" = ["maximum", "minimum"]))]
     pub kind: String,
     /// Bounds of x, equal if it is known exactly.
     pub interval: [String; 2],
@@ -121,8 +125,8 @@ pub struct ExtremumRecord {
     pub at_knot: bool,
 }
 
-/// A [`Crossing`].
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+/// Two largest maxima that are equal for some index of an interval.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct EqualRecord {
     /// Between these indices the two largest maxima are equal at least once.

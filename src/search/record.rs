@@ -1,8 +1,10 @@
 //! Results as text: one line of JSON for each finding, and a last one that says what was searched.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
+use crate::claims::PaperNumber;
 use crate::json::{self, JsonError};
 
 use super::block::BlockRecord;
@@ -19,15 +21,19 @@ const DECIDES: &str = env!("KNOTPROOF_DECIDES");
 const SUMMARY: &str = "summary";
 
 /// The last line: what was searched, how far, and a checksum of it all.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SummaryRecord {
     /// `knotproof.search/1`.
+    #[schemars(extend("const" = "knotproof.search/1"))]
     pub schema: String,
     /// `summary`.
+    #[schemars(extend("const" = "summary"))]
     pub record: String,
     /// The version of the program.
     pub version: String,
+    /// The paper whose Conjecture 3.1 it is about.
+    pub paper: PaperNumber,
     /// A digest of the sources that decide, of the program that wrote this.
     pub decides: String,
     /// What is looked for, and where.
@@ -62,7 +68,7 @@ pub struct SummaryRecord {
 }
 
 /// Cases by what decided them.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Decided {
     /// By intervals with outward rounding.
@@ -155,6 +161,7 @@ impl Part {
             schema: SCHEMA.to_owned(),
             record: SUMMARY.to_owned(),
             version: VERSION.to_owned(),
+            paper: PaperNumber::default(),
             decides: DECIDES.to_owned(),
             search: self.search.clone(),
             positions: self.cases.positions(),

@@ -1,10 +1,11 @@
 //! What is searched, as data: degree, cases, and what is looked for.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 /// A search: the same three parts always lead to the same result.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Search {
     /// k.
@@ -16,7 +17,7 @@ pub struct Search {
 }
 
 /// What is looked for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Goal {
     /// More than one local maximum: counterexamples to `Conj3.1.strong.continuous`.
@@ -25,12 +26,12 @@ pub enum Goal {
     Most,
     /// Two equal largest maxima: counterexamples to `Conj3.1.weak.continuous`.
     Equal,
-    /// The functions that fall deepest between two maxima: the first few by their [`Dip`](super::Dip).
+    /// The functions that fall deepest between two maxima: the first few by the depth of that fall.
     Deepest,
 }
 
 /// The candidates among which it is looked for.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Space {
     /// All normal forms within limits, in their order.
@@ -42,7 +43,7 @@ pub enum Space {
 }
 
 /// Limits on normal forms.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Limits {
     /// The largest size: the sum of the gaps plus the height of α.
@@ -56,7 +57,7 @@ pub struct Limits {
 }
 
 /// A random sample: case number c depends on the degree, the spread, the seed and c only.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Sample {
     /// The number of cases.
@@ -68,7 +69,7 @@ pub struct Sample {
 }
 
 /// A random sample in which α is one of a list.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct IndexSample {
     /// The indices, each as likely as the others.

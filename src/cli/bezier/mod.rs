@@ -3,6 +3,7 @@
 mod text;
 
 use num_rational::BigRational;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::analysis::RationalBezier;
@@ -39,13 +40,20 @@ const EXAMPLE: &str = r#"Examples:
 const DEGREE_LIMIT: usize = 10;
 
 /// The result: its fields are the JSON.
-#[derive(Debug, Serialize)]
-struct Conversion {
+#[derive(Debug, Serialize, JsonSchema)]
+pub(super) struct Conversion {
+    /// What this object is: `knotproof.bezier/1`.
+    #[schemars(extend("const" = "knotproof.bezier/1"))]
     schema: &'static str,
+    /// k of the spline.
     degree: usize,
+    /// t_0, …, t_m: exactly as given, as fractions in lowest terms, whatever the notation.
     #[serde(serialize_with = "as_given")]
+    #[schemars(with = "Vec<String>")]
     knots: Vec<Exact>,
+    /// α: `inf`, or an exact number.
     alpha: String,
+    /// The number of coordinates of a point.
     dimension: usize,
     /// From left to right, one for each span that is not empty.
     pieces: Vec<Piece>,
@@ -54,16 +62,21 @@ struct Conversion {
 }
 
 /// The piece on [t_j, t_{j+1}].
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct Piece {
-    /// j.
+    /// j of the span [t_j, t_{j+1}).
     span: usize,
+    /// t_j, where the parameter of the piece is 0.
     from: Exact,
+    /// t_{j+1}, where it is 1.
     to: Exact,
     /// Does the span lie in [t_k, t_{n+1}], where the basis functions add up to 1?
     base: bool,
+    /// The degree d of the piece.
     degree: usize,
+    /// w_0, …, w_d of the rational Bézier form.
     weights: Vec<Exact>,
+    /// Its control points p_0, …, p_d, each a list of coordinates.
     points: Vec<Vec<Exact>>,
 }
 

@@ -11,6 +11,7 @@ use std::path::PathBuf;
 
 use clap::ValueEnum;
 use num_rational::BigRational;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::scalar::parse_rational;
@@ -25,7 +26,9 @@ use super::output::Output;
 use super::progress::Progress;
 
 pub use line::PointError;
-use point::{PointValues, Request};
+pub(super) use point::PointValues;
+use point::Request;
+pub(super) use stream::Head;
 
 /// Exact values and derivatives of the basis functions at a point, and of the curve by de Boor; or at all points of a
 /// file.
@@ -90,7 +93,7 @@ const DERIVATIVES_LIMIT: usize = 50;
 /// The schema of the JSON.
 const SCHEMA: &str = "knotproof.eval/1";
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 enum OneSide {
     /// The limit from below.
@@ -116,17 +119,25 @@ impl fmt::Display for OneSide {
 }
 
 /// The result at one point: its fields are the JSON.
-#[derive(Debug, Serialize)]
-struct Evaluation {
+#[derive(Debug, Serialize, JsonSchema)]
+pub(super) struct Evaluation {
+    /// What this object is: `knotproof.eval/1`.
+    #[schemars(extend("const" = "knotproof.eval/1"))]
     schema: &'static str,
+    /// k.
     degree: usize,
+    /// t_0, …, t_m: exactly as given, as fractions in lowest terms, whatever the notation.
     #[serde(serialize_with = "as_given")]
+    #[schemars(with = "Vec<String>")]
     knots: Vec<Exact>,
+    /// α: `inf`, or an exact number.
     alpha: String,
+    /// i, where one function only was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     index: Option<usize>,
     #[serde(flatten)]
     at: PointValues,
+    /// With control points: the levels of de Boor's algorithm, r = 0, …, k; left out where x is in no span of it.
     #[serde(skip_serializing_if = "Option::is_none")]
     de_boor: Option<Vec<Level>>,
     #[serde(skip)]
@@ -134,10 +145,13 @@ struct Evaluation {
 }
 
 /// The points d_i^r of one level of de Boor's algorithm (T4.1), i from `first`.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct Level {
+    /// r.
     level: usize,
+    /// The i of the first point.
     first: usize,
+    /// The points, each a list of coordinates.
     points: Vec<Vec<Exact>>,
 }
 

@@ -1,6 +1,7 @@
 //! What there is to say of one point: the one place where `eval` computes.
 
 use num_rational::BigRational;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::scalar::{Jet, integer};
@@ -20,16 +21,21 @@ pub(super) struct Request<'a> {
 }
 
 /// The values at a point: the fields are the JSON.
-#[derive(Debug, Serialize)]
-pub(super) struct PointValues {
+#[derive(Debug, Serialize, JsonSchema)]
+pub(in super::super) struct PointValues {
+    /// x.
     pub(super) x: Exact,
+    /// The side from which limits are taken.
     pub(super) side: OneSide,
+    /// G_0^k(x), …, G_n^k(x), or the one that was asked for.
     pub(super) values: Vec<Exact>,
-    /// Entry d − 1 holds the d-th derivatives.
+    /// Entry d − 1 holds the d-th derivatives of the functions.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub(super) derivatives: Vec<Vec<Exact>>,
+    /// With control points: the point of the curve, as a list of coordinates.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) curve: Option<Vec<Exact>>,
+    /// Entry d − 1 holds the d-th derivative of the curve.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub(super) curve_derivatives: Vec<Vec<Exact>>,
 }

@@ -4,6 +4,7 @@ use std::io::{self, IsTerminal, Write};
 use std::path::Path;
 use std::time::{Duration, Instant};
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::spline::Evaluator;
@@ -21,13 +22,20 @@ use super::{OneSide, SCHEMA, exact};
 const PAUSE: Duration = Duration::from_millis(100);
 
 /// What is the same at all points: the first line of the JSON.
-#[derive(Debug, Serialize)]
-struct Head {
+#[derive(Debug, Serialize, JsonSchema)]
+pub(in super::super) struct Head {
+    /// What this object is: `knotproof.eval/1`.
+    #[schemars(extend("const" = "knotproof.eval/1"))]
     schema: &'static str,
+    /// k.
     degree: usize,
+    /// t_0, …, t_m: exactly as given, as fractions in lowest terms, whatever the notation.
     #[serde(serialize_with = "as_given")]
+    #[schemars(with = "Vec<String>")]
     knots: Vec<Exact>,
+    /// α: `inf`, or an exact number.
     alpha: String,
+    /// i, where one function only was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     index: Option<usize>,
 }

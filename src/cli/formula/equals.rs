@@ -3,6 +3,7 @@
 use std::fmt;
 use std::path::Path;
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::analysis::FormalBasis;
@@ -19,12 +20,16 @@ use super::super::output::Output;
 const LENGTH_LIMIT: u64 = 1 << 20;
 
 /// The result: its fields are the JSON.
-#[derive(Debug, Serialize)]
-struct Comparison {
+#[derive(Debug, Serialize, JsonSchema)]
+pub(in super::super) struct Comparison {
+    /// What this object is: `knotproof.formula.equals/1`.
+    #[schemars(extend("const" = "knotproof.formula.equals/1"))]
     schema: &'static str,
+    /// k.
     degree: usize,
+    /// t_0, …, t_m.
     knots: Vec<Exact>,
-    /// `symbolic` where α is a letter.
+    /// α; `symbolic` where α is a letter.
     alpha: String,
     /// Are all that were compared?
     equal: bool,
@@ -35,26 +40,31 @@ struct Comparison {
 }
 
 /// One function.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct Compared {
+    /// i of G_i^k.
     index: usize,
     /// The interval that was looked at, if not all x.
     #[serde(skip_serializing_if = "Option::is_none")]
     interval: Option<[Exact; 2]>,
+    /// Is the expression the function, at every x of it?
     equal: bool,
+    /// If not: a point where they differ.
     #[serde(skip_serializing_if = "Option::is_none")]
     point: Option<Point>,
 }
 
 /// Where they differ.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct Point {
+    /// x.
     x: Exact,
-    /// Where α is a letter.
+    /// α, where it is a letter.
     #[serde(skip_serializing_if = "Option::is_none")]
     alpha: Option<Exact>,
-    /// `null` if the expression has no value.
+    /// The value of the expression; `null` if it has none.
     expression: Option<Exact>,
+    /// The value of the function.
     function: Exact,
 }
 

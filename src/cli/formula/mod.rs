@@ -6,6 +6,7 @@ use std::fmt;
 use std::path::PathBuf;
 
 use clap::ValueEnum;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::analysis::{FormalBasis, FormalFunction, FormalPiece};
@@ -16,6 +17,8 @@ use super::exact::Exact;
 use super::exit::Exit;
 use super::instance::{FunctionArgs, InstanceArgs, whole_number};
 use super::output::Output;
+
+pub(super) use equals::Comparison;
 
 /// The basis functions as formulas in x, one for each interval between knots.
 ///
@@ -67,7 +70,7 @@ Exit code with --equals: 0 if all is equal, 1 if not."#;
 const DEGREE_LIMIT: usize = 8;
 
 /// A value of `--as`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum, Serialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 enum Reader {
     /// People.
@@ -92,15 +95,22 @@ impl Reader {
 }
 
 /// The result: its fields are the JSON.
-#[derive(Debug, Serialize)]
-struct Formulas {
+#[derive(Debug, Serialize, JsonSchema)]
+pub(super) struct Formulas {
+    /// What this object is: `knotproof.formula/1`.
+    #[schemars(extend("const" = "knotproof.formula/1"))]
     schema: &'static str,
+    /// k.
     degree: usize,
+    /// t_0, …, t_m.
     knots: Vec<Exact>,
-    /// `symbolic` where α is a letter.
+    /// α; `symbolic` where α is a letter.
     alpha: String,
+    /// Who reads the formulas.
     #[serde(rename = "as")]
     reader: Reader,
+    /// Polynomials as products, or as sums of terms.
+    #[schemars(extend("enum" = ["factored", "expanded"]))]
     form: &'static str,
     /// By function, then from left to right. Elsewhere a function is 0.
     pieces: Vec<Piece>,
@@ -109,13 +119,19 @@ struct Formulas {
 }
 
 /// G_index = numerator/denominator on [from, to), or on [from, to] if it is closed.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct Piece {
+    /// i of G_i^k.
     index: usize,
+    /// The left end of its interval, which belongs to it.
     from: Exact,
+    /// The right end.
     to: Exact,
+    /// Does the right end belong to it?
     closed: bool,
+    /// The numerator as a formula.
     numerator: String,
+    /// The denominator as a formula.
     denominator: String,
 }
 

@@ -7,6 +7,7 @@ use std::ops::RangeInclusive;
 
 use num_rational::BigRational;
 use num_traits::Signed;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::analysis::{
@@ -22,6 +23,8 @@ use super::instance::{FunctionArgs, InstanceArgs, whole_number};
 use super::notation::{Decimal, Notation, NotationArgs};
 use super::output::Output;
 use super::progress::Progress;
+
+pub(super) use partition::Partitions;
 
 /// Local maxima, minima, plateaus, jumps and slopes of basis functions, exactly.
 ///
@@ -59,63 +62,91 @@ Examples:
   knotproof shape --degree 3 --knots "0 0 0 0 1 2 4 4" --alpha 5/2 --index 2 --free-knot 5"#;
 
 /// The result: its fields are the JSON.
-#[derive(Debug, Serialize)]
-struct Shapes {
+#[derive(Debug, Serialize, JsonSchema)]
+pub(super) struct Shapes {
+    /// What this object is: `knotproof.shape/1`.
+    #[schemars(extend("const" = "knotproof.shape/1"))]
     schema: &'static str,
+    /// k.
     degree: usize,
+    /// t_0, …, t_m: exactly as given, as fractions in lowest terms, whatever the notation.
     #[serde(serialize_with = "as_given")]
+    #[schemars(with = "Vec<String>")]
     knots: Vec<Exact>,
+    /// One for each index i and α that was asked for.
     functions: Vec<Function>,
     #[serde(skip)]
     label: Option<String>,
 }
 
 /// One function with one index.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct Function {
+    /// i of G_i^k.
     index: usize,
+    /// α: `inf`, or an exact number.
     alpha: String,
+    /// The closed interval outside of which the function is 0.
     support: [Exact; 2],
+    /// How many local maxima there are; a plateau is one.
     local_maxima: usize,
+    /// How many local minima there are inside the support.
     local_minima: usize,
+    /// Is there one local maximum only (Conjecture 3.1 in the strong reading)?
     strong: bool,
-    /// `null` if that is not decided.
+    /// Is the largest value taken at one place only (the weak reading)? `null` if that is not decided.
     weak: Option<bool>,
+    /// The local maxima and minima, from left to right.
     extrema: Vec<Turn>,
+    /// The knots at which the function jumps.
     jumps: Vec<Step>,
+    /// The one-sided slopes at the knots.
     slopes: Vec<Slopes>,
 }
 
 /// A local maximum or minimum.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct Turn {
+    /// A local maximum, or a minimum.
+    #[schemars(extend("enum" = ["maximum", "minimum"]))]
     kind: &'static str,
+    /// Exact bounds of the place, equal if it is known exactly; or the two ends of a plateau.
     #[serde(serialize_with = "as_given")]
+    #[schemars(with = "[String; 2]")]
     interval: [Exact; 2],
     /// Settled digits of the place.
     x: Decimal,
+    /// Is the place a knot?
     at_knot: bool,
     /// Is the whole interval a maximal interval of constancy?
     plateau: bool,
+    /// Exact bounds of the value there, equal if it is known exactly.
     #[serde(serialize_with = "as_given")]
+    #[schemars(with = "[String; 2]")]
     value: [Exact; 2],
     /// Settled digits of the value there.
     height: Decimal,
 }
 
 /// A discontinuity.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct Step {
+    /// The knot.
     at: Exact,
+    /// The limit from below.
     left: Exact,
+    /// The limit from above.
     right: Exact,
 }
 
 /// One-sided slopes at a knot; `null` where nothing lies on that side.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct Slopes {
+    /// The knot.
     at: Exact,
+    /// The derivative from below; `null` where there is no span to the left.
     left: Option<Exact>,
+    /// The derivative from above; `null` where there is no span to the right.
     right: Option<Exact>,
 }
 

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use anstyle::Style;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::analysis::{Partition, PartitionCell, PartitionEnd, PartitionEvent};
@@ -19,54 +20,80 @@ use super::super::progress::Progress;
 use super::{Args, exact};
 
 /// The result: its fields are the JSON.
-#[derive(Debug, Serialize)]
-struct Partitions {
+#[derive(Debug, Serialize, JsonSchema)]
+pub(in super::super) struct Partitions {
+    /// What this object is: `knotproof.shape/1`.
+    #[schemars(extend("const" = "knotproof.shape/1"))]
     schema: &'static str,
+    /// k.
     degree: usize,
+    /// t_0, …, t_m: exactly as given, as fractions in lowest terms, whatever the notation.
     #[serde(serialize_with = "as_given")]
+    #[schemars(with = "Vec<String>")]
     knots: Vec<Exact>,
+    /// J, where the knot t_J moves between its neighbours; otherwise α does.
     #[serde(skip_serializing_if = "Option::is_none")]
     free_knot: Option<usize>,
+    /// One for each index i that was asked for.
     functions: Vec<Function>,
     #[serde(skip)]
     label: Option<String>,
 }
 
 /// One function, for every value of the parameter.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct Function {
+    /// i of G_i^k.
     index: usize,
+    /// α, where a knot moves.
     #[serde(skip_serializing_if = "Option::is_none")]
     alpha: Option<String>,
-    /// `null` if neither is known.
+    /// Is there one local maximum only, whatever the parameter is? `null` if neither is known.
     strong: Option<bool>,
+    /// The open intervals of the parameter between two ends, from left to right.
     cells: Vec<Cell>,
+    /// The places between them, where the number of local maxima may change.
     ends: Vec<End>,
 }
 
 /// The bounds of a cell by the parameter's name.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct Cell {
     #[serde(flatten)]
     bounds: Bounds,
+    /// How many local maxima there are everywhere in it; `null` if that is not known.
     local_maxima: Option<usize>,
 }
 
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 enum Bounds {
-    /// `null` for ∞.
-    Ratio(#[serde(serialize_with = "as_given")] [Option<Exact>; 2]),
-    Knot(#[serde(serialize_with = "as_given")] [Option<Exact>; 2]),
+    /// Bounds of the slope ratio r = (α − 1)/α, exactly; `null` for ∞.
+    Ratio(
+        #[serde(serialize_with = "as_given")]
+        #[schemars(with = "[Option<String>; 2]")]
+        [Option<Exact>; 2],
+    ),
+    /// Bounds of the knot that moves, exactly; `null` for ∞.
+    Knot(
+        #[serde(serialize_with = "as_given")]
+        #[schemars(with = "[Option<String>; 2]")]
+        [Option<Exact>; 2],
+    ),
 }
 
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct End {
+    /// Exact bounds of the parameter, equal if it is known exactly.
     #[serde(serialize_with = "as_given")]
+    #[schemars(with = "[String; 2]")]
     interval: [Exact; 2],
+    /// How many local maxima there are just there.
     local_maxima: usize,
     /// `knot` for critical points that pass one, `fold` for two that meet.
+    #[schemars(extend("enum" = ["knot", "fold"]))]
     kind: &'static str,
+    /// What happens there, in which spans.
     events: Vec<Event>,
     /// For a critical point at a knot: the integer polynomial in the parameter of which the end is a root, lowest
     /// coefficient first.
@@ -80,9 +107,11 @@ struct End {
 }
 
 /// Where on a span [t_span, t_{span+1}) a critical point is.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct Event {
+    /// j of the span [t_j, t_{j+1}).
     span: usize,
+    /// Where in it.
     at: &'static str,
 }
 

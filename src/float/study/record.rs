@@ -1,6 +1,7 @@
 //! The figures as they are written down: decimals, hexadecimal floats, exact numbers and commands.
 
 use num_rational::BigRational;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::case::Case;
@@ -14,9 +15,10 @@ const DIGITS: usize = 6;
 const RANGE: &str = "every r(x − a) + (b − x) is between 2^-100 and 2^100";
 
 /// What one formula does wrong. Errors are decimals of six digits.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct FormulaRecord {
-    /// The formula ([`Formula::name`](super::Formula::name)).
+    /// The formula.
+    #[schemars(extend("enum" = ["paper", "ratio", "triangle", "fast", "accurate"]))]
     pub name: &'static str,
     /// How many cases were looked at: the random ones, and the steps of the search.
     pub tried: u64,
@@ -47,7 +49,7 @@ pub struct FormulaRecord {
 }
 
 /// A bound that does not apply to all cases.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct RangeRecord {
     /// What has to hold for the bound.
     pub holds_where: &'static str,
@@ -60,7 +62,7 @@ pub struct RangeRecord {
 }
 
 /// The worst case: exactly, as hexadecimal floats, and as commands.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct WorstRecord {
     /// In exact numbers.
     #[serde(flatten)]
@@ -76,7 +78,7 @@ pub struct WorstRecord {
 }
 
 /// A case, number by number.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct CaseRecord {
     /// x.
     pub x: String,
