@@ -194,10 +194,7 @@ impl Reader {
             self.t.iter().filter(inside).any(|x| self.g(i, x) != self.left(i, x))
         };
         let meant = |i: &usize| self.t[*i] < self.t[i + self.k + 1] && !(continuous && jumps(*i));
-        (0..=self.n())
-            .filter(meant)
-            .map(|i| Shape::of(basis, &pieces, i).local_maxima().count() == 1)
-            .collect()
+        (0..=self.n()).filter(meant).map(|i| Shape::of(&pieces, i).local_maxima().count() == 1).collect()
     }
 }
 

@@ -33,7 +33,9 @@ fn order_one(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
             return Err(case.refuted([("span", format!("[{start}, {end})"))], claimed, "it is one".into()));
         }
         for (i, g) in pieces.functions.iter() {
-            let same = scaled.on(pieces.span).map(|scaled| scaled.function(i));
+            // The span of other knots with the same number.
+            let same = scaled.spans().iter().find(|of| of.span.index() == pieces.span.index());
+            let same = same.map(|scaled| scaled.function(i));
             if !same.is_some_and(|same| ledger.equal(g, &same)) {
                 return Err(Stop::Fault(format!("{} depends on the scale", name(case.k(), i))));
             }

@@ -462,6 +462,15 @@ impl CliError {
         Self::UnknownClaim { argument, name: name.to_owned(), near: near.unwrap_or_default() }
     }
 
+    /// The lines of a text that the error is in, with a mark below the place.
+    #[must_use]
+    pub fn excerpt(&self) -> Option<String> {
+        match self {
+            Self::Expression { error, .. } => Some(error.excerpt()),
+            _ => None,
+        }
+    }
+
     /// The exit code: the request is to blame, unless the program or its surroundings fail.
     #[must_use]
     pub fn exit(&self) -> Exit {
