@@ -239,7 +239,7 @@ fn figures() {
 /// A theorem that is proved, one that is refuted and amended, a question with hypotheses.
 #[test]
 fn explain() {
-    reads("explain", &session(&["explain T3.5.2", "explain T3.5.1 --goals", "explain X.approximation"]));
+    reads("explain", &session(&["explain T3.5.2", "explain T3.5.1 --goals", "explain X.linear"]));
 }
 
 /// The text and the report's section on each claim.
