@@ -6,6 +6,7 @@ use crate::spline::{Basis, KnotVector, Side, bernstein, binomial, weight};
 
 use super::basis::name;
 use super::case::{BasisCase, Case};
+use super::cause::Cause;
 use super::claim::{Claim, Form};
 use super::closeness::base_spans;
 use super::hypothesis::Hypothesis::{
@@ -33,8 +34,7 @@ fn order_one(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
             return Err(case.refuted([("span", format!("[{start}, {end})"))], claimed, "it is one".into()));
         }
         for (i, g) in pieces.functions.iter() {
-            // The span of other knots with the same number.
-            let same = scaled.spans().iter().find(|of| of.span.index() == pieces.span.index());
+            let same = scaled.spans().iter().find(|scaled| scaled.span.index() == pieces.span.index());
             let same = same.map(|scaled| scaled.function(i));
             if !same.is_some_and(|same| ledger.equal(g, &same)) {
                 return Err(Stop::Fault(format!("{} depends on the scale", name(case.k(), i))));
@@ -206,7 +206,8 @@ pub(super) fn claims() -> Vec<Claim> {
                 elevates_exactly(|k| k),
             )
             .given([Open, FiniteIndex, DegreeAtLeast(1)]),
-        )),
+        ))
+        .fails_by(Cause::Conjecture),
         Claim::new(
             "X.condition",
             "not in the paper",
@@ -225,6 +226,7 @@ pub(super) fn claims() -> Vec<Claim> {
             )
             .given([Open, FirstSpan, LastSpan, DegreeAtLeast(1), InnerMultiplicityAtMostDegree]),
         ))
+        .fails_by(Cause::NeverSo)
         .note("For k ≥ 2 and knots inside, no value and no bound is known here."),
     ]
 }

@@ -49,4 +49,6 @@ pub enum Cause {
     /// What is true of polynomial B-splines fails for finite α: one maximum, which is Conjecture 3.1, and the other
     /// properties that the questions `X.…` ask for.
     Conjecture,
+    /// A question of ours whose answer is no for polynomial B-splines too: nothing is lost.
+    NeverSo,
 }

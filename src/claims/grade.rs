@@ -55,7 +55,7 @@ impl Cause {
             | Self::ProofStep => true,
             // It fails on whole intervals of x; that its witness is at an end of one says nothing.
             Self::OutsideInterval => false,
-            Self::Picture | Self::VagueWords | Self::Conjecture => false,
+            Self::Picture | Self::VagueWords | Self::Conjecture | Self::NeverSo => false,
         }
     }
 
@@ -72,6 +72,7 @@ impl Cause {
             Self::Picture => "readings of pictures",
             Self::VagueWords => "words with more than one reading",
             Self::Conjecture => "the conjecture, and what else holds only for α = ∞",
+            Self::NeverSo => "what is not so for α = ∞ either",
         }
     }
 
@@ -88,6 +89,7 @@ impl Cause {
             Self::Picture => "picture",
             Self::VagueWords => "vague-words",
             Self::Conjecture => "conjecture",
+            Self::NeverSo => "never-so",
         }
     }
 }
@@ -134,6 +136,7 @@ fn stated(cause: Cause) -> Grade {
         Cause::Conjecture => {
             (Severity::Serious, "stated: the idea fails, and no hypothesis on the knots alone saves it")
         }
+        Cause::NeverSo => (Severity::Reading, "stated: it asks for more than polynomial B-splines have"),
     };
     Grade { severity, because }
 }
