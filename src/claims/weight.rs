@@ -88,7 +88,14 @@ impl Identity<'_> {
             let claimed = format!("{} = {}", self.left.0, self.right.0);
             let (left, right) = sides(x);
             let mut found = format!("the left side is {left} and the right side {right}");
-            let others: Vec<_> = failing.map(ToString::to_string).collect();
+            // The points of a case may coincide.
+            let mut others: Vec<&BigRational> = Vec::new();
+            for other in failing {
+                if other != x && !others.contains(&other) {
+                    others.push(other);
+                }
+            }
+            let others: Vec<_> = others.into_iter().map(ToString::to_string).collect();
             if !others.is_empty() {
                 found += &format!("; it fails at x = {} as well", others.join(", "));
             }

@@ -270,6 +270,9 @@ pub enum CliError {
     /// The verdicts that the program was built with are damaged.
     #[error("the recorded verdicts are damaged: {0}")]
     Recorded(BaselineError),
+    /// A claim that has no verdict among those the program was built with.
+    #[error("no verdict on {0} is recorded with this program; `knotproof report --claim {0}` judges it")]
+    NotRecorded(&'static str),
     /// README.md has no place for the table of verdicts.
     #[error("--record: README.md has no lines `{START}` and `{END}` to put the table between")]
     NoTable,
@@ -442,6 +445,7 @@ impl CliError {
             Self::Audit(_) => Some("--audit"),
             Self::Threads { .. } => Some("--threads"),
             Self::Recorded(_)
+            | Self::NotRecorded(_)
             | Self::Conversion { .. }
             | Self::Certificate(_)
             | Self::Picture(_)
@@ -462,6 +466,15 @@ impl CliError {
         Self::UnknownClaim { argument, name: name.to_owned(), near: near.unwrap_or_default() }
     }
 
+    /// The lines of a text that the error is in, with a mark below the place.
+    #[must_use]
+    pub fn excerpt(&self) -> Option<String> {
+        match self {
+            Self::Expression { error, .. } => Some(error.excerpt()),
+            _ => None,
+        }
+    }
+
     /// The exit code: the request is to blame, unless the program or its surroundings fail.
     #[must_use]
     pub fn exit(&self) -> Exit {
@@ -472,7 +485,8 @@ impl CliError {
             | Self::Picture(_)
             | Self::Page(_)
             | Self::Conversion { .. }
-            | Self::Recorded(_) => Exit::Internal,
+            | Self::Recorded(_)
+            | Self::NotRecorded(_) => Exit::Internal,
             _ => Exit::Usage,
         }
     }

@@ -90,7 +90,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     };
     let recorded = Baseline::recorded().map_err(CliError::Recorded)?;
     let Some(entry) = recorded.claims.iter().find(|entry| entry.id == claim.id) else {
-        return Err(CliError::unknown_claim("CLAIM", &args.claim, &ids));
+        return Err(CliError::NotRecorded(claim.id));
     };
     let mut parts = vec![part(claim, AS_PRINTED.into(), &claim.printed, &entry.as_printed, args.goals)];
     if let (Some(form), Some(finding)) = (&claim.amended, &entry.amended) {

@@ -240,11 +240,17 @@ impl Output {
 
     /// Writes one error message to standard error, on one line and with nothing in it that a terminal obeys.
     pub fn error(&self, message: &str, argument: Option<&str>) {
+        self.error_with_excerpt(message, argument, None);
+    }
+
+    /// The same, and for people below it the lines of a text to which it points.
+    pub fn error_with_excerpt(&self, message: &str, argument: Option<&str>, excerpt: Option<&str>) {
         let text = match self.format {
             Format::Text => {
                 let message = visible(message);
                 let red = Style::new().bold().fg_color(Some(AnsiColor::Red.into()));
-                format!("{red}error:{red:#} {message}")
+                let excerpt = excerpt.map(|lines| format!("\n{}", visible_lines(lines))).unwrap_or_default();
+                format!("{red}error:{red:#} {message}{excerpt}")
             }
             Format::Json => {
                 let error = ErrorBody { message, argument };

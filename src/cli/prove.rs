@@ -110,8 +110,9 @@ impl fmt::Display for Proved {
         writeln!(f, "{table}\n")?;
         writeln!(
             f,
-            "Proved and checked: {} certificates, in {}",
+            "Proved and checked: {} {}, in {}",
             self.checked.len(),
+            if self.checked.len() == 1 { "certificate" } else { "certificates" },
             visible_path(&self.written)
         )?;
         for name in &self.stale {

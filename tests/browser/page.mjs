@@ -125,6 +125,24 @@ try {
   await click("#conjugate");
   check("the conjugate of 5/2 is -3/2", (await evaluate(`document.getElementById("alpha").value`)) === "-3/2");
 
+  // ---- The drawings, neither mirrored nor upside down: hats on 0, 1, 3, and a curve with its ends at control points
+  await set("degree", "1");
+  await set("knots", "0 0 1 3 3");
+  await set("points", "0,0 2,1 3,5");
+  await set("alpha", "inf");
+  const places = (selector) => evaluate(`[...document.querySelectorAll(${JSON.stringify(selector)})].flatMap((line) => line.getAttribute("points").split(" ").map((point) => point.split(",").map(Number)))`);
+  const hat = await places("#basis [data-function='1'] .function");
+  const [from, top, to] = [hat[0], hat.reduce((high, point) => (point[1] < high[1] ? point : high)), hat.at(-1)];
+  const near = (found, expected) => Math.abs(found - expected) < 0.02;
+  check("a hat rises from left to right up to its knot", near((top[0] - from[0]) * 3, to[0] - from[0]) && from[0] < to[0], [from, top, to]);
+  check("and falls to the height where it began", near(from[1], to[1]) && top[1] < from[1], [from, top, to]);
+  const controls = await evaluate(`[...document.querySelectorAll("#curve .control")].map((dot) => ["cx", "cy"].map((name) => Number(dot.getAttribute(name))))`);
+  const unit = (controls[1][0] - controls[0][0]) / 2;
+  const expected = [[0, 0], [2, 1], [3, 5]].map(([a, b]) => [controls[0][0] + a * unit, controls[0][1] - b * unit]);
+  check("control points stand where they are", unit > 0 && controls.flat().every((at, i) => near(at, expected.flat()[i])), controls);
+  const trace = await places("#curve .trace");
+  check("and the curve begins and ends at the outer ones", [[trace[0], controls[0]], [trace.at(-1), controls.at(-1)]].every(([at, dot]) => near(at[0], dot[0]) && near(at[1], dot[1])), [trace[0], trace.at(-1)]);
+
   // ---- Maxima: the smallest function of degree 3 with two
   await set("degree", "3");
   await set("knots", "0 0 0 0 1 2 4 4");

@@ -40,9 +40,12 @@ impl fmt::Display for Evaluation {
 }
 
 impl Evaluation {
+    /// What the numbers are; at t_m the values are the limits from the left (D3.3).
     fn limit(&self) -> &'static str {
+        let at_last = self.knots.last().is_some_and(|last| last.0 == self.at.x.0);
         match self.at.side {
             OneSide::Left => "limits from the left",
+            OneSide::Right if at_last => "values (limits from the left)",
             OneSide::Right => "values (limits from the right)",
         }
     }

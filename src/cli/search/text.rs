@@ -24,11 +24,12 @@ impl fmt::Display for Summary<'_> {
         }
         writeln!(
             f,
-            "{} cases, each decided: {} by intervals, {} exactly; {} have more than one local maximum",
+            "{} cases, each decided: {} by intervals, {} exactly; {} {} more than one local maximum",
             tally.cases(),
             tally.by_intervals,
             tally.exactly,
-            tally.several
+            tally.several,
+            if tally.several == 1 { "has" } else { "have" }
         )?;
         let what = match search.find {
             Goal::Several => "more than one local maximum".to_owned(),

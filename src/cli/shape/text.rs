@@ -40,7 +40,9 @@ impl fmt::Display for Function {
                 (false, false) => "",
             };
             let place = if lo == hi { lo.to_string() } else { format!("[{lo}, {hi}]") };
-            extrema.add_row([turn.kind, &place, &turn.x.0, &turn.height.0, at]);
+            // A plateau is no single number.
+            let near = if turn.plateau { "" } else { &turn.x.0 };
+            extrema.add_row([turn.kind, &place, near, &turn.height.0, at]);
         }
         if !self.extrema.is_empty() {
             writeln!(f, "{}", extrema.trim_fmt())?;

@@ -22,13 +22,10 @@ pub struct ScriptError {
     shown: (String, usize),
 }
 
-/// The message, then the place, underlined.
+/// One line: the place and the message.
 impl fmt::Display for ScriptError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (shown, before) = &self.shown;
-        let margin = format!("{} | ", self.line);
-        write!(f, "line {}, column {}: {}\n{margin}{shown}\n", self.line, self.column, self.message)?;
-        write!(f, "{:>1$}", "^", margin.len() + before + 1)
+        write!(f, "line {}, column {}: {}", self.line, self.column, self.message)
     }
 }
 
@@ -36,6 +33,14 @@ impl fmt::Display for ScriptError {
 const SHOWN: (usize, usize) = (40, 78);
 
 impl ScriptError {
+    /// Two lines for people: the line of the text, and below it a mark at the place.
+    #[must_use]
+    pub fn excerpt(&self) -> String {
+        let (shown, before) = &self.shown;
+        let margin = format!("{} | ", self.line);
+        format!("{margin}{shown}\n{:>1$}", "^", margin.len() + before + 1)
+    }
+
     /// The error at a byte of the text.
     pub(super) fn at(text: &str, byte: usize, message: impl Into<String>) -> Self {
         let before = text.get(..byte).unwrap_or(text);
