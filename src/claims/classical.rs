@@ -215,8 +215,9 @@ pub(super) fn of_conclusion() -> Vec<Claim> {
 mod tests {
     use super::*;
     use crate::claims::hypothesis::Hypothesis;
+    use crate::claims::register::claims;
     use crate::claims::small_cases::{Cases, refuted};
-    use crate::claims::statement::judge;
+    use crate::claims::statement::judge_by_degree;
     use crate::claims::verdict::Verdict;
     use crate::scalar::RationalAlgebra;
 
@@ -242,7 +243,11 @@ mod tests {
                 DegreeAtLeast(1),
                 Hypothesis::InnerMultiplicityAtMostDegree,
             ]);
-            let verdict = judge(&statement, &cases.bases).unwrap();
+            // Some need larger cases, which their own claim brings along.
+            let own =
+                claims().into_iter().find(|claim| claim.id == property.0).and_then(|claim| claim.more_cases);
+            let more = own.map(|cases| cases()).unwrap_or_default();
+            let (verdict, _) = judge_by_degree(&statement, cases.bases.iter().chain(&more)).unwrap();
             let Verdict::Refuted(witness) = verdict else { unreachable!("{}: {verdict:?}", property.0) };
             assert_eq!(witness.given[0], ("property".to_owned(), property.0.to_owned()));
             let k: usize = witness.given[1].1.parse().unwrap();

@@ -43,13 +43,12 @@ impl Weights for Free {
     }
 }
 
+/// The functions of the degree before, and those of a degree.
+type Level = (Active<Multivariate>, Active<Multivariate>);
+
 /// For every degree from 1 to k: the functions of the degree before that live on a span, as variables, and those of the degree,
 /// as polynomials in these and in free weights.
-fn levels(
-    case: &BasisCase,
-    span: Span,
-    related: bool,
-) -> Result<Vec<(Active<Multivariate>, Active<Multivariate>)>, Stop> {
+fn levels(case: &BasisCase, span: Span, related: bool) -> Result<Vec<Level>, Stop> {
     let (k, m) = (case.k(), case.knots().m());
     if 3 * (k + 1) > Monomial::VARIABLES {
         return Err(Stop::Undecided(format!(
