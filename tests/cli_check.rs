@@ -459,9 +459,10 @@ fn the_text_shows_the_witness_and_the_limit() {
         String::from_utf8(output.stdout).unwrap()
     };
     let refuted = text("T3.5.3");
-    for part in
-        ["at j = 2, x = 3/2: it says Σ G_i^1(3/2) = 1; but the sum is 2/3", "amended: proved (knots, for k = 1) "]
-    {
+    for part in [
+        "at j = 2, x = 3/2: it says Σ G_i^1(3/2) = 1; but the sum is 2/3",
+        "amended: proved (knots, for k = 1) ",
+    ] {
         assert!(refuted.contains(part), "{part} in {refuted}");
     }
     assert!(text("X.totalpositivity").contains("X.totalpositivity          proved (knots, for k = 1)\n"));
