@@ -453,21 +453,20 @@ fn the_curves_of_a_basis_pass_through_exact_points_and_labels_are_at_their_funct
         for (view, index) in views.iter().zip(&instance.indices) {
             assert_eq!(view.indices(), std::slice::from_ref(index), "{}", figure.name);
             let basis = Basis::new(instance.knots.clone(), degree, index.clone()).unwrap();
-            for i in 0..=basis.n() {
+            for (i, colour) in COLOURS.into_iter().enumerate().take(basis.n() + 1) {
                 let here = format!("{}, {}, G_{i}", figure.name, view.heading);
                 let digit = char::from_u32(0x2080 + u32::try_from(i).unwrap()).unwrap();
                 let label = view.texts.iter().find(|text| text.words == format!("G{digit}"));
                 let label = label.unwrap_or_else(|| panic!("{here} has no label"));
-                assert_eq!(label.colour, COLOURS[i], "{here}");
+                assert_eq!(label.colour, colour, "{here}");
                 for (x, side) in places(basis.knots()) {
                     let value = basis.values(&x, side)[i].clone();
                     if value > integer(0) {
-                        let off = view.off(view.spot(&x, &value), COLOURS[i], true);
+                        let off = view.off(view.spot(&x, &value), colour, true);
                         assert!(off < NEAR, "{here}: the line is {off} pixels off ({x}, {value})");
                     }
                 }
-                let (own, other) =
-                    (view.gap(label.ink, COLOURS[i], true), view.gap(label.ink, COLOURS[i], false));
+                let (own, other) = (view.gap(label.ink, colour, true), view.gap(label.ink, colour, false));
                 assert!(
                     own < other && own < 15.0,
                     "{here}: its label is {own} from it and {other} from another"

@@ -194,7 +194,7 @@ fn rows(html: &str, id: &str) -> Vec<Vec<String>> {
         .expect("the table")
         .split("</table>")
         .next()
-        .unwrap_or_default();
+        .expect("its end");
     let body = table.split("<tbody>").nth(1).expect("its body");
     let cells = |row: &str| row.replace("</th>", "</td>").split("</td>").map(text).collect();
     body.split("<tr").skip(1).map(|row| cells(&format!("<tr{row}"))).collect()
