@@ -37,7 +37,7 @@ const FALSE: [Refuted; 16] = [
     ("abstract.bezier.points", &[("k", "1"), ("U", "(0, 0, 1, 1)")], Cause::VagueWords),
     ("D3.1.interval", &[("k", "1"), ("U", "(0, 0, 1, 2)"), ("i", "3")], Cause::EndPoints),
     ("D3.2.examples", &[("instance", "U0"), ("k", "3")], Cause::EndPoints),
-    ("P4.2.tangent", &[("k", "1"), ("d", "d_0 = d_1 = 0, d_2 = … = d_2 = 1")], Cause::VagueWords),
+    ("P4.2.tangent", &[("k", "1"), ("d", "d_0 = d_1 = 0, d_2 = 1")], Cause::VagueWords),
     ("T4.1.range", &[("k", "1"), ("j", "1"), ("r", "0"), ("i", "0")], Cause::IndexRange),
     ("Ill5.5.2.general", &[("instance", "C5"), ("α", "-4")], Cause::Picture),
     ("Ill5.8.remarkable", &[("instance", "S3"), ("α", "-1/2")], Cause::Picture),

@@ -49,7 +49,8 @@ fn moves_at_once(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
     if ledger.differ(&slope, &integer(0)) {
         return Ok(());
     }
-    let at = [("d", format!("d_0 = d_1 = 0, d_2 = … = d_{n} = 1")), ("x", start.to_string())];
+    let rest = if n == 2 { "d_2 = 1".to_owned() } else { format!("d_2 = … = d_{n} = 1") };
+    let at = [("d", format!("d_0 = d_1 = 0, {rest}")), ("x", start.to_string())];
     let claimed = "the curve has a tangent along its polygon there: a derivative that is not 0".into();
     Err(case.refuted(at, claimed, "the derivative is 0".into()))
 }
