@@ -43,13 +43,16 @@ impl Weights for Free {
     }
 }
 
-/// For every degree from 1 to k: the functions of the degree before that live on a span, as variables, and those of the degree,
-/// as polynomials in these and in free weights.
-fn levels(
-    case: &BasisCase,
-    span: Span,
-    related: bool,
-) -> Result<Vec<(Active<Multivariate>, Active<Multivariate>)>, Stop> {
+/// The functions of two degrees that live on a span.
+struct Level {
+    /// Those of the lower one, as variables.
+    before: Active<Multivariate>,
+    /// Those of the next one, as polynomials in these and in free weights.
+    after: Active<Multivariate>,
+}
+
+/// From degree 0 to 1, …, from k − 1 to k.
+fn levels(case: &BasisCase, span: Span, related: bool) -> Result<Vec<Level>, Stop> {
     let (k, m) = (case.k(), case.knots().m());
     if 3 * (k + 1) > Monomial::VARIABLES {
         return Err(Stop::Undecided(format!(
@@ -68,7 +71,7 @@ fn levels(
         triangle.raise(&Free { span, related }, span, d, m);
         let after = triangle.into_active();
         (first, count) = (after.first(), after.values().len());
-        levels.push((before, after));
+        levels.push(Level { before, after });
     }
     Ok(levels)
 }
@@ -78,7 +81,7 @@ fn levels(
 fn positive(related: bool) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
     move |case, ledger| {
         for pieces in case.pieces().spans() {
-            for (d, (_, after)) in (1..).zip(levels(case, pieces.span, related)?) {
+            for (d, Level { after, .. }) in (1..).zip(levels(case, pieces.span, related)?) {
                 for (i, g) in after.iter() {
                     let positive = !g.is_zero() && g.terms().all(|(_, c)| *c > BigInt::ZERO);
                     if !ledger.count(usize::from(positive), 1) {
@@ -106,7 +109,7 @@ fn sums_to_one(everywhere: bool) -> impl Fn(&BasisCase, &mut Ledger) -> Judgemen
             if !everywhere && !base.contains(&pieces.span.index()) {
                 continue;
             }
-            for (d, (before, after)) in (1..=case.k()).zip(levels(case, pieces.span, true)?) {
+            for (d, Level { before, after }) in (1..=case.k()).zip(levels(case, pieces.span, true)?) {
                 if !ledger.count(usize::from(sum(&before) == sum(&after)), 1) {
                     let (start, end) = case.knots().ends(pieces.span);
                     let at = [("span", format!("[{start}, {end})"))];
