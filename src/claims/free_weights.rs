@@ -43,11 +43,15 @@ impl Weights for Free {
     }
 }
 
-/// The functions of the degree before, and those of a degree.
-type Level = (Active<Multivariate>, Active<Multivariate>);
+/// The functions of two degrees that live on a span.
+struct Level {
+    /// Those of the lower one, as variables.
+    before: Active<Multivariate>,
+    /// Those of the next one, as polynomials in these and in free weights.
+    after: Active<Multivariate>,
+}
 
-/// For every degree from 1 to k: the functions of the degree before that live on a span, as variables, and those of the degree,
-/// as polynomials in these and in free weights.
+/// From degree 0 to 1, …, from k − 1 to k.
 fn levels(case: &BasisCase, span: Span, related: bool) -> Result<Vec<Level>, Stop> {
     let (k, m) = (case.k(), case.knots().m());
     if 3 * (k + 1) > Monomial::VARIABLES {
@@ -67,7 +71,7 @@ fn levels(case: &BasisCase, span: Span, related: bool) -> Result<Vec<Level>, Sto
         triangle.raise(&Free { span, related }, span, d, m);
         let after = triangle.into_active();
         (first, count) = (after.first(), after.values().len());
-        levels.push((before, after));
+        levels.push(Level { before, after });
     }
     Ok(levels)
 }
@@ -77,11 +81,11 @@ fn levels(case: &BasisCase, span: Span, related: bool) -> Result<Vec<Level>, Sto
 fn positive(related: bool) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
     move |case, ledger| {
         for pieces in case.pieces().spans() {
-            for (d, (_, after)) in (1..).zip(levels(case, pieces.span, related)?) {
+            for (d, Level { after, .. }) in (1..).zip(levels(case, pieces.span, related)?) {
                 for (i, g) in after.iter() {
                     let positive = !g.is_zero() && g.terms().all(|(_, c)| *c > BigInt::ZERO);
                     if !ledger.count(usize::from(positive), 1) {
-                        let (start, end) = pieces.ends();
+                        let (start, end) = case.knots().ends(pieces.span);
                         let at = [("i", i.to_string()), ("span", format!("[{start}, {end})"))];
                         let claimed = format!("{} is a sum of products, without a minus", name(d, i));
                         return Err(case.refuted_at_large(at, claimed, "a product has a minus".into()));
@@ -105,9 +109,9 @@ fn sums_to_one(everywhere: bool) -> impl Fn(&BasisCase, &mut Ledger) -> Judgemen
             if !everywhere && !base.contains(&pieces.span.index()) {
                 continue;
             }
-            for (d, (before, after)) in (1..=case.k()).zip(levels(case, pieces.span, true)?) {
+            for (d, Level { before, after }) in (1..=case.k()).zip(levels(case, pieces.span, true)?) {
                 if !ledger.count(usize::from(sum(&before) == sum(&after)), 1) {
-                    let (start, end) = pieces.ends();
+                    let (start, end) = case.knots().ends(pieces.span);
                     let at = [("span", format!("[{start}, {end})"))];
                     let claimed =
                         format!("the functions of degree {d} have the same sum as those of degree {}", d - 1);
