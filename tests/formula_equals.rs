@@ -180,7 +180,7 @@ fn what_cannot_be_read_says_where() {
     let (_, _, error) = run("x + 2 y", &hat("0"));
     let lines: Vec<_> = error.lines().collect();
     assert_eq!(lines[1].find('y'), lines[2].find('^'), "{error}");
-    let (code, _, error) = run("G_1(x) := 0$ G_9(x) := x$", &HAT);
+    let (code, _, error) = run("G_0(x) := 0$ G_9(x) := x$", &HAT);
     assert!(code == 2 && error.contains("line 1, column 14: there is no function 9"), "{error}");
     let (code, _, error) = run("x", &HAT);
     assert!(code == 2 && error.contains("--index"), "{error}");
