@@ -535,7 +535,7 @@ fn work_is_limited() {
         table.iter().map(|goal| format!("(section {declarations} (goals {goal}))")).collect();
     sections.push(format!("(section {ranges} (goals (= 0 0)))"));
     sections.push(format!("(section {declarations} {long} (goals (= 0 0)))"));
-    sections.push(format!("(section (window X 0 (each i 1 200 any) (each i 1 9000 0)) (goals (= 0 0)))"));
+    sections.push("(section (window X 0 (each i 1 200 any) (each i 1 9000 0)) (goals (= 0 0)))".to_owned());
     for sections in sections {
         let statement = statement(&sections).replace("(degrees 1 2)", "(degrees 1)");
         let checked = check_within(WORK / 1_000, &statement, "(proof 1 (section 1 (goal 1 (by))))");
