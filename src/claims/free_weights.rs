@@ -85,7 +85,7 @@ fn positive(related: bool) -> impl Fn(&BasisCase, &mut Ledger) -> Judgement {
                 for (i, g) in after.iter() {
                     let positive = !g.is_zero() && g.terms().all(|(_, c)| *c > BigInt::ZERO);
                     if !ledger.count(usize::from(positive), 1) {
-                        let (start, end) = case.knots().ends(pieces.span);
+                        let (start, end) = pieces.ends();
                         let at = [("i", i.to_string()), ("span", format!("[{start}, {end})"))];
                         let claimed = format!("{} is a sum of products, without a minus", name(d, i));
                         return Err(case.refuted_at_large(at, claimed, "a product has a minus".into()));
@@ -111,7 +111,7 @@ fn sums_to_one(everywhere: bool) -> impl Fn(&BasisCase, &mut Ledger) -> Judgemen
             }
             for (d, Level { before, after }) in (1..=case.k()).zip(levels(case, pieces.span, true)?) {
                 if !ledger.count(usize::from(sum(&before) == sum(&after)), 1) {
-                    let (start, end) = case.knots().ends(pieces.span);
+                    let (start, end) = pieces.ends();
                     let at = [("span", format!("[{start}, {end})"))];
                     let claimed =
                         format!("the functions of degree {d} have the same sum as those of degree {}", d - 1);
