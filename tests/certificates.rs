@@ -323,10 +323,13 @@ fn a_changed_proof_proves_nothing_else() {
             *sum = (sum.0 + tried, sum.1 + accepted);
         }
     }
-    for kind in ["deleted", "doubled", "bracket", "goal number", "section number", "version", "name"] {
+    for kind in ["deleted", "doubled", "bracket", "goal number", "section number", "version"] {
         let (tried, accepted) = tally[kind];
         assert!(tried > 100 && accepted == 0, "{kind}: {accepted} of {tried} accepted");
     }
+    // Two unknowns or windows that are alike may do the same.
+    let (tried, accepted) = tally["name"];
+    assert!(tried > 100 && accepted * 1_000 < tried, "name: {accepted} of {tried} accepted");
     // Another degree of unknowns may do as well.
     for kind in ["number", "option"] {
         let (tried, accepted) = tally[kind];

@@ -156,15 +156,33 @@ fn no_number_is_a_float() {
 }
 
 #[test]
-fn without_a_choice_every_claim_about_instances_in_general_is_judged() {
+fn without_a_choice_every_claim_that_depends_on_the_instance_is_judged() {
     let (code, found) = check(&["--instance", "U4", "--alpha", "-1"]);
     assert_eq!(code, 1, "T3.5.1 fails on every open vector");
     let ids: Vec<_> = statuses(&found).into_iter().map(|(id, _)| id).collect();
-    for id in ["phi.range", "T3.5.2", "Conj3.1.strong.continuous", "P3.2", "T4.1", "proof.P3.2.induction"] {
+    for id in ["T3.5.1", "T3.5.2", "Conj3.1.strong.continuous", "P3.2", "T4.1", "proof.P3.2.induction"] {
         assert_eq!(ids.iter().filter(|other| **other == id).count(), 1, "{id}");
     }
-    assert!(!ids.iter().any(|id| id.starts_with("X.") || id.starts_with("Ill5.")), "{ids:?}");
+    let others = ["X.", "Ill5.", "phi.", "P2.1"];
+    assert!(!ids.iter().any(|id| others.iter().any(|other| id.starts_with(other))), "{ids:?}");
     assert_eq!(statuses(&found).iter().find(|(id, _)| *id == "T3.5.2"), Some(&("T3.5.2", "proved")));
+}
+
+#[test]
+fn all_that_can_be_judged_amended_and_against_the_records() {
+    let instance = ["--instance", "U4", "--alpha", "-1"];
+    let with = |more: &[&str]| check(&[&instance[..], more].concat());
+    let (_, all) = with(&["--all"]);
+    let ids: Vec<_> = statuses(&all).into_iter().map(|(id, _)| id).collect();
+    assert!(["phi.range", "T3.5.1", "X.G1"].iter().all(|id| ids.contains(id)), "{ids:?}");
+    // What is known to be true holds here too.
+    let (code, amended) = with(&["--amended"]);
+    assert_eq!(code, 0, "{:?}", statuses(&amended));
+    assert!(properties(&amended).iter().any(|p| p["id"] == "T3.5.1" && p["form"] == "amended"));
+    let (code, recorded) = with(&["--all", "--baseline"]);
+    assert_eq!(code, 0, "{:?}", statuses(&recorded));
+    assert!(properties(&recorded).iter().all(|p| p["as_recorded"] == true));
+    assert!(statuses(&recorded).contains(&("T3.5.1", "refuted")));
 }
 
 #[test]

@@ -170,7 +170,7 @@ const SOME: [&str; 3] = ["P3.3.2.amended", "T3.5.1.printed", "X.nurbs.degree-2"]
 fn a_folder_of_certificates_is_checked_in_the_order_of_the_names() {
     let folder = copies(&SOME);
     let path = folder.path().to_str().unwrap();
-    let (code, found) = run(&["verify", "--claim", "P3.3.2", path]);
+    let (code, found) = run(&["verify", "--foreign", path]);
     assert_eq!((code, &found["schema"], &found["missing"]), (0, &json!("knotproof.verify/1"), &json!([])));
     assert_eq!((&found["rejected"], &found["unknown"]), (&json!([]), &json!([])));
     let expected = json!([
@@ -182,7 +182,7 @@ fn a_folder_of_certificates_is_checked_in_the_order_of_the_names() {
             "sections": 2, "steps": 12},
     ]);
     assert_eq!(found["checked"], expected);
-    let (code, found) = text(&["verify", "--claim", "P3.3.2", path]);
+    let (code, found) = text(&["verify", "--foreign", path]);
     assert_eq!(code, 0);
     assert!(found.lines().any(|row| words(row) == "X.nurbs degree 2 proved knots 2 12"), "{found}");
     assert!(found.ends_with("Accepted: 3; rejected: 0\n"), "{found}");
@@ -247,7 +247,7 @@ fn single_files_and_folders_can_be_mixed() {
     let (folder, other) = (copies(&SOME[..1]), copies(&SOME));
     let file = other.path().join("T3.5.1.printed.statement");
     let paths = [file.to_str().unwrap(), folder.path().to_str().unwrap()];
-    let (code, found) = run(&["verify", "--claim", "P3.3.2", paths[0], paths[1]]);
+    let (code, found) = run(&["verify", "--foreign", paths[0], paths[1]]);
     let claims: Vec<_> =
         found["checked"].as_array().unwrap().iter().map(|checked| &checked["claim"]).collect();
     assert_eq!((code, claims), (0, vec![&json!("T3.5.1"), &json!("P3.3.2")]));
@@ -461,7 +461,7 @@ fn names_of_files_are_shown_and_not_obeyed() {
     let odd = folder.path().join("a\u{1b}[31m\nRejected: \u{202e}b.statement");
     fs::write(&odd, "(").unwrap();
     fs::write(odd.with_extension("proof"), "(").unwrap();
-    let (code, found) = text(&["verify", "--claim", "P3.3.2", folder.path().to_str().unwrap()]);
+    let (code, found) = text(&["verify", "--foreign", folder.path().to_str().unwrap()]);
     assert_eq!(code, 1);
     assert!(found.contains(r"a\u{1b}[31m\nRejected: \u{202e}b.statement: statement: line 1: "), "{found}");
 }
@@ -680,7 +680,7 @@ fn a_closed_pipe_is_no_error() {
     let path = folder.path().to_str().unwrap();
     for arguments in [
         &["explain", "X.G1", "--goals"][..],
-        &["verify", path],
+        &["verify", "--foreign", path],
         &["prove", "--claim", "P2.1.3", "--out", path],
     ] {
         for format in ["text", "json"] {

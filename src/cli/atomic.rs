@@ -146,6 +146,11 @@ fn adopt(old: &Path, new: &Path) -> io::Result<()> {
         let entry = entry?;
         let (from, to) = (entry.path(), new.join(entry.file_name()));
         match fs::symlink_metadata(&to) {
+            Ok(new) if entry.file_type()?.is_dir() && !new.is_dir() => {
+                let name = entry.file_name();
+                let message = format!("{} is a folder there, and would be a file", name.to_string_lossy());
+                return Err(io::Error::new(io::ErrorKind::IsADirectory, message));
+            }
             Ok(_) => {}
             Err(_) if entry.file_type()?.is_dir() => {
                 fs::create_dir(&to)?;

@@ -14,7 +14,8 @@ use crate::scalar::effort;
 ///
 /// The time moves on, and so does the number of small steps inside the step that is under way, however long that takes.
 /// On a terminal it is a bar. Elsewhere, as in the log of a job, it is a line after [`FIRST`], after twice that, and so
-/// on, up to one every [`LONGEST`]. `KNOTPROOF_PROGRESS=never` turns both off.
+/// on, up to one every [`LONGEST`]. `KNOTPROOF_PROGRESS=never` turns both off, and
+/// `KNOTPROOF_PROGRESS=terminal` the lines.
 pub(super) struct Progress {
     shared: Arc<Shared>,
     ticker: Option<JoinHandle<()>>,
@@ -67,8 +68,13 @@ impl Progress {
         let (name, begun, before) = (String::new(), Instant::now(), effort());
         let state = State { done: 0, total, unit, name, begun, before, over: false };
         let shared = Arc::new(Shared { state: Mutex::new(state), over: Condvar::new() });
-        let wanted = std::env::var_os("KNOTPROOF_PROGRESS").is_none_or(|when| when != "never");
-        let bar = std::io::stderr().is_terminal().then(|| bar(total, template));
+        let terminal = std::io::stderr().is_terminal();
+        let wanted = match std::env::var_os("KNOTPROOF_PROGRESS") {
+            Some(when) if when == "never" => false,
+            Some(when) if when == "terminal" => terminal,
+            _ => true,
+        };
+        let bar = terminal.then(|| bar(total, template));
         let told = Arc::clone(&shared);
         // Without a thread to spare the work goes on in silence.
         let ticker =
