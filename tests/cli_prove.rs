@@ -463,7 +463,7 @@ fn names_of_files_are_shown_and_not_obeyed() {
     fs::write(odd.with_extension("proof"), "(").unwrap();
     let (code, found) = text(&["verify", "--foreign", folder.path().to_str().unwrap()]);
     assert_eq!(code, 1);
-    assert!(found.contains(r"a\u{1b}[31m\nRejected: \u{202e}b.statement: statement: line 1: "), "{found}");
+    assert!(found.contains(r"a\u{1b}[31m\u{a}Rejected: \u{202e}b.statement: statement: line 1: "), "{found}");
 }
 
 #[test]

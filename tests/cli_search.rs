@@ -284,10 +284,13 @@ fn interruptions_have_no_influence() {
             assert!(summary["done"].as_u64() <= summary["to"].as_u64());
             summary["done"].as_u64().filter(further)
         };
-        reached = wait_for(&mut process, done).expect("a state");
+        // A fast machine may be done before the last rounds.
+        let Some(state) = wait_for(&mut process, done) else { break };
+        assert!(round > 0 || state < 300_000, "the search is too short for this test");
+        reached = state;
         kill(process);
     }
-    assert!(reached < 300_000, "the search is too short for this test");
+    assert!(reached > 0, "nothing was interrupted");
     assert_eq!(search(&["--resume", text(&file)]), whole);
     assert_eq!(fs::read_to_string(&file).unwrap(), whole.0);
     // Once more: nothing is left to do, and the result is the same.
