@@ -280,7 +280,7 @@ pub(super) fn regular(
 }
 
 /// The value and the limit from the left of every function agree at every knot inside (t_0, t_m).
-fn continuity(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
+pub(super) fn continuity(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
     for (x, _) in case.knots().inner_stop_knots() {
         let (left, right) = (case.values(x, Side::Left), case.values(x, Side::Right));
         for (i, (left, right)) in left.iter().zip(&right).enumerate() {

@@ -5,7 +5,7 @@ use crate::analysis::{Piece, coefficient_rows, rank};
 use crate::scalar::{BigRational, RationalAlgebra, Ring, integer};
 use crate::spline::{Basis, Curve, Side, weight};
 
-use super::basis::{mirrored_span, name, symmetry};
+use super::basis::{continuity, mirrored_span, name, symmetry};
 use super::case::{BasisCase, Origin};
 use super::cause::Cause;
 use super::claim::{Claim, Form};
@@ -60,18 +60,7 @@ fn lives_exactly(as_amended: bool) -> impl Fn(&BasisCase, &mut Ledger) -> Judgem
 
 /// Every function of degree k − 1 is continuous at the knots inside (t_0, t_m).
 fn lower_is_continuous(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
-    let Some(lower) = one_degree_lower(case) else { return Ok(()) };
-    for (x, _) in case.knots().inner_stop_knots() {
-        let (left, right) = (lower.values(x, Side::Left), lower.values(x, Side::Right));
-        for (i, (left, right)) in left.iter().zip(&right).enumerate() {
-            if !ledger.equal(left, right) {
-                let g = name(lower.k(), i);
-                let found = format!("{g} → {left} from the left and {g}({x}) = {right}");
-                return Err(lower.refuted_on_the_left(i, x, format!("{g} is continuous at {x}"), found));
-            }
-        }
-    }
-    Ok(())
+    one_degree_lower(case).map_or(Ok(()), |lower| continuity(&lower, ledger))
 }
 
 /// At a knot of multiplicity k exactly two functions of degree k − 1 jump, the one that ends there from 1 to 0 and the
