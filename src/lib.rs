@@ -108,6 +108,7 @@ pub mod claims;
 pub mod cli;
 pub mod float;
 pub mod json;
+pub mod language;
 pub mod report;
 pub mod scalar;
 pub mod search;

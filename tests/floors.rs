@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 /// The top-level modules, from the ground up.
 const FLOORS: &[&[&str]] = &[
     &["scalar", "json"],
-    &["spline"],
+    &["language", "spline"],
     &["analysis"],
     &["claims", "search", "certificate"],
     &["report", "float"],

@@ -1,0 +1,81 @@
+//! The words: what first-order formulas can't say. Type and sentence stand here, where they are read and printed; the decider
+//! stands in `meaning::words`, in a `match` without a wildcard, so that a new word asks for both.
+
+/// What a word may be said of, and what it gives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Sort {
+    /// An integer.
+    Int,
+    /// A number.
+    Real,
+    /// A function of one variable: `G[i]`.
+    Function,
+    /// A term with its variable, and an interval where it matters: `C(x), x in [t[0], t[m]]`.
+    Expression,
+    /// Control values by their name.
+    Coefficients,
+    /// True or false.
+    Truth,
+}
+
+/// One entry for each word: the name in Rust, as written, what it is said of, what it gives, and how it is read aloud, with
+/// {0}, {1} for what it is said of.
+macro_rules! words {
+    ($($(#[$doc:meta])* $word:ident $name:literal ($($sort:ident),*) -> $gives:ident $says:literal;)*) => {
+        /// What formulas can't say.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        pub enum Word { $($(#[$doc])* $word,)* }
+
+        impl Word {
+            /// All words.
+            pub const ALL: &[Self] = &[$(Self::$word,)*];
+
+            /// As written in a formula.
+            #[must_use]
+            pub fn name(self) -> &'static str {
+                match self { $(Self::$word => $name,)* }
+            }
+
+            /// What it is said of.
+            #[must_use]
+            pub fn takes(self) -> &'static [Sort] {
+                match self { $(Self::$word => &[$(Sort::$sort),*],)* }
+            }
+
+            /// What it gives.
+            #[must_use]
+            pub fn gives(self) -> Sort {
+                match self { $(Self::$word => Sort::$gives,)* }
+            }
+
+            /// How it is read, with {0}, {1}, … for what it is said of.
+            #[must_use]
+            pub fn says(self) -> &'static str {
+                match self { $(Self::$word => $says,)* }
+            }
+        }
+    };
+}
+
+words! {
+    /// How often a number occurs among the knots.
+    Multiplicity "mult" (Real) -> Int "the multiplicity of {0} in U";
+    /// Local maxima of a function on the closure of its support; an interval of constancy counts once.
+    Maxima "maxima" (Function) -> Int "the number of local maxima of {0}";
+    /// Local minima inside the support.
+    Minima "minima" (Function) -> Int "the number of local minima of {0}";
+    /// Points at which the largest value is taken; 0 if it is only a limit.
+    Maximisers "maximisers" (Function) -> Int "the number of x at which {0} takes its largest value";
+    /// Continuous on (t_0, t_m).
+    Continuous "continuous" (Function) -> Truth "{0} is continuous on (t_0, t_m)";
+    /// How often the values of an expression change their sign.
+    Changes "changes" (Expression) -> Int "the number of sign changes of {0}";
+    /// How often control values change their sign, zeros left out.
+    PolygonChanges "polygon_changes" (Coefficients) -> Int "the number of sign changes of {0}";
+    /// The dimension of the span of the functions of a degree on [t_0, t_m].
+    Rank "rank" (Int) -> Int "the dimension of the span of the functions of degree {0}";
+    /// Is the expression, on its interval, a combination of the functions of the degree that live there?
+    Combination "combination" (Expression, Int) -> Truth "{0} is a combination of the functions of degree {1}";
+    /// The supremum of an expression on its interval.
+    Supremum "sup" (Expression) -> Real "the supremum of {0}";
+}
