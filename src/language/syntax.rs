@@ -321,3 +321,26 @@ pub struct Sentence {
     /// The conclusions.
     pub then: Vec<Formula>,
 }
+
+/// A name for a term of a file: `b[i,q](x) = …`. Several of one name differ in literals among their indices; the first that
+/// fits is meant.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct Definition {
+    /// Its name.
+    pub name: Name,
+    /// Its indices.
+    pub indices: Vec<Pattern>,
+    /// Its variable; without one it is a number.
+    pub variable: Option<Name>,
+    /// What it stands for.
+    pub body: Real,
+}
+
+/// An index of a definition.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub enum Pattern {
+    /// This number only.
+    Number(i64),
+    /// Any number, under this name.
+    Any(Name),
+}
