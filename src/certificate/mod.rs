@@ -23,4 +23,4 @@ pub use prove::{GoalError, ProofError, prove};
 pub use sexp::{Sexp, SyntaxError};
 pub use statement::{Class, Form, Gap, Hint, Section, Statement, Window};
 pub use term::{Formula, OfWeight, Place, Term, Where};
-pub use windows::{Windows, WindowsError, all_windows, windows};
+pub use windows::{Windows, WindowsError, windows};

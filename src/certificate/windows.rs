@@ -70,10 +70,7 @@ fn parse(text: &str) -> Result<Vec<Windows>, toml::de::Error> {
 }
 
 /// All entries, in the order of the register of claims.
-///
-/// # Errors
-/// [`WindowsError::File`], if the file is not as it should be.
-pub fn all_windows() -> Result<&'static [Windows], WindowsError> {
+fn all_windows() -> Result<&'static [Windows], WindowsError> {
     static ALL: LazyLock<Result<Vec<Windows>, toml::de::Error>> = LazyLock::new(|| parse(TEXT));
     ALL.as_deref().map_err(|error| error.clone().into())
 }
