@@ -3,8 +3,10 @@
 //! It knows rationals and no spline: what a formula means is said in `meaning`. The language for its users is described in
 //! `docs/language.md`.
 
+mod cause;
 mod complaint;
 mod definitions;
+mod file;
 mod known;
 mod raw;
 mod resolve;
@@ -13,7 +15,9 @@ mod syntax;
 mod token;
 mod words;
 
+pub use cause::{Cause, Severity, Source};
 pub use complaint::Complaint;
+pub use file::{File, RestsOn, Said, Stanza, stanzas};
 pub use known::Known;
 pub use sentence::{one_line, sentence};
 pub use syntax::{
