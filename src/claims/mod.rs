@@ -11,7 +11,7 @@ mod approximation;
 mod basis;
 mod captions;
 mod case;
-mod cause;
+use crate::language as cause;
 mod claim;
 mod classical;
 mod closeness;
@@ -47,8 +47,8 @@ mod verdict;
 mod weight;
 mod weight_effect;
 
+pub use crate::language::{Cause, Severity, Source};
 pub use case::{BasisCase, Case, Origin, WeightCase};
-pub use cause::{Cause, Severity, Source};
 pub use claim::{Claim, Form, Judged};
 pub use grade::Grade;
 pub use hypothesis::{Hypothesis, WeightHypothesis};
