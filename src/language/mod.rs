@@ -8,6 +8,6 @@ mod words;
 
 pub use syntax::{
     Adjective, Argument, Binder, Definition, Fold, Formula, Function, Int, Interval, Item, Member, Name,
-    Over, Range, Real, Relation, Sentence, Side, Use,
+    Over, Pattern, Range, Real, Relation, Sentence, Side, Use,
 };
 pub use words::{Sort, Word};
