@@ -55,9 +55,8 @@ impl Order<'_> {
 
     fn real(&self, t: &Real) -> usize {
         match t {
-            Real::Coefficient(name, _) | Real::Bound(name) => {
-                usize::from(self.names.contains(name) || self.is_defined(name) && self.mentions(name))
-            }
+            Real::Coefficient(name, _) | Real::Bound(name) => usize::from(self.names.contains(name)),
+            Real::Defined(name, _) => usize::from(self.mentions(name)),
             Real::Plus(a, b) | Real::Minus(a, b) => self.real(a).max(self.real(b)),
             Real::Times(a, b) => (self.real(a) + self.real(b)).min(Self::BEYOND),
             Real::Over(a, b) if self.real(b) == 0 => self.real(a),
@@ -118,7 +117,7 @@ impl Order<'_> {
 /// Every name of a coefficient, a real or a definition in a term.
 fn walk<'t>(t: &'t Real, see: &mut dyn FnMut(&'t Name)) {
     match t {
-        Real::Coefficient(name, _) | Real::Bound(name) => see(name),
+        Real::Coefficient(name, _) | Real::Bound(name) | Real::Defined(name, _) => see(name),
         Real::Number(_) | Real::Whole(_) | Real::Index(_) | Real::Ratio | Real::Infinity | Real::Knot(_) => {}
         Real::Plus(a, b)
         | Real::Minus(a, b)

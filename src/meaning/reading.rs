@@ -187,6 +187,7 @@ impl<'a> Reading<'a> {
                     (None, _) => Err(Stop::Undefined("the extremum of nothing".into())),
                 }
             }
+            Real::Defined(name, of) => self.defined(name, of, None),
             Real::Value(f, argument) => self.apply(f, argument),
             Real::Word(of) => words::measure(self, of),
         }
@@ -194,10 +195,7 @@ impl<'a> Reading<'a> {
 
     fn bound_real(&self, name: &Name) -> Result<Value, Stop> {
         let found = self.bound.reals.iter().rev().find(|(known, ..)| known == name);
-        let Some((_, value, id)) = found else {
-            // A definition without a variable.
-            return Err(Stop::Unbound(name.to_string()));
-        };
+        let Some((_, value, id)) = found else { return Err(Stop::Unbound(name.to_string())) };
         if value.is_constant() || self.frame.as_ref().is_some_and(|frame| frame.id == *id) {
             return Ok(value.clone());
         }
