@@ -10,7 +10,7 @@ use crate::spline::{Index, KnotVector};
 use super::cell::{Cell, Focus};
 use super::instance::Instance;
 use super::points;
-use super::reading::{File, Reading};
+use super::reading::{Names, Reading};
 use super::reals::Part;
 use super::truth::{Stop, Truth};
 use super::value::{Plain, Value};
@@ -117,7 +117,7 @@ impl Walk<'_> {
 /// Decides a sentence on an instance: for every x of its intervals, every integer of its ranges, and the free reals, other
 /// indices and control values of short lists.
 #[must_use]
-pub fn decide(sentence: &Sentence, on: &Instance, file: File<'_>) -> Decided {
+pub fn decide(sentence: &Sentence, on: &Instance, file: Names<'_>) -> Decided {
     Reading::new(on, file).decide(sentence)
 }
 
@@ -157,7 +157,7 @@ pub fn has(adjective: Adjective, knots: &KnotVector, k: usize) -> bool {
 impl<'a> Reading<'a> {
     /// With the names bound as at a failure.
     #[must_use]
-    pub fn with(on: &'a Instance, file: File<'a>, given: &[(Name, Given)]) -> Self {
+    pub fn with(on: &'a Instance, file: Names<'a>, given: &[(Name, Given)]) -> Self {
         let mut reading = Self::new(on, file);
         for (name, given) in given {
             match given {
@@ -242,7 +242,8 @@ impl<'a> Reading<'a> {
                 let others = &rest[free.len()..];
                 for values in by_size(&free, self.on.basis.is_some()) {
                     let before = self.bound.reals.len();
-                    let named = free.iter().zip(values).map(|((name, _), value)| ((*name).clone(), value.into(), 0));
+                    let named =
+                        free.iter().zip(values).map(|((name, _), value)| ((*name).clone(), value.into(), 0));
                     self.bound.reals.extend(named);
                     self.binders(others, &pending, walk);
                     self.bound.reals.truncate(before);
@@ -262,7 +263,14 @@ impl<'a> Reading<'a> {
         }
     }
 
-    fn each_cell(&mut self, name: &Name, cells: &[Cell], others: &[Binder], pending: &[&Formula], walk: &mut Walk<'_>) {
+    fn each_cell(
+        &mut self,
+        name: &Name,
+        cells: &[Cell],
+        others: &[Binder],
+        pending: &[&Formula],
+        walk: &mut Walk<'_>,
+    ) {
         for cell in cells {
             self.within(name, cell, |own| own.binders(others, pending, walk));
         }
@@ -337,7 +345,9 @@ impl<'a> Reading<'a> {
             Part::Between(u) => Some(u.clone()),
             Part::Point(_) | Part::Root(_) => None,
         });
-        let points = failing.iter().find_map(|(part, _)| if let Part::Point(x) = part { Some(x.clone()) } else { None });
+        let points = failing
+            .iter()
+            .find_map(|(part, _)| if let Part::Point(x) = part { Some(x.clone()) } else { None });
         let candidates = match open {
             Some(u) => {
                 let sample = frame.x(&u);
@@ -369,9 +379,14 @@ impl<'a> Reading<'a> {
     fn given(&self, binders: &[Binder], at: Option<Given>) -> Vec<(Name, Given)> {
         let own = |name: &Name| {
             let bound = &self.bound;
-            let integer = || bound.integers.iter().find(|(known, _)| known == name).map(|(_, i)| Given::Integer(*i));
-            let index = || bound.indices.iter().find(|(known, _)| known == name).map(|(_, i)| Given::Index(i.clone()));
-            let points = || bound.points.iter().find(|(known, _)| known == name).map(|(_, d)| Given::Points(d.clone()));
+            let integer =
+                || bound.integers.iter().find(|(known, _)| known == name).map(|(_, i)| Given::Integer(*i));
+            let index = || {
+                bound.indices.iter().find(|(known, _)| known == name).map(|(_, i)| Given::Index(i.clone()))
+            };
+            let points = || {
+                bound.points.iter().find(|(known, _)| known == name).map(|(_, d)| Given::Points(d.clone()))
+            };
             let real = || {
                 let (_, value, id) = bound.reals.iter().find(|(known, ..)| known == name)?;
                 match (&at, &self.frame) {
@@ -394,7 +409,9 @@ fn name_of(binder: &Binder) -> Option<&Name> {
     match binder {
         Binder::Degree { .. } | Binder::Knots(_) | Binder::Instances(_) | Binder::Indices(_) => None,
         Binder::Integer(range) => Some(&range.name),
-        Binder::Index(name) | Binder::Point(name, _) | Binder::Real { name, .. } | Binder::Points(name) => Some(name),
+        Binder::Index(name) | Binder::Point(name, _) | Binder::Real { name, .. } | Binder::Points(name) => {
+            Some(name)
+        }
     }
 }
 
@@ -451,9 +468,12 @@ fn by_size(free: &[(&Name, Option<Relation>)], on_knots: bool) -> Vec<Vec<BigRat
     };
     let mut all = vec![(0, Vec::new())];
     for (_, sign) in free {
-        let list: Vec<_> = SIMPLE.iter().map(|(p, q)| rational(*p, *q)).filter(|q| fits(*sign, q)).take(each).collect();
+        let list: Vec<_> =
+            SIMPLE.iter().map(|(p, q)| rational(*p, *q)).filter(|q| fits(*sign, q)).take(each).collect();
         let longer = |(size, values): &(usize, Vec<BigRational>)| {
-            let next = |(place, q): (usize, &BigRational)| (size + place, [values.as_slice(), &[q.clone()]].concat());
+            let next = |(place, q): (usize, &BigRational)| {
+                (size + place, [values.as_slice(), &[q.clone()]].concat())
+            };
             list.iter().enumerate().map(next).collect::<Vec<_>>()
         };
         all = all.iter().flat_map(longer).collect();
