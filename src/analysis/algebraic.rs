@@ -8,7 +8,7 @@ use crate::scalar::{
     Polynomial, RationalAlgebra, Ring, decimal, decimal_neighbours, integer, settled_digits,
 };
 
-use super::pieces::Piece;
+use super::piece::Piece;
 use super::roots::IsolatedRoot;
 
 /// A real number between two bounds that can be brought closer.

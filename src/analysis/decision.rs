@@ -6,7 +6,7 @@ use num_traits::Signed;
 use crate::scalar::{Polynomial, Ring, integer, rationals_between};
 
 use super::integer_polynomial::IntegerPolynomial;
-use super::pieces::Piece;
+use super::piece::Piece;
 use super::roots::{IsolatedRoot, roots_of};
 use super::sign::Sign;
 

@@ -5,7 +5,7 @@ use num_rational::BigRational;
 use crate::scalar::{RationalAlgebra, RationalFunction, Ring, integer};
 
 use super::algebraic::Algebraic;
-use super::pieces::constant;
+use super::piece::constant;
 use super::roots::IsolatedRoot;
 
 /// Maximum or minimum.

@@ -4,7 +4,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use thiserror::Error;
 
-use super::pieces::Piece;
+use super::piece::Piece;
 use crate::scalar::{Polynomial, RationalFunction, Ring, ScaleBy, Whole, over_one_denominator};
 use crate::spline::{Basis, Factors, FractionFree, Triangle};
 

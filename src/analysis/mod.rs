@@ -10,6 +10,7 @@ mod linear;
 mod local_knots;
 mod monotonicity;
 mod partition;
+mod piece;
 mod pieces;
 mod profile;
 mod rational_bezier;
@@ -31,9 +32,8 @@ pub use linear::{coefficient_rows, common_numerators, in_span, is_combination, r
 pub use local_knots::{LocalKnots, LocalKnotsError, SpanQuotient};
 pub use monotonicity::{Monotonicity, Route, SpanMonotonicity};
 pub use partition::{FreeKnotError, Partition, PartitionCell, PartitionEnd, PartitionEvent};
-pub use pieces::{
-    Piece, Pieces, SpanPieces, constant, coordinate_between, coordinate_of, positive_coordinate,
-};
+pub use piece::{Piece, constant};
+pub use pieces::{Pieces, SpanPieces, coordinate_between, coordinate_of, positive_coordinate};
 pub use rational_bezier::RationalBezier;
 pub use roots::{IsolatedRoot, count_positive_roots, positive_roots};
 pub use shape::Shape;

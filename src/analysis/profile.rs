@@ -11,7 +11,7 @@ use super::algebraic::{Algebraic, Enclosed};
 use super::contenders::{Contender, Role};
 use super::decision::sign_pattern;
 use super::extremum::{Extremum, ExtremumKind, Jump, Place};
-use super::pieces::Piece;
+use super::piece::Piece;
 use super::roots::IsolatedRoot;
 use super::sign::Sign;
 

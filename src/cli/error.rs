@@ -16,9 +16,9 @@ use crate::scalar::NumberError;
 use crate::search::{AuditError, MergeError, PartError, RecordError};
 use crate::spline::{BasisError, CurveError, KnotError};
 
-use super::eval::PointError;
 use super::exit::Exit;
 use super::place::Place;
+use super::point_error::PointError;
 
 /// Why a request was not carried out.
 #[derive(Debug, Error)]

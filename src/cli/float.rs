@@ -19,11 +19,12 @@ use super::atomic::Folder;
 use super::error::CliError;
 use super::exact::Exact;
 use super::exit::Exit;
-use super::instance::{InstanceArgs, whole_number};
+use super::instance::InstanceArgs;
 use super::output::Output;
 use super::place::Place;
 use super::table::{plain, right_aligned};
 use super::visible::visible_path;
+use super::whole_number::whole_number;
 
 /// How wrong ways to compute in f64 are: the paper's formula, usual ones, and those of this library.
 ///

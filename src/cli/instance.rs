@@ -6,7 +6,6 @@ use std::path::Path;
 use std::str::FromStr;
 
 use num_rational::BigRational;
-use thiserror::Error;
 
 use crate::claims::{Instance, instances_named};
 use crate::spline::{Basis, Curve, CurveError, Index, IndexError, KnotError, KnotVector, Point};
@@ -18,6 +17,7 @@ use super::lists::{numbers, points};
 use super::offered::{instance_name, instance_names};
 use super::place::Place;
 use super::visible::visible_path;
+use super::whole_number::whole_number;
 
 /// What a command works on. Options override what an instance brings along.
 #[derive(Debug, Clone, clap::Args)]
@@ -306,26 +306,4 @@ fn curve(basis: &Basis, points: &[Point], place: &Place) -> Result<Curve, CliErr
         };
         CliError::Curve { place, error }
     })
-}
-
-/// Why a text is no whole number.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
-pub(super) enum WholeNumberError {
-    /// Not a string of digits.
-    #[error("write a whole number from 0 up, such as 2")]
-    Malformed,
-    /// More than the machine counts to.
-    #[error("the number is too large")]
-    TooLarge,
-}
-
-/// Reads a whole number ≥ 0.
-///
-/// # Errors
-/// [`WholeNumberError`].
-pub(super) fn whole_number(text: &str) -> Result<usize, WholeNumberError> {
-    if text.is_empty() || !text.bytes().all(|byte| byte.is_ascii_digit()) {
-        return Err(WholeNumberError::Malformed);
-    }
-    text.parse().map_err(|_| WholeNumberError::TooLarge)
 }

@@ -14,10 +14,10 @@ use crate::search::{Audit, AuditError, Draw, FindingRecord, Part, SummaryRecord,
 use super::atomic::write_atomically;
 use super::error::CliError;
 use super::exit::Exit;
-use super::instance::WholeNumberError;
 use super::output::Output;
 use super::progress::Progress;
 use super::search::{Summary, number, read_part};
+use super::whole_number::WholeNumberError;
 
 /// Puts the shards of a search together, and proves that they cover it: every position once, and as many cases as there are.
 ///

@@ -26,6 +26,7 @@ mod notation;
 mod offered;
 mod output;
 mod place;
+mod point_error;
 mod progress;
 mod prove;
 mod report;
@@ -37,6 +38,7 @@ mod usage;
 mod verdict;
 mod verify;
 mod visible;
+mod whole_number;
 
 use std::ffi::OsString;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -45,10 +47,10 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 
 pub use error::CliError;
-pub use eval::PointError;
 pub use exit::Exit;
 pub use output::{Format, Output};
 pub use place::Place;
+pub use point_error::PointError;
 
 /// Judges claims about rational B-splines in exact arithmetic.
 #[derive(Debug, Parser)]

@@ -3,12 +3,12 @@
 use std::hint::select_unpredictable;
 
 use super::accurate::Workspace;
-use super::basis::{FloatBasis, Frame, HIGHEST_DEGREE, Ratio, length};
-use super::error::FloatError;
+use super::basis::{FloatBasis, Frame, Ratio, length};
+use super::error::{FloatError, HIGHEST_DEGREE};
 use super::fast::{self, FAST_DEGREE};
 use super::machine::Kernel;
 use super::pair::Products;
-use super::point::{self, lifted};
+use super::point::lifted;
 use super::real::Real;
 use crate::spline::{Side, Span};
 
@@ -128,7 +128,7 @@ impl<F: Real> FloatBasis<F> {
         let Some(frame) = &self.frame else {
             let mut column = [F::zero(); HIGHEST_DEGREE + 1];
             for (p, x) in points.iter().enumerate() {
-                point::values(self, span, *x, &mut column[..=self.degree()]);
+                self.at_point(span, *x, &mut column[..=self.degree()]);
                 for (c, value) in column[..=self.degree()].iter().enumerate() {
                     values[c * count + p] = *value;
                 }

@@ -18,10 +18,10 @@ mod real;
 mod scaled;
 mod study;
 
-pub use basis::{FloatBasis, HIGHEST_DEGREE};
+pub use basis::FloatBasis;
 pub use batch::Precision;
 pub use curve::FloatCurve;
-pub use error::FloatError;
+pub use error::{FloatError, HIGHEST_DEGREE};
 pub use fast::FAST_DEGREE;
 pub use real::Real;
 pub use study::{

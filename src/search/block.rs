@@ -9,8 +9,7 @@ use serde::{Deserialize, Serialize};
 use siphasher::sip::SipHasher24;
 
 use super::candidate::Candidate;
-use super::decide::{Count, Means};
-use super::part::Tally;
+use super::decide::{Count, Means, Tally};
 
 /// The fewest positions of a block, and the most blocks of a space.
 const SMALLEST: u64 = 256;

@@ -26,6 +26,31 @@ pub enum Means {
     Exact,
 }
 
+/// Numbers of cases.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Tally {
+    /// Those decided by intervals.
+    pub by_intervals: u64,
+    /// Those decided in exact arithmetic.
+    pub exactly: u64,
+    /// Those with more than one local maximum.
+    pub several: u64,
+}
+
+impl Tally {
+    /// All of them.
+    #[must_use]
+    pub fn cases(&self) -> u64 {
+        self.by_intervals + self.exactly
+    }
+
+    pub(super) fn add(&mut self, other: Self) {
+        self.by_intervals += other.by_intervals;
+        self.exactly += other.exactly;
+        self.several += other.several;
+    }
+}
+
 /// The number of local maxima: a continuous function that is 0 at both ends has one wherever it stops rising and
 /// falls next.
 ///

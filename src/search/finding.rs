@@ -12,12 +12,12 @@ use crate::analysis::ExtremumKind;
 use crate::scalar::{BigRational, parse_rational};
 use crate::spline::Index;
 
-use super::audit::Fault;
 use super::candidate::Candidate;
 use super::decide::local_maxima;
 use super::dip::Dip;
 use super::equal::{Crossing, Side};
 use super::extrema::turns;
+use super::fault::Fault;
 use super::shrink::{shrink, smaller_gaps};
 use super::space::Goal;
 

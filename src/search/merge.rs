@@ -5,8 +5,9 @@ use std::ops::Range;
 use thiserror::Error;
 
 use super::block::Blocks;
+use super::decide::Tally;
 use super::finding::Findings;
-use super::part::{Part, Tally};
+use super::part::Part;
 use super::shard::Shard;
 
 /// Why parts do not make up a search. Parts are called by the names that were given.

@@ -15,6 +15,7 @@ mod dip;
 mod equal;
 mod exhaustive;
 mod extrema;
+mod fault;
 mod finding;
 mod merge;
 mod part;
@@ -24,20 +25,21 @@ mod shard;
 mod shrink;
 mod space;
 
-pub use audit::{Audit, AuditError, Difference, Draw, Fault, audit};
+pub use audit::{Audit, AuditError, Difference, Draw, audit};
 pub use block::{Block, BlockRecord};
 pub use candidate::{Candidate, CandidateError, FullKnots};
 pub use cases::Cases;
 pub use compositions::Compositions;
-pub use decide::{Count, Means, local_maxima};
+pub use decide::{Count, Means, Tally, local_maxima};
 pub use dip::Dip;
 pub use equal::{Crossing, Side};
 pub use exhaustive::Exhaustive;
+pub use fault::Fault;
 pub use finding::{
     DEEPEST_KEPT, EqualRecord, ExtremumRecord, Finding, FindingError, FindingRecord, Findings, Witness,
 };
 pub use merge::{MergeError, merge};
-pub use part::{Part, PartError, Tally};
+pub use part::{Part, PartError};
 pub use random::Random;
 pub use record::{Decided, RecordError, SummaryRecord};
 pub use shard::{Shard, ShardError};

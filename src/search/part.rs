@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use super::block::{Block, Blocks};
 use super::cases::Cases;
-use super::decide::local_maxima;
+use super::decide::{Tally, local_maxima};
 use super::finding::{Bar, Finding, Findings};
 use super::shard::{Shard, ShardError};
 use super::space::{Search, SpaceError};
@@ -29,36 +29,11 @@ pub struct Part {
     pub(super) findings: Findings,
 }
 
-/// Numbers of cases.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Tally {
-    /// Those decided by intervals.
-    pub by_intervals: u64,
-    /// Those decided in exact arithmetic.
-    pub exactly: u64,
-    /// Those with more than one local maximum.
-    pub several: u64,
-}
-
 /// The most positions between two looks at what has been done, and the units of work into which they are cut.
 const BATCH: u64 = 4096;
 const UNITS: u64 = 64;
 /// How long a batch should take: where cases are slow it is made shorter, down to one case for each thread.
 const PAUSE: Duration = Duration::from_millis(200);
-
-impl Tally {
-    /// All of them.
-    #[must_use]
-    pub fn cases(&self) -> u64 {
-        self.by_intervals + self.exactly
-    }
-
-    pub(super) fn add(&mut self, other: Self) {
-        self.by_intervals += other.by_intervals;
-        self.exactly += other.exactly;
-        self.several += other.several;
-    }
-}
 
 /// Why a search cannot begin.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]

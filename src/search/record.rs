@@ -8,9 +8,9 @@ use crate::claims::PaperNumber;
 use crate::json::{self, JsonError};
 
 use super::block::BlockRecord;
-use super::decide::local_maxima;
+use super::decide::{Tally, local_maxima};
 use super::finding::{DEEPEST_KEPT, FindingError, FindingRecord, SCHEMA};
-use super::part::{Part, PartError, Tally};
+use super::part::{Part, PartError};
 use super::shard::{Shard, ShardError};
 use super::space::{Goal, Search};
 

@@ -5,7 +5,8 @@ use std::io::{self, BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
 
 use super::super::error::CliError;
-use super::line::{CsvLines, FilePoint, Form, PointError, from_json, is_head};
+use super::super::point_error::PointError;
+use super::line::{CsvLines, FilePoint, Form, from_json, is_head};
 
 /// The longest line that is read: a number of so many digits is the largest that makes sense, and a device or a
 /// film given by mistake does no harm.

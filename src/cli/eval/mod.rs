@@ -20,12 +20,12 @@ use crate::spline::{Curve, Evaluator, Side};
 use super::error::CliError;
 use super::exact::{Exact, as_given};
 use super::exit::Exit;
-use super::instance::{FunctionArgs, InstanceArgs, whole_number};
+use super::instance::{FunctionArgs, InstanceArgs};
 use super::notation::NotationArgs;
 use super::output::Output;
 use super::progress::Progress;
+use super::whole_number::whole_number;
 
-pub use line::PointError;
 pub(super) use point::PointValues;
 use point::Request;
 pub(super) use stream::Head;

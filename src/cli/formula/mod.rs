@@ -15,8 +15,9 @@ use crate::report::{Form, Language, expression, formula};
 use super::error::CliError;
 use super::exact::Exact;
 use super::exit::Exit;
-use super::instance::{FunctionArgs, InstanceArgs, whole_number};
+use super::instance::{FunctionArgs, InstanceArgs};
 use super::output::Output;
+use super::whole_number::whole_number;
 
 pub(super) use equals::Comparison;
 

@@ -15,9 +15,9 @@ use super::atomic::write_atomically;
 use super::error::CliError;
 use super::exit::Exit;
 use super::file::read_up_to;
-use super::instance::{WholeNumberError, whole_number};
 use super::output::{Format, Output};
 use super::progress::Progress;
+use super::whole_number::{WholeNumberError, whole_number};
 
 pub(super) use text::Summary;
 

@@ -19,10 +19,11 @@ use crate::spline::Basis;
 use super::error::CliError;
 use super::exact::{Exact, as_given};
 use super::exit::Exit;
-use super::instance::{FunctionArgs, InstanceArgs, whole_number};
+use super::instance::{FunctionArgs, InstanceArgs};
 use super::notation::{Decimal, Notation, NotationArgs};
 use super::output::Output;
 use super::progress::Progress;
+use super::whole_number::whole_number;
 
 pub(super) use partition::Partitions;
 

@@ -1,8 +1,7 @@
 //! The ways to compute the basis in `f64` that are compared.
 
-use super::super::basis::HIGHEST_DEGREE;
 use super::super::batch::Precision;
-use super::super::point;
+use super::super::error::HIGHEST_DEGREE;
 use super::super::power::power;
 use super::case::Case;
 
@@ -57,7 +56,7 @@ impl Formula {
             }
             Self::Accurate => {
                 let mut values = vec![0.0; case.basis.degree() + 1];
-                point::values(&case.basis, case.span, x, &mut values);
+                case.basis.at_point(case.span, x, &mut values);
                 values
             }
         };
