@@ -19,7 +19,7 @@ pub enum ExtremumKind {
 
 /// Where something is.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Place {
+pub enum Location {
     /// At x exactly: every rational place is found as such.
     Point(BigRational),
     /// At an irrational x between lo and hi, an isolated root in the affine coordinate of its span.
@@ -42,7 +42,7 @@ pub enum Place {
     },
 }
 
-impl Place {
+impl Location {
     /// (lo, hi) with lo ≤ x ≤ hi; lo = hi for an exact point, the ends of a plateau.
     #[must_use]
     pub fn interval(&self) -> (&BigRational, &BigRational) {
@@ -60,7 +60,7 @@ pub struct Extremum {
     /// Which of the two.
     pub kind: ExtremumKind,
     /// Where.
-    pub place: Place,
+    pub place: Location,
     /// Is it at a knot? A plateau is, since it begins and ends at knots.
     pub at_knot: bool,
     /// (lo, hi) with lo ≤ value ≤ hi, equal if the value is known exactly, as at every rational place.
@@ -88,7 +88,7 @@ impl Extremum {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn refine_to(&mut self, width: &BigRational) {
-        let Place::Irrational { lo, hi, root } = &mut self.place else { return };
+        let Location::Irrational { lo, hi, root } = &mut self.place else { return };
         let (start, length) = span(lo, hi, root);
         root.refine_to(&(width / &length));
         (*lo, *hi) = (&start + root.lo() * &length, start + root.hi() * length);
@@ -99,8 +99,8 @@ impl Extremum {
     #[must_use]
     pub fn x(&self) -> Algebraic {
         match &self.place {
-            Place::Point(x) | Place::Plateau { from: x, .. } => x.clone().into(),
-            Place::Irrational { lo, hi, root } => {
+            Location::Point(x) | Location::Plateau { from: x, .. } => x.clone().into(),
+            Location::Irrational { lo, hi, root } => {
                 // x = start + y·length with y = u/(1 + u).
                 let (start, length) = span(lo, hi, root);
                 let u = RationalFunction::variable(&integer(1));

@@ -26,12 +26,12 @@ pub use decision::{
     Decision, PositivePoint, SignPattern, Zeros, always_nonnegative, always_positive, common_positive_roots,
     sign_pattern,
 };
-pub use extremum::{Extremum, ExtremumKind, Jump, Place};
+pub use extremum::{Extremum, ExtremumKind, Jump, Location};
 pub use formal::{Factored, FormalBasis, FormalFunction, FormalPiece};
 pub use linear::{coefficient_rows, common_numerators, in_span, is_combination, rank};
 pub use local_knots::{LocalKnots, LocalKnotsError, SpanQuotient};
 pub use monotonicity::{Monotonicity, Route, SpanMonotonicity};
-pub use partition::{FreeKnotError, Partition, PartitionCell, PartitionEnd, PartitionEvent};
+pub use partition::{FreeKnotError, Partition, PartitionEnd, PartitionEvent, RatioCell};
 pub use piece::{Piece, constant};
 pub use pieces::{Pieces, SpanPieces, coordinate_between, coordinate_of, positive_coordinate};
 pub use rational_bezier::RationalBezier;

@@ -10,7 +10,7 @@ use crate::scalar::{Polynomial, Ring, integer};
 use super::algebraic::{Algebraic, Enclosed};
 use super::contenders::{Contender, Role};
 use super::decision::sign_pattern;
-use super::extremum::{Extremum, ExtremumKind, Jump, Place};
+use super::extremum::{Extremum, ExtremumKind, Jump, Location};
 use super::piece::Piece;
 use super::roots::IsolatedRoot;
 use super::sign::Sign;
@@ -41,7 +41,7 @@ enum Run {
 /// A knot or a critical point, with the function close by compared with the value there: `Less` where it is
 /// smaller, `Equal` where it is constant.
 struct Station {
-    place: Place,
+    place: Location,
     at_knot: bool,
     height: Algebraic,
     /// The limit from the left, where it is not the value.
@@ -107,7 +107,7 @@ impl Profile {
             Some(end) if inside => profile.knot(end, (limit, before), (integer(0), Run::Constant)),
             // At t_m the value is the limit from the left, and 0 begins after it.
             Some(end) => profile.stations.push(Station {
-                place: Place::Point(end),
+                place: Location::Point(end),
                 at_knot: true,
                 left: before.before_end(),
                 right: integer(0).cmp(&limit),
@@ -122,7 +122,7 @@ impl Profile {
         let (limit, before) = left;
         let (value, after) = right;
         self.stations.push(Station {
-            place: Place::Point(at),
+            place: Location::Point(at),
             at_knot: true,
             left: limit.cmp(&value).then(before.before_end()),
             right: after.after_start(),
@@ -150,7 +150,7 @@ impl Profile {
             if self.runs.get(position) == Some(&Run::Constant) && station.left != Ordering::Equal {
                 let (end, closed, right) = self.plateau_end(position);
                 let bounds = |station: &Station| station.place.interval().0.clone();
-                let place = Place::Plateau { from: bounds(station), to: bounds(end), closed };
+                let place = Location::Plateau { from: bounds(station), to: bounds(end), closed };
                 if let Some(kind) = kind(station.left, right) {
                     features.extremum(kind, place, station, Role::Plateau);
                 }
@@ -189,7 +189,7 @@ fn kind(left: Ordering, right: Ordering) -> Option<ExtremumKind> {
 }
 
 impl Features {
-    fn extremum(&mut self, kind: ExtremumKind, place: Place, station: &Station, role: Role) {
+    fn extremum(&mut self, kind: ExtremumKind, place: Location, station: &Station, role: Role) {
         let mut height = station.height.clone();
         let value = height.bounds();
         if kind == ExtremumKind::Maximum {
@@ -232,10 +232,10 @@ impl Segment {
         let (place, height) = match root.clone().rational() {
             Some(u) => {
                 let y = &u / (&u + integer(1));
-                (Place::Point(x(&y)), Algebraic::from(finite(self.piece.evaluate(&u))))
+                (Location::Point(x(&y)), Algebraic::from(finite(self.piece.evaluate(&u))))
             }
             None => (
-                Place::Irrational { lo: x(root.lo()), hi: x(root.hi()), root: root.clone() },
+                Location::Irrational { lo: x(root.lo()), hi: x(root.hi()), root: root.clone() },
                 Algebraic::at(self.piece.clone(), root),
             ),
         };
@@ -278,9 +278,9 @@ mod tests {
             let kinds = features.extrema.iter().map(|e| (e.kind == ExtremumKind::Maximum, e.place.clone()));
             (kinds.collect::<Vec<_>>(), attained_once(features.contenders.clone()))
         };
-        let point = |x| Place::Point(integer(x));
-        let half = |x: i64| Place::Point(rational(2 * x + 1, 2));
-        let plateau = |from, to, closed| Place::Plateau { from: integer(from), to: integer(to), closed };
+        let point = |x| Location::Point(integer(x));
+        let half = |x: i64| Location::Point(rational(2 * x + 1, 2));
+        let plateau = |from, to, closed| Location::Plateau { from: integer(from), to: integer(to), closed };
         // Two hats: two maxima of the same height, a minimum between.
         let hats = shape(&[&up, &down, &up, &down], true);
         assert_eq!(

@@ -21,14 +21,14 @@ use super::profile::{Features, Profile, Segment};
 /// one-sided limits are compared.
 ///
 /// ```
-/// use knotproof::analysis::{Pieces, Place, Shape};
+/// use knotproof::analysis::{Pieces, Location, Shape};
 /// use knotproof::scalar::integer;
 /// use knotproof::spline::{Basis, Index, KnotVector};
 ///
 /// let basis = Basis::new(KnotVector::new([0, 1, 2].map(integer).to_vec())?, 1, Index::infinity())?;
 /// let hat = Shape::of(&Pieces::of(&basis), 0);
 /// assert_eq!(hat.extrema().len(), 1);
-/// assert_eq!(hat.extrema()[0].place, Place::Point(integer(1)));
+/// assert_eq!(hat.extrema()[0].place, Location::Point(integer(1)));
 /// assert!(hat.strong() && hat.weak() == Some(true));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -107,7 +107,7 @@ impl Shape {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::analysis::Place;
+    use crate::analysis::Location;
     use crate::scalar::{integer, rational};
     use crate::spline::{Basis, Index, KnotVector};
 
@@ -118,7 +118,7 @@ mod tests {
         (0..=basis.n()).map(|i| Shape::of(&pieces, i)).collect()
     }
 
-    fn maxima(shape: &Shape) -> Vec<Place> {
+    fn maxima(shape: &Shape) -> Vec<Location> {
         shape.local_maxima().map(|extremum| extremum.place.clone()).collect()
     }
 
@@ -128,7 +128,7 @@ mod tests {
         for index in ["inf", "-1", "2"] {
             let both = shapes(1, &[0, 0, 1, 1], index);
             for (shape, x) in both.iter().zip([0, 1]) {
-                assert_eq!(maxima(shape), [Place::Point(integer(x))]);
+                assert_eq!(maxima(shape), [Location::Point(integer(x))]);
                 assert_eq!(shape.extrema()[0].value, (integer(1), integer(1)));
                 assert!(shape.extrema()[0].at_knot);
                 assert!(shape.jumps().is_empty());
@@ -145,7 +145,7 @@ mod tests {
         assert!(!all[1].strong());
         assert_eq!(all[1].weak(), Some(false));
         // The next one jumps up and falls: its maximum is attained.
-        assert_eq!(maxima(&all[2]), [Place::Point(integer(1))]);
+        assert_eq!(maxima(&all[2]), [Location::Point(integer(1))]);
         assert_eq!(all[2].weak(), Some(true));
     }
 
@@ -153,7 +153,7 @@ mod tests {
     fn plateaus() {
         // Degree 0: half-open intervals, and a closed one at t_m.
         let all = shapes(0, &[0, 1, 2], "2");
-        let plateau = |from, to, closed| Place::Plateau { from: integer(from), to: integer(to), closed };
+        let plateau = |from, to, closed| Location::Plateau { from: integer(from), to: integer(to), closed };
         assert_eq!(maxima(&all[0]), [plateau(0, 1, false)]);
         assert_eq!(maxima(&all[1]), [plateau(1, 2, true)]);
         for shape in &all {
@@ -169,12 +169,12 @@ mod tests {
     #[test]
     fn the_quadratic_b_spline_and_its_rational_relatives() {
         let [shape] = &shapes(2, &[0, 1, 2, 3, 3], "inf")[..1] else { panic!("one") };
-        assert_eq!(maxima(shape), [Place::Point(rational(3, 2))]);
+        assert_eq!(maxima(shape), [Location::Point(rational(3, 2))]);
         assert_eq!(shape.extrema()[0].value, (rational(3, 4), rational(3, 4)));
         assert!(!shape.extrema()[0].at_knot);
         // Bernstein: B_1² = 2w(1 − w) is largest where w = 1/2, that is u = 1/r.
         let bernstein = &shapes(2, &[0, 0, 0, 1, 1, 1], "-1")[1];
-        assert_eq!(maxima(bernstein), [Place::Point(rational(2, 3))]);
+        assert_eq!(maxima(bernstein), [Location::Point(rational(2, 3))]);
         assert_eq!(bernstein.extrema()[0].value, (rational(1, 2), rational(1, 2)));
         assert!(bernstein.strong() && bernstein.weak() == Some(true));
     }
@@ -190,7 +190,7 @@ mod tests {
             let pieces = Pieces::of(&basis);
             for i in 0..=basis.n() {
                 // The uniform B-spline is largest in the middle of its support.
-                let middle = Place::Point(rational(i64::try_from(2 * i + k + 1).unwrap(), 2));
+                let middle = Location::Point(rational(i64::try_from(2 * i + k + 1).unwrap(), 2));
                 let shape = Shape::of(&pieces, i);
                 assert_eq!(maxima(&shape), [middle]);
                 assert!(shape.strong() && shape.weak() == Some(true));

@@ -100,7 +100,7 @@ pub(super) fn own_symbolic_quotients(
     degree: usize,
     span: Span,
 ) -> Active<SpanQuotient<Polynomial<BigInt>>> {
-    let window = Window::of(knots, degree, span, (1.into(), 1.into()));
+    let window = Neighbourhood::of(knots, degree, span, (1.into(), 1.into()));
     if let Some(words) = window.in_words::<i64>() {
         words.symbolic()
     } else if let Some(words) = window.in_words::<i128>() {
@@ -114,7 +114,7 @@ pub(super) fn own_symbolic_quotients(
 pub(super) fn factored_quotients(basis: &Basis, span: Span) -> Active<FactoredQuotient> {
     let ratio = basis.index().ratio();
     let ratio = (ratio.numer().clone(), ratio.denom().clone());
-    let window = Window::of(basis.knots(), basis.degree(), span, ratio);
+    let window = Neighbourhood::of(basis.knots(), basis.degree(), span, ratio);
     if let Some(words) = window.in_words::<i64>() {
         words.quotients()
     } else if let Some(words) = window.in_words::<i128>() {
@@ -125,7 +125,7 @@ pub(super) fn factored_quotients(basis: &Basis, span: Span) -> Active<FactoredQu
 }
 
 /// The gaps around a span, from the knot t_low on.
-struct Window<R> {
+struct Neighbourhood<R> {
     gaps: Vec<R>,
     ratio: (R, R),
     low: usize,
@@ -133,7 +133,7 @@ struct Window<R> {
     k: usize,
 }
 
-impl Window<BigInt> {
+impl Neighbourhood<BigInt> {
     fn of(knots: &KnotVector, k: usize, span: Span, ratio: (BigInt, BigInt)) -> Self {
         let j = span.index();
         // The knots t_{j−k}, …, t_{j+k+1}, of which the first and the last do not matter on the span.
@@ -146,16 +146,16 @@ impl Window<BigInt> {
     }
 
     /// The same in a fixed width, if all that is computed from it fits.
-    fn in_words<W: Width>(&self) -> Option<Window<Fixed<W>>> {
+    fn in_words<W: Width>(&self) -> Option<Neighbourhood<Fixed<W>>> {
         let word = |number: &BigInt| W::try_from(i128::try_from(number).ok()?).ok().map(Fixed::new);
         let gaps: Option<Vec<_>> = self.gaps.iter().map(word).collect();
         let ratio = (word(&self.ratio.0)?, word(&self.ratio.1)?);
-        let window = Window { gaps: gaps?, ratio, low: self.low, j: self.j, k: self.k };
+        let window = Neighbourhood { gaps: gaps?, ratio, low: self.low, j: self.j, k: self.k };
         window.fits().then_some(window)
     }
 }
 
-impl<W: Width> Window<Fixed<W>> {
+impl<W: Width> Neighbourhood<Fixed<W>> {
     /// Does ∏ (A + B), over the factors A + Bu of any denominator, fit?
     fn fits(&self) -> bool {
         // Twice (p + q) times the length of the window is more than a factor, and than all it is computed from.
@@ -174,7 +174,7 @@ impl<W: Width> Window<Fixed<W>> {
     }
 }
 
-impl<R: Whole> Window<R> {
+impl<R: Whole> Neighbourhood<R> {
     fn factors(&self) -> Option<Factors<(R, R)>> {
         Factors::in_positive_coordinate(&self.gaps, self.j - self.low, self.k, (&self.ratio.0, &self.ratio.1))
     }
@@ -423,7 +423,7 @@ mod tests {
     /// Degree 1 on (0, 1) with r = p/q: the factor is q + pu, and 128 bits hold up to p + q = 2^127 − 1.
     #[test]
     fn words_are_left_at_the_very_bound() {
-        let window = |p: BigInt| Window {
+        let window = |p: BigInt| Neighbourhood {
             gaps: vec![BigInt::ZERO, 1.into(), BigInt::ZERO],
             ratio: (p, 1.into()),
             low: 0,
@@ -435,7 +435,7 @@ mod tests {
         // Twice the largest factor no longer fits, which is asked for so that sums of two rises and falls do.
         assert!(window(&edge * 2).in_words::<i128>().is_none());
         // Degree 2, Bernstein: the middle function has the denominator (q + pu)^3.
-        let window = |p: i64| Window {
+        let window = |p: i64| Neighbourhood {
             gaps: [0, 0, 1, 0, 0].map(BigInt::from).to_vec(),
             ratio: (p.into(), 1.into()),
             low: 0,

@@ -15,7 +15,7 @@ use super::exact::Exact;
 use super::file::InstanceFile;
 use super::lists::{numbers, points};
 use super::offered::{instance_name, instance_names};
-use super::place::Place;
+use super::provenance::Provenance;
 use super::visible::visible_path;
 use super::whole_number::whole_number;
 
@@ -75,16 +75,16 @@ pub(super) struct FunctionArgs {
 
 /// What a command works on, checked: one case for each index, at least one.
 #[derive(Debug)]
-pub(super) struct Subject {
+pub(super) struct Subjects {
     /// The name of the paper's instance, or the file.
     pub(super) label: Option<String>,
     /// The same degree, knots and points with each index.
-    pub(super) cases: Vec<Case>,
+    pub(super) cases: Vec<Subject>,
 }
 
 /// A basis, and the curve if there are control points.
 #[derive(Debug)]
-pub(super) struct Case {
+pub(super) struct Subject {
     /// The basis.
     pub(super) basis: Basis,
     /// The curve on it.
@@ -96,9 +96,9 @@ pub(super) struct Case {
 struct Given {
     label: Option<String>,
     degree: Option<usize>,
-    knots: Option<(KnotVector, Place)>,
+    knots: Option<(KnotVector, Provenance)>,
     indices: Vec<Index>,
-    points: Option<(Vec<Point>, Place)>,
+    points: Option<(Vec<Point>, Provenance)>,
 }
 
 impl InstanceArgs {
@@ -106,20 +106,20 @@ impl InstanceArgs {
     ///
     /// # Errors
     /// [`CliError`], for the first thing that is wrong.
-    pub(super) fn resolve(&self) -> Result<Subject, CliError> {
+    pub(super) fn resolve(&self) -> Result<Subjects, CliError> {
         let given = match &self.instance {
             Some(name) => self.named(name)?,
             None => Given::default(),
         };
         let knots = match &self.knots {
             Some(text) => {
-                let place = Place::option("--knots");
+                let place = Provenance::option("--knots");
                 Some((knot_vector(numbers(text, &place)?, &place)?, place))
             }
             None => given.knots,
         };
         let points = match &self.points {
-            Some(text) => Some((points(text)?, Place::option("--points"))),
+            Some(text) => Some((points(text)?, Provenance::option("--points"))),
             None => given.points,
         };
         let missing = |argument, purpose| CliError::Missing { argument, purpose };
@@ -135,16 +135,19 @@ impl InstanceArgs {
             return Err(missing("--alpha", "give the index, such as --alpha -1 or --alpha inf"));
         }
         // The degree is to blame if it is all that the user chose.
-        let place =
-            if self.degree.is_some() && self.knots.is_none() { Place::option("--degree") } else { place };
+        let place = if self.degree.is_some() && self.knots.is_none() {
+            Provenance::option("--degree")
+        } else {
+            place
+        };
         let case = |index| {
             let basis = Basis::new(knots.clone(), degree, index)
                 .map_err(|error| CliError::Basis { place: place.clone(), error })?;
             let curve = points.as_ref().map(|(points, place)| curve(&basis, points, place)).transpose()?;
-            Ok(Case { basis, curve })
+            Ok(Subject { basis, curve })
         };
         let cases = indices.into_iter().map(case).collect::<Result<_, CliError>>()?;
-        Ok(Subject { label, cases })
+        Ok(Subjects { label, cases })
     }
 
     /// The name of an instance, and what the options have made different in it. Indices are shown anyway.
@@ -219,9 +222,9 @@ impl InstanceArgs {
         Ok(Given {
             label: Some(format!("{} ({})", chosen.name, chosen.figure)),
             degree: Some(chosen.degree),
-            knots: Some((chosen.knots, Place::paper(chosen.name, "knots"))),
+            knots: Some((chosen.knots, Provenance::paper(chosen.name, "knots"))),
             indices: chosen.indices,
-            points: chosen.points.map(|points| (points, Place::paper(chosen.name, "points"))),
+            points: chosen.points.map(|points| (points, Provenance::paper(chosen.name, "points"))),
         })
     }
 }
@@ -239,12 +242,12 @@ impl FunctionArgs {
     }
 }
 
-impl Subject {
+impl Subjects {
     /// The case of the one index there is.
     ///
     /// # Errors
     /// [`CliError::SeveralIndices`] if there are several.
-    pub(super) fn only_case(mut self) -> Result<Case, CliError> {
+    pub(super) fn only_case(mut self) -> Result<Subject, CliError> {
         match (self.cases.pop(), self.cases.is_empty()) {
             (Some(case), true) => Ok(case),
             (last, _) => {
@@ -263,11 +266,11 @@ fn from_file(path: &Path) -> Result<Given, CliError> {
         error => error,
     })?;
     let exact = |numbers: Vec<Exact>| numbers.into_iter().map(|Exact(number)| number).collect::<Vec<_>>();
-    let place = Place::field(path, "knots");
+    let place = Provenance::field(path, "knots");
     let knots = knot_vector(exact(file.knots), &place)?;
     let indices = match file.alpha {
         Some(indices) if indices.0.is_empty() => {
-            return Err(CliError::NoIndices { place: Place::field(path, "alpha") });
+            return Err(CliError::NoIndices { place: Provenance::field(path, "alpha") });
         }
         Some(indices) => indices.0,
         None => Vec::new(),
@@ -278,7 +281,7 @@ fn from_file(path: &Path) -> Result<Given, CliError> {
         degree: Some(file.degree.0),
         knots: Some((knots, place)),
         indices,
-        points: points.map(|points| (points, Place::field(path, "points"))),
+        points: points.map(|points| (points, Provenance::field(path, "points"))),
     })
 }
 
@@ -286,7 +289,7 @@ fn unknown(path: &Path) -> CliError {
     CliError::UnknownInstance { name: path.display().to_string(), names: instance_names() }
 }
 
-fn knot_vector(knots: Vec<BigRational>, place: &Place) -> Result<KnotVector, CliError> {
+fn knot_vector(knots: Vec<BigRational>, place: &Provenance) -> Result<KnotVector, CliError> {
     KnotVector::new(knots).map_err(|error| {
         let place = match &error {
             KnotError::Decreasing { position, .. } => place.clone().at(*position),
@@ -296,7 +299,7 @@ fn knot_vector(knots: Vec<BigRational>, place: &Place) -> Result<KnotVector, Cli
     })
 }
 
-fn curve(basis: &Basis, points: &[Point], place: &Place) -> Result<Curve, CliError> {
+fn curve(basis: &Basis, points: &[Point], place: &Provenance) -> Result<Curve, CliError> {
     Curve::new(basis.clone(), points.to_vec()).map_err(|error| {
         let place = match &error {
             CurveError::Dimension { position, .. } | CurveError::Mixed { position, .. } => {

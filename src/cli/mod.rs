@@ -25,10 +25,10 @@ mod merge;
 mod notation;
 mod offered;
 mod output;
-mod place;
 mod point_error;
 mod progress;
 mod prove;
+mod provenance;
 mod report;
 mod schema;
 mod search;
@@ -49,8 +49,8 @@ use clap::{Parser, Subcommand};
 pub use error::CliError;
 pub use exit::Exit;
 pub use output::{Format, Output};
-pub use place::Place;
 pub use point_error::PointError;
+pub use provenance::Provenance;
 
 /// Judges claims about rational B-splines in exact arithmetic.
 #[derive(Debug, Parser)]

@@ -17,7 +17,7 @@ use super::output::Output;
 use super::progress::Progress;
 use super::report::choose;
 use super::table::{plain, right_aligned};
-use super::verify::Checked;
+use super::verify::Row;
 use super::visible::visible_path;
 
 /// Proves what the claims say in the formal language of proofs/FORMAT.md, has every proof checked, and writes the
@@ -46,7 +46,7 @@ pub(super) struct Proved {
     #[schemars(extend("const" = "knotproof.prove/1"))]
     schema: &'static str,
     /// The certificates, accepted by the checker.
-    checked: Vec<Checked>,
+    checked: Vec<Row>,
     /// The folder.
     written: PathBuf,
     /// Certificates in the folder that no claim has any more.
@@ -63,7 +63,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     for claim in &chosen {
         progress.step(claim.id);
         for certificate in certify(claim, &claim.judge(&cases)?)? {
-            checked.push(Checked::certificate(&certificate)?);
+            checked.push(Row::certificate(&certificate)?);
             proved.push(certificate);
         }
     }

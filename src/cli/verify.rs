@@ -49,7 +49,7 @@ pub(super) const RECORDED: &str = "proofs/certs";
 
 /// One certificate that was accepted.
 #[derive(Debug, Serialize, JsonSchema)]
-pub(super) struct Checked {
+pub(super) struct Row {
     /// The claim.
     claim: String,
     /// Which statement: `printed`, `amended` or `degree K`.
@@ -66,7 +66,7 @@ pub(super) struct Checked {
     steps: usize,
 }
 
-impl Checked {
+impl Row {
     /// What the checker says of a certificate that was just written.
     pub(super) fn certificate(certificate: &Certificate) -> Result<Self, CertificateError> {
         Ok(certificate.check()?.into())
@@ -85,7 +85,7 @@ impl Checked {
     }
 }
 
-impl From<knotproof_checker::Checked> for Checked {
+impl From<knotproof_checker::Checked> for Row {
     fn from(checked: knotproof_checker::Checked) -> Self {
         Self {
             claim: checked.claim,
@@ -115,7 +115,7 @@ pub(super) struct Verified {
     #[schemars(extend("const" = "knotproof.verify/1"))]
     schema: &'static str,
     /// The certificates that were accepted.
-    checked: Vec<Checked>,
+    checked: Vec<Row>,
     /// Those that were not.
     rejected: Vec<Rejection>,
     /// Accepted, but not what the program says that the claim is in formal terms: the statement has to be read.

@@ -25,6 +25,6 @@ pub use error::{FloatError, HIGHEST_DEGREE};
 pub use fast::FAST_DEGREE;
 pub use real::Real;
 pub use study::{
-    Case, CaseRecord, Effort, Errors, Extreme, Field, Figures, Formula, FormulaRecord, RangeRecord, Ulps,
-    WorstRecord, hexadecimal, study,
+    Effort, Errors, Extreme, Figures, Method, MethodRecord, Population, Probe, ProbeRecord, RangeRecord,
+    Ulps, WorstRecord, hexadecimal, study,
 };

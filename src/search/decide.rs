@@ -28,7 +28,7 @@ pub enum Means {
 
 /// Numbers of cases.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Tally {
+pub struct Decided {
     /// Those decided by intervals.
     pub by_intervals: u64,
     /// Those decided in exact arithmetic.
@@ -37,7 +37,7 @@ pub struct Tally {
     pub several: u64,
 }
 
-impl Tally {
+impl Decided {
     /// All of them.
     #[must_use]
     pub fn cases(&self) -> u64 {
@@ -86,7 +86,7 @@ pub(super) fn over_rationals(p: &Polynomial<BigInt>) -> Polynomial<BigRational> 
 mod tests {
     use super::*;
     use crate::analysis::{Pieces, Shape};
-    use crate::search::{Cases, Goal, Limits, Sample, Search, Space};
+    use crate::search::{Enumeration, Goal, Limits, Sample, Search, Space};
     use crate::spline::{Basis, KnotVector};
 
     /// The shape of the function in the basis on its full knots, from the pieces of the general path.
@@ -104,7 +104,7 @@ mod tests {
             let exhaustive = Space::Exhaustive(Limits { size, gap: None, height: None });
             let random = Space::Random(Sample { count, seed: 1, spread: 9 });
             for space in [exhaustive, random] {
-                let cases = Cases::of(&Search { degree, find: Goal::Several, space }).unwrap();
+                let cases = Enumeration::of(&Search { degree, find: Goal::Several, space }).unwrap();
                 for (_, candidate) in cases.between(0..cases.positions()) {
                     let maxima = local_maxima(&candidate).maxima;
                     assert_eq!(maxima, by_shape(&candidate), "{candidate:?}");

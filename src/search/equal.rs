@@ -28,21 +28,21 @@ pub struct Crossing {
     /// c and d, with t_i = 0.
     points: [BigRational; 2],
     /// The side that is higher at r₀.
-    higher: Side,
+    higher: Flank,
     /// Values between L and R at r₀ and at r₁.
     between: [BigRational; 2],
 }
 
 /// Left or right of c.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Side {
+pub enum Flank {
     /// x < c.
     Left,
     /// x > c.
     Right,
 }
 
-impl Side {
+impl Flank {
     fn other(self) -> Self {
         match self {
             Self::Left => Self::Right,
@@ -53,7 +53,7 @@ impl Side {
 
 /// The two highest maxima of a function.
 struct Lead {
-    higher: Side,
+    higher: Flank,
     /// Where the left one ends and the right one begins.
     gap: (BigRational, BigRational),
     /// The place of the minimum between them.
@@ -196,7 +196,7 @@ impl Crossing {
 
     /// The side of c that is higher at the indices, and a value between the largest values on both sides.
     #[must_use]
-    pub fn at_ends(&self) -> [(Side, &BigRational); 2] {
+    pub fn at_ends(&self) -> [(Flank, &BigRational); 2] {
         [(self.higher.other(), &self.between[1]), (self.higher, &self.between[0])]
     }
 }
@@ -218,7 +218,7 @@ fn sorted(ends: [(u64, u64); 2]) -> [(u64, u64); 2] {
 }
 
 /// Some steps on, as if `towards` were higher, for as long as there are two maxima and `lead_of` leads.
-fn further(gaps: &[u64], mut ratio: (u64, u64), (towards, lead_of): (Side, Side), bits: u32) -> (u64, u64) {
+fn further(gaps: &[u64], mut ratio: (u64, u64), (towards, lead_of): (Flank, Flank), bits: u32) -> (u64, u64) {
     for _ in 0..ROOM {
         match stepped(ratio, towards, bits) {
             Some(next) if lead(gaps, next).is_some_and(|lead| lead.higher == lead_of) => ratio = next,
@@ -229,9 +229,9 @@ fn further(gaps: &[u64], mut ratio: (u64, u64), (towards, lead_of): (Side, Side)
 }
 
 /// r·(1 − 2^−bits) to give the right side more, r/(1 − 2^−bits) to give the left one more, to 20 bits; `None` at r ≥ 1.
-fn stepped((p, q): (u64, u64), higher: Side, bits: u32) -> Option<(u64, u64)> {
+fn stepped((p, q): (u64, u64), higher: Flank, bits: u32) -> Option<(u64, u64)> {
     let factor = ((1_u128 << bits) - 1, 1_u128 << bits);
-    let (up, down) = if higher == Side::Left { factor } else { (factor.1, factor.0) };
+    let (up, down) = if higher == Flank::Left { factor } else { (factor.1, factor.0) };
     // 2^36 is more than enough for any r that a search meets; r is kept above 2^-36.
     let scaled = ((u128::from(p) * up) << 36) / (u128::from(q) * down);
     let spare = (128 - scaled.leading_zeros()).saturating_sub(20);
@@ -276,7 +276,7 @@ fn lead(gaps: &[u64], ratio: (u64, u64)) -> Option<Lead> {
         if lo == hi { Some(lo) } else { rationals_between(&lo, &hi).next() }
     };
     Some(Lead {
-        higher: if first == left { Side::Left } else { Side::Right },
+        higher: if first == left { Flank::Left } else { Flank::Right },
         gap: (turns[left].interval().1, turns[right].interval().0),
         valley: middle(&turns[left + 1])?,
         peak: middle(&turns[first])?,
@@ -303,7 +303,7 @@ fn compare(turns: &mut [Turn], one: usize, other: usize) -> Option<Ordering> {
 ///
 /// Both sides must have a maximum, and none may be at c: if then the highest one on a side is higher than all of the other
 /// side, it is the largest value of its side, and larger than the value at c and so than all values of the other side.
-fn sides(gaps: &[u64], ratio: (u64, u64), c: &BigRational) -> Option<(Side, BigRational)> {
+fn sides(gaps: &[u64], ratio: (u64, u64), c: &BigRational) -> Option<(Flank, BigRational)> {
     let candidate = Candidate::new(gaps.to_vec(), ratio).ok()?;
     let mut turns = turns(&candidate);
     turns.retain(|turn| turn.kind == ExtremumKind::Maximum);
@@ -337,10 +337,10 @@ fn sides(gaps: &[u64], ratio: (u64, u64), c: &BigRational) -> Option<(Side, BigR
         };
         let ((l_lo, l_hi), (r_lo, r_hi)) = (largest(left)?, largest(right)?);
         if l_lo > r_hi {
-            return Some((Side::Left, rationals_between(&r_hi, &l_lo).next()?));
+            return Some((Flank::Left, rationals_between(&r_hi, &l_lo).next()?));
         }
         if r_lo > l_hi {
-            return Some((Side::Right, rationals_between(&l_hi, &r_lo).next()?));
+            return Some((Flank::Right, rationals_between(&l_hi, &r_lo).next()?));
         }
         turns.iter_mut().for_each(Turn::refine);
     }

@@ -15,9 +15,9 @@ use crate::spline::Index;
 use super::candidate::Candidate;
 use super::decide::local_maxima;
 use super::dip::Dip;
-use super::equal::{Crossing, Side};
+use super::equal::{Crossing, Flank};
 use super::extrema::turns;
-use super::fault::Fault;
+use super::mismatch::Mismatch;
 use super::shrink::{shrink, smaller_gaps};
 use super::space::Goal;
 
@@ -88,7 +88,7 @@ pub struct FindingRecord {
     /// i.
     pub index: usize,
     /// What shows it.
-    pub witness: Witness,
+    pub witness: Evidence,
     /// The command that computes it again.
     pub reproduce: String,
     /// The position of the first case that led to it.
@@ -100,7 +100,7 @@ pub struct FindingRecord {
 /// The extrema of a finding, on its full knot vector.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct Witness {
+pub struct Evidence {
     /// How many local maxima there are at α.
     pub local_maxima: usize,
     /// From left to right.
@@ -247,7 +247,7 @@ impl Finding {
             knots,
             alpha: candidate.index().to_string(),
             index: full.index,
-            witness: Witness { local_maxima: self.maxima, extrema: extrema.collect(), dip, equal },
+            witness: Evidence { local_maxima: self.maxima, extrema: extrema.collect(), dip, equal },
             found_at,
             cases,
         }
@@ -287,8 +287,8 @@ impl EqualRecord {
     fn of(crossing: &Crossing) -> Self {
         let [lower, upper] = crossing.at_ends();
         let side = |side| match side {
-            Side::Left => "left".to_owned(),
-            Side::Right => "right".to_owned(),
+            Flank::Left => "left".to_owned(),
+            Flank::Right => "right".to_owned(),
         };
         let [valley, above_valley] = crossing.points().clone().map(|x| x.to_string());
         Self {
@@ -383,7 +383,7 @@ impl Findings {
     }
 
     /// What is wrong with these findings, if those of the cases at some positions are `again`.
-    pub(super) fn faults(&self, again: &Self, goal: Goal, positions: &Range<u64>) -> Vec<Fault> {
+    pub(super) fn faults(&self, again: &Self, goal: Goal, positions: &Range<u64>) -> Vec<Mismatch> {
         // Whatever counts among all has to be here already.
         let mut joined = self.clone();
         joined.merge(again.clone());
@@ -392,14 +392,14 @@ impl Findings {
         let missing = counts.filter_map(|(key, found)| match self.entries.get(key) {
             None => {
                 let (gaps, alpha) = found.record.place();
-                Some(Fault::Missing { gaps, alpha })
+                Some(Mismatch::Missing { gaps, alpha })
             }
             Some(own) => {
                 let earlier = found.record.found_at < own.record.found_at;
                 let more = found.record.cases > own.record.cases;
                 let (gaps, alpha) = own.record.place();
                 (earlier || more || found.finding.rank() < own.finding.rank())
-                    .then_some(Fault::Altered { gaps, alpha })
+                    .then_some(Mismatch::Altered { gaps, alpha })
             }
         });
         let said = self.entries.iter().filter(|(_, own)| positions.contains(&own.record.found_at));
@@ -407,17 +407,17 @@ impl Findings {
             let at = own.record.found_at;
             let found = again.entries.get(key).is_some_and(|found| found.record.found_at == at);
             let (gaps, alpha) = own.record.place();
-            (!found).then_some(Fault::Invented { gaps, alpha, at })
+            (!found).then_some(Mismatch::Invented { gaps, alpha, at })
         });
         missing.chain(invented).collect()
     }
 
     /// The records that are not the same in `all`, which has the same findings.
-    pub(super) fn altered<'a>(&'a self, all: &'a Self) -> impl Iterator<Item = Fault> + 'a {
+    pub(super) fn altered<'a>(&'a self, all: &'a Self) -> impl Iterator<Item = Mismatch> + 'a {
         let differs = |(key, own): &(&Key, &Entry)| all.entries.get(key).is_none_or(|found| found != *own);
         self.entries.iter().filter(differs).map(|(_, own)| {
             let (gaps, alpha) = own.record.place();
-            Fault::Altered { gaps, alpha }
+            Mismatch::Altered { gaps, alpha }
         })
     }
 

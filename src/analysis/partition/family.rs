@@ -13,11 +13,11 @@ use super::boxes::PartitionEvent;
 
 /// Numerators of the slope, N_s(u, t) for each span s from left to right, for 0 < t < 1.
 #[derive(Debug, Clone)]
-pub(super) struct Family {
+pub(super) struct RatioFamily {
     slopes: Vec<(usize, Polynomial<Polynomial<BigInt>>)>,
 }
 
-impl Family {
+impl RatioFamily {
     /// From local knots whose gaps and ratio are polynomials in t.
     ///
     /// Powers of u, of t and of 1 − t that divide N_s are positive and left out.

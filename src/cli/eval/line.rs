@@ -22,14 +22,14 @@ pub(super) struct FilePoint {
 
 /// How points are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Form {
+pub(super) enum Syntax {
     /// x, or x and a side.
     Csv,
     /// A JSON value on each line.
     JsonLines,
 }
 
-impl Form {
+impl Syntax {
     /// The form that the name of a file promises, if any.
     pub(super) fn of_file(path: &Path) -> Option<Self> {
         match path.extension()?.to_ascii_lowercase().to_str()? {

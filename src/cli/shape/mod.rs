@@ -11,7 +11,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::analysis::{
-    Extremum, ExtremumKind, Jump, KnotSlopes, Pieces, Place, Shape as FunctionShape, knot_slopes,
+    Extremum, ExtremumKind, Jump, KnotSlopes, Location, Pieces, Shape as FunctionShape, knot_slopes,
 };
 use crate::scalar::parse_rational;
 use crate::spline::Basis;
@@ -258,7 +258,7 @@ impl Turn {
             },
             interval: [lo, hi].map(|x| Exact(x.clone())),
             at_knot: extremum.at_knot,
-            plateau: matches!(extremum.place, Place::Plateau { .. }),
+            plateau: matches!(extremum.place, Location::Plateau { .. }),
             value: [least, most].map(|value| Exact(value.clone())),
             x,
             height,

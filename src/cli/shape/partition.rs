@@ -6,14 +6,14 @@ use anstyle::Style;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::analysis::{Partition, PartitionCell, PartitionEnd, PartitionEvent};
+use crate::analysis::{Partition, PartitionEnd, PartitionEvent, RatioCell};
 use crate::scalar::parse_rational;
 use crate::spline::Basis;
 
 use super::super::error::CliError;
 use super::super::exact::{Exact, as_given};
 use super::super::exit::Exit;
-use super::super::instance::Subject;
+use super::super::instance::Subjects;
 use super::super::notation::{Decimal, Notation};
 use super::super::output::Output;
 use super::super::progress::Progress;
@@ -118,7 +118,7 @@ struct Event {
 /// Every slope ratio.
 pub(super) fn by_ratio(
     args: &Args,
-    subject: Subject,
+    subject: Subjects,
     notation: Notation,
     output: &Output,
 ) -> Result<Exit, CliError> {
@@ -128,7 +128,7 @@ pub(super) fn by_ratio(
 /// Every place of one knot.
 pub(super) fn by_knot(
     args: &Args,
-    subject: Subject,
+    subject: Subjects,
     knot: usize,
     notation: Notation,
     output: &Output,
@@ -140,7 +140,7 @@ pub(super) fn by_knot(
 
 fn print(
     args: &Args,
-    subject: Subject,
+    subject: Subjects,
     (free_knot, notation): (Option<usize>, Notation),
     output: &Output,
     partition: impl Fn(&Basis, usize) -> Result<Partition, CliError>,
@@ -183,7 +183,7 @@ impl Function {
         partition: &Partition,
     ) -> Self {
         let bounds = |range| if free_knot.is_some() { Bounds::Knot(range) } else { Bounds::Ratio(range) };
-        let cell = |cell: &PartitionCell| Cell {
+        let cell = |cell: &RatioCell| Cell {
             bounds: bounds([Some(Exact(cell.from.clone())), cell.to.clone().map(Exact)]),
             local_maxima: cell.local_maxima,
         };

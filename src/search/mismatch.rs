@@ -2,11 +2,11 @@
 
 use thiserror::Error;
 
-use super::decide::Tally;
+use super::decide::Decided;
 
 /// In what a result is not what comes out of the search.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
-pub enum Fault {
+pub enum Mismatch {
     /// The numbers of cases.
     #[error(
         "it has {} cases decided by intervals, {} exactly, {} with several maxima, and not {}, {}, {}",
@@ -14,9 +14,9 @@ pub enum Fault {
     )]
     Counts {
         /// As the shards say.
-        recorded: Tally,
+        recorded: Decided,
         /// As computed again.
-        again: Tally,
+        again: Decided,
     },
     /// The digest.
     #[error("its digest is {again:016x}, and not {recorded:016x}")]
