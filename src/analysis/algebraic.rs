@@ -114,7 +114,7 @@ enum Known {
 }
 
 /// Bits by which bounds come closer at a time.
-const STEP: u32 = 8;
+pub(super) const STEP: usize = 8;
 
 impl Algebraic {
     /// The value of a function at a root, neither of which is rational: where the function has no pole.

@@ -1,12 +1,15 @@
 //! What there is to see on the graph of a function: extrema and jumps.
 
+use std::cmp::Ordering;
+
 use num_rational::BigRational;
 
 use crate::scalar::{RationalAlgebra, RationalFunction, Ring, integer};
 
-use super::algebraic::Algebraic;
+use super::algebraic::{Algebraic, Enclosed, STEP};
 use super::piece::constant;
 use super::roots::IsolatedRoot;
+use super::sign::Sign;
 
 /// Maximum or minimum.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -15,6 +18,35 @@ pub enum ExtremumKind {
     Maximum,
     /// Smaller than everywhere close by on both sides.
     Minimum,
+}
+
+impl ExtremumKind {
+    /// What is at a point, by the function close to it on the left and on the right compared with the value there.
+    pub(super) fn of(left: Ordering, right: Ordering) -> Option<Self> {
+        match (left, right) {
+            (Ordering::Less, Ordering::Less) => Some(Self::Maximum),
+            (Ordering::Greater, Ordering::Greater) => Some(Self::Minimum),
+            _ => None,
+        }
+    }
+}
+
+/// A function with this sign of its slope, close to the right end of the interval, compared with the limit there.
+pub(super) fn before_end(slope: Sign) -> Ordering {
+    match slope {
+        Sign::Positive => Ordering::Less,
+        Sign::Zero => Ordering::Equal,
+        Sign::Negative => Ordering::Greater,
+    }
+}
+
+/// Where a continuous function turns, by the signs of its slope from left to right; a plateau between a rise and a fall is
+/// one turn.
+pub(super) fn turns(signs: impl IntoIterator<Item = Sign>) -> impl Iterator<Item = ExtremumKind> {
+    let mut last = Sign::Zero;
+    signs.into_iter().filter(|sign| *sign != Sign::Zero).filter_map(move |sign| {
+        ExtremumKind::of(before_end(std::mem::replace(&mut last, sign)), before_end(sign).reverse())
+    })
 }
 
 /// Where something is.
@@ -93,6 +125,18 @@ impl Extremum {
         root.refine_to(&(width / &length));
         (*lo, *hi) = (&start + root.lo() * &length, start + root.hi() * length);
         self.value = self.height.bounds_within(width);
+    }
+
+    /// Narrows the place and the value by some bits; `false` if they are exact.
+    pub fn narrow(&mut self) -> bool {
+        let Location::Irrational { lo, hi, root } = &mut self.place else { return false };
+        let (start, length) = span(lo, hi, root);
+        let width = (root.hi() - root.lo()) / integer(1 << STEP);
+        root.refine_to(&width);
+        (*lo, *hi) = (&start + root.lo() * &length, start + root.hi() * length);
+        self.height.narrow();
+        self.value = self.height.bounds();
+        true
     }
 
     /// The place as a number; of a plateau its first point.

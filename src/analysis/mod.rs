@@ -2,6 +2,7 @@
 
 mod algebraic;
 mod contenders;
+mod crossing;
 mod decision;
 mod extremum;
 mod formal;
@@ -22,6 +23,7 @@ mod span_quotients;
 mod supremum;
 
 pub use algebraic::{Algebraic, Enclosed, decimals_around, settled, settled_apart};
+pub use crossing::{Crossing, Flank};
 pub use decision::{
     Decision, PositivePoint, SignPattern, Zeros, always_nonnegative, always_positive, common_positive_roots,
     sign_pattern,
@@ -29,6 +31,7 @@ pub use decision::{
 pub use extremum::{Extremum, ExtremumKind, Jump, Location};
 pub use formal::{Factored, FormalBasis, FormalFunction, FormalPiece};
 pub use linear::{coefficient_rows, common_numerators, in_span, is_combination, rank};
+pub(crate) use local_knots::is_continuous;
 pub use local_knots::{LocalKnots, LocalKnotsError, SpanQuotient};
 pub use monotonicity::{Monotonicity, Route, SpanMonotonicity};
 pub use partition::{FreeKnotError, Partition, PartitionEnd, PartitionEvent, RatioCell};

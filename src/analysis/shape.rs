@@ -1,9 +1,13 @@
 //! The shape of a basis function: where it rises, falls, stays and jumps, exactly.
 
+use num_bigint::BigInt;
 use num_rational::BigRational;
+
+use crate::scalar::integer;
 
 use super::contenders::attained_once;
 use super::extremum::{Extremum, ExtremumKind, Jump};
+use super::local_knots::{LocalKnots, SpanQuotient};
 use super::pieces::Pieces;
 use super::profile::{Features, Profile, Segment};
 
@@ -51,7 +55,7 @@ impl Shape {
             (from <= start && end <= to).then(|| Segment {
                 start: start.clone(),
                 end: end.clone(),
-                piece: on_span.function(i),
+                quotient: SpanQuotient::of(&on_span.function(i)),
             })
         });
         let inside = to < basis.knots().last();
@@ -61,10 +65,28 @@ impl Shape {
         Self { features }
     }
 
+    /// The shape of a function alone: t_i = 0 and its gaps as they are, and 0 outside of its support.
+    #[must_use]
+    pub fn of_local(knots: &LocalKnots<BigInt>) -> Self {
+        let mut end = integer(0);
+        let segments = knots.gaps().iter().enumerate().filter_map(|(s, gap)| {
+            let start = end.clone();
+            end += gap;
+            Some(Segment { start, end: end.clone(), quotient: knots.on_span(s)? })
+        });
+        Self { features: Profile::of(segments, true).features() }
+    }
+
     /// The local maxima and minima, from left to right.
     #[must_use]
     pub fn extrema(&self) -> &[Extremum] {
         &self.features.extrema
+    }
+
+    /// The same without the jumps.
+    #[must_use]
+    pub fn into_extrema(self) -> Vec<Extremum> {
+        self.features.extrema
     }
 
     /// Narrows every extremum, as [`Extremum::refine_to`] does.
@@ -194,6 +216,52 @@ mod tests {
                 let shape = Shape::of(&pieces, i);
                 assert_eq!(maxima(&shape), [middle]);
                 assert!(shape.strong() && shape.weak() == Some(true));
+            }
+        }
+    }
+
+    /// The function alone, by quotients that are not reduced, and in a basis, by those in lowest terms.
+    #[test]
+    fn a_function_alone_has_the_shape_that_it_has_in_a_basis() {
+        for (gaps, (p, q)) in [
+            (&[2, 1, 1, 0][..], (3, 5)),
+            (&[0, 1, 1, 2], (5, 3)),
+            (&[0, 5, 2, 1], (53, 100)),
+            (&[1, 1, 1], (1, 1)),
+            (&[1, 2], (1, 3)),
+            (&[3], (1, 1)),
+            (&[0, 1, 0], (2, 1)),
+            (&[799, 51, 15552, 72, 2425, 9185], (46, 251)),
+        ] {
+            let k = gaps.len() - 1;
+            let local = LocalKnots::new(gaps.iter().map(|&gap| gap.into()).collect(), (p.into(), q.into()));
+            let mut alone = Shape::of_local(&local.unwrap());
+            let mut knots = vec![integer(0); k + 1];
+            knots.extend(gaps.iter().scan(0, |end, gap| {
+                *end += gap;
+                Some(integer(*end))
+            }));
+            // One knot more, so that the function ends inside.
+            let last = &knots[knots.len() - 1] + integer(1);
+            knots.extend(vec![last; k.max(1)]);
+            let index = Index::from_ratio(rational(p, q.into())).unwrap();
+            let basis = Basis::new(KnotVector::new(knots).unwrap(), k, index).unwrap();
+            let whole = Shape::of(&Pieces::of(&basis), k);
+            assert_eq!(alone.extrema().len(), whole.extrema().len());
+            for (own, extremum) in alone.features.extrema.iter_mut().zip(whole.extrema()) {
+                assert_eq!((own.kind, &own.place), (extremum.kind, &extremum.place), "{gaps:?}");
+                assert_eq!(own.at_knot, extremum.at_knot);
+                // Two enclosures of one number meet, and come closer.
+                assert!(own.value.0 <= extremum.value.1 && extremum.value.0 <= own.value.1);
+                while own.narrow() && own.value.1 != own.value.0 {
+                    if &own.value.1 - &own.value.0 < rational(1, 1000) {
+                        break;
+                    }
+                }
+                assert!(&own.value.1 - &own.value.0 < rational(1, 1000));
+                let (lo, hi) = own.place.interval();
+                let (low, high) = extremum.place.interval();
+                assert!(low <= lo && hi <= high);
             }
         }
     }

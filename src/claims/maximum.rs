@@ -1,8 +1,8 @@
 //! Conjecture 3.1: every basis function has one and only one maximum.
 
-use crate::analysis::{Location, Shape};
+use crate::analysis::{Crossing, Flank, Location, Shape};
 use crate::scalar::{BigRational, integer};
-use crate::search::{self, Candidate, Crossing, Goal, Limits, Search, Space, local_maxima};
+use crate::search::{self, Candidate, Goal, Limits, Search, Space, local_maxima};
 use crate::spline::{Basis, KnotVector, Side};
 
 use super::basis::name;
@@ -75,11 +75,12 @@ fn one_maximum(
 /// The largest value taken twice, for some index of an interval that begins or ends close to that of the case: by the
 /// intermediate value theorem, since the side on which it is taken changes from one end of it to the other.
 fn equal_close_by(case: &BasisCase, i: usize) -> Option<Stop> {
-    let crossing = Crossing::near(&Candidate::of(case.basis(), i)?)?;
+    let crossing =
+        Candidate::of(case.basis(), i).and_then(|found| Crossing::near(found.gaps(), found.ratio()))?;
     let g = name(case.k(), i);
     // The candidate has its own unit, and begins at 0.
     let (start, end) = case.basis().support(i);
-    let length: u64 = crossing.candidate().gaps().iter().sum();
+    let length: u64 = crossing.gaps().iter().sum();
     let unit = (end - start) / BigRational::from_integer(length.into());
     let [c, d] = crossing.points().clone().map(|x| start + x * &unit);
     let [from, to] = crossing.indices();
@@ -104,10 +105,10 @@ fn equal_close_by(case: &BasisCase, i: usize) -> Option<Stop> {
     Some(Stop::Refuted(Box::new(case.bare_witness(at, claimed, found))))
 }
 
-fn side(side: search::Flank) -> &'static str {
+fn side(side: Flank) -> &'static str {
     match side {
-        search::Flank::Left => "left",
-        search::Flank::Right => "right",
+        Flank::Left => "left",
+        Flank::Right => "right",
     }
 }
 

@@ -1,10 +1,7 @@
 //! The number of local maxima of a candidate: the one question that a search asks for every case.
 
-use num_bigint::BigInt;
-use num_rational::BigRational;
-
 use crate::analysis::{Monotonicity, Route};
-use crate::scalar::{Polynomial, spend};
+use crate::scalar::spend;
 
 use super::candidate::Candidate;
 
@@ -70,15 +67,6 @@ pub fn local_maxima(candidate: &Candidate) -> Count {
     match function.local_maxima() {
         Some(maxima) => Count { maxima, by },
         None => unreachable!("a candidate is continuous"),
-    }
-}
-
-/// The same polynomial with rational coefficients.
-pub(super) fn over_rationals(p: &Polynomial<BigInt>) -> Polynomial<BigRational> {
-    let mut coefficients = p.coefficients().iter().map(|c| BigRational::from_integer(c.clone()));
-    match coefficients.next() {
-        Some(first) => Polynomial::new(first, coefficients),
-        None => unreachable!("a polynomial has at least one coefficient"),
     }
 }
 

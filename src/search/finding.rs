@@ -8,15 +8,13 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use crate::analysis::ExtremumKind;
+use crate::analysis::{Crossing, ExtremumKind, Flank, Shape};
 use crate::scalar::{BigRational, parse_rational};
 use crate::spline::Index;
 
 use super::candidate::Candidate;
 use super::decide::local_maxima;
 use super::dip::Dip;
-use super::equal::{Crossing, Flank};
-use super::extrema::turns;
 use super::mismatch::Mismatch;
 use super::shrink::{shrink, smaller_gaps};
 use super::space::Goal;
@@ -175,7 +173,10 @@ impl Finding {
         match goal {
             Goal::Several => Some(Self::of(shrink(candidate.clone(), |c| local_maxima(c).maxima > 1))),
             Goal::Most => Some(Self::of(shrink(candidate.clone(), |c| local_maxima(c).maxima == maxima))),
-            Goal::Equal => Some(Self::of_crossing(shrunk_crossing(Crossing::near(candidate)?))),
+            Goal::Equal => {
+                let near = Crossing::near(candidate.gaps(), candidate.ratio())?;
+                Self::of_crossing(shrunk_crossing(near))
+            }
             Goal::Deepest => {
                 let dip = Dip::at_least(candidate, bar.depth.as_ref())?;
                 Some(Self { candidate: candidate.clone(), maxima, crossing: None, dip: Some(dip) })
@@ -188,8 +189,9 @@ impl Finding {
         Self { candidate, maxima, crossing: None, dip: None }
     }
 
-    fn of_crossing(crossing: Crossing) -> Self {
-        Self { crossing: Some(crossing.clone()), ..Self::of(crossing.candidate()) }
+    fn of_crossing(crossing: Crossing) -> Option<Self> {
+        let candidate = Candidate::new(crossing.gaps().to_vec(), crossing.ends()[1]).ok()?;
+        Some(Self { crossing: Some(crossing), ..Self::of(candidate) })
     }
 
     /// The function; for equal maxima at the lower end of the interval of indices.
@@ -217,13 +219,14 @@ impl Finding {
     fn record(&self, found_at: u64, cases: u64) -> FindingRecord {
         let (candidate, full) = (&self.candidate, self.candidate.full_knots());
         let knots: Vec<_> = full.knots.iter().map(ToString::to_string).collect();
-        let extrema = turns(candidate).into_iter().map(|turn| ExtremumRecord {
+        let shape = Shape::of_local(&candidate.local_knots());
+        let extrema = shape.extrema().iter().map(|turn| ExtremumRecord {
             kind: match turn.kind {
                 ExtremumKind::Maximum => "maximum".to_owned(),
                 ExtremumKind::Minimum => "minimum".to_owned(),
             },
-            interval: <[BigRational; 2]>::from(turn.interval()).map(|x| x.to_string()),
-            at_knot: turn.at_knot(),
+            interval: <[_; 2]>::from(turn.place.interval()).map(ToString::to_string),
+            at_knot: turn.at_knot,
         });
         let dip = self.dip.clone().or_else(|| Dip::of(candidate));
         let Some(Dip { lo, hi }) = dip else { unreachable!("between two maxima is a minimum") };
@@ -257,8 +260,8 @@ impl Finding {
 /// A crossing on the smallest gaps near, each time looked for from the middle of the last one.
 fn shrunk_crossing(mut crossing: Crossing) -> Crossing {
     let next = |crossing: &Crossing| {
-        let gaps = crossing.candidate().gaps().to_vec();
-        let mut smaller: Vec<_> = smaller_gaps(&gaps)
+        let gaps = crossing.gaps();
+        let mut smaller: Vec<_> = smaller_gaps(gaps)
             .into_iter()
             .filter_map(|gaps| Candidate::new(gaps, crossing.middle()).ok())
             .map(|candidate| candidate.normal_form())
@@ -268,7 +271,9 @@ fn shrunk_crossing(mut crossing: Crossing) -> Crossing {
         let several = |candidate: &Candidate| local_maxima(candidate).maxima > 1;
         let smaller =
             smaller.iter().filter(|candidate| candidate.gaps().iter().sum::<u64>() < gaps.iter().sum());
-        smaller.filter(|candidate| several(candidate)).find_map(Crossing::near)
+        smaller
+            .filter(|candidate| several(candidate))
+            .find_map(|candidate| Crossing::near(candidate.gaps(), candidate.ratio()))
     };
     while let Some(smaller) = next(&crossing) {
         crossing = smaller;
@@ -455,10 +460,10 @@ impl Finding {
         let finding = match (goal, &record.witness.equal) {
             (Goal::Equal, Some(equal)) => {
                 let points = [&equal.valley, &equal.above_valley].map(|x| parse_rational(x).ok());
-                let ratio = |alpha: &String| super::equal::ratio(&parse_rational(alpha).ok()?);
+                let ratio = |alpha: &String| Crossing::ratio(&parse_rational(alpha).ok()?);
                 match (points, [ratio(&equal.alpha[1]), ratio(&equal.alpha[0])]) {
                     ([Some(c), Some(d)], [Some(low), Some(high)]) => {
-                        Crossing::new(candidate.gaps(), [low, high], [c, d]).map(Self::of_crossing)
+                        Crossing::new(candidate.gaps(), [low, high], [c, d]).and_then(Self::of_crossing)
                     }
                     _ => None,
                 }

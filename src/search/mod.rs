@@ -12,9 +12,7 @@ mod compositions;
 mod decide;
 mod dip;
 mod enumeration;
-mod equal;
 mod exhaustive;
-mod extrema;
 mod finding;
 mod merge;
 mod mismatch;
@@ -32,7 +30,6 @@ pub use compositions::Compositions;
 pub use decide::{Count, Decided, Means, local_maxima};
 pub use dip::Dip;
 pub use enumeration::Enumeration;
-pub use equal::{Crossing, Flank};
 pub use exhaustive::Exhaustive;
 pub use finding::{
     DEEPEST_KEPT, EqualRecord, Evidence, ExtremumRecord, Finding, FindingError, FindingRecord, Findings,
