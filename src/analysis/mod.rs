@@ -30,7 +30,7 @@ pub use decision::{
 };
 pub use extremum::{Extremum, ExtremumKind, Jump, Location};
 pub use formal::{Factored, FormalBasis, FormalFunction, FormalPiece};
-pub use linear::{coefficient_rows, common_numerators, in_span, is_combination, rank};
+pub use linear::{coefficient_rows, common_numerators, determinant, in_span, is_combination, rank};
 pub(crate) use local_knots::is_continuous;
 pub use local_knots::{LocalKnots, LocalKnotsError, SpanQuotient};
 pub use monotonicity::{Monotonicity, Route, SpanMonotonicity};
@@ -41,6 +41,7 @@ pub use rational_bezier::RationalBezier;
 pub use roots::{IsolatedRoot, count_positive_roots, positive_roots};
 pub use shape::Shape;
 pub use sign::Sign;
+pub(crate) use sign::sign_changes;
 pub use slopes::{KnotSlopes, knot_slopes};
 pub use span_quotients::{span_quotients, symbolic_quotients};
 pub use supremum::{ClosedCoordinate, Enclosure, SupremumError, supremum};
