@@ -174,7 +174,7 @@ impl<F: Real> Chunk<F> {
 }
 
 /// How the values of a chunk are computed, its points and knots being in the unit of a frame.
-trait Method<F> {
+trait Lanewise<F> {
     /// k: a constant where it is one.
     fn degree(&self) -> usize;
     fn run<M: Products>(&mut self, chunk: &mut Chunk<F>);
@@ -192,7 +192,7 @@ impl Accurate {
     }
 }
 
-impl<F: Real> Method<F> for Accurate {
+impl<F: Real> Lanewise<F> for Accurate {
     #[inline(always)]
     fn degree(&self) -> usize {
         self.degree
@@ -215,7 +215,7 @@ impl<F: Real> Method<F> for Accurate {
 /// In degree K, with r.
 struct Fast<F, const K: usize>(F);
 
-impl<F: Real, const K: usize> Method<F> for Fast<F, K> {
+impl<F: Real, const K: usize> Lanewise<F> for Fast<F, K> {
     #[inline(always)]
     fn degree(&self) -> usize {
         K
@@ -237,7 +237,7 @@ struct Scattered<'a, F, H> {
     values: &'a mut [F],
 }
 
-impl<F: Real, H: Method<F>> Kernel for Scattered<'_, F, H> {
+impl<F: Real, H: Lanewise<F>> Kernel for Scattered<'_, F, H> {
     type Output = ();
 
     #[inline(always)]
@@ -299,7 +299,7 @@ struct OneSpan<'a, F, H> {
     values: &'a mut [F],
 }
 
-impl<F: Real, H: Method<F>> Kernel for OneSpan<'_, F, H> {
+impl<F: Real, H: Lanewise<F>> Kernel for OneSpan<'_, F, H> {
     type Output = ();
 
     #[inline(always)]

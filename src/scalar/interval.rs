@@ -176,9 +176,6 @@ impl Ring for Interval {
     }
     /// Contains a − b for all a in self and b in rhs.
     #[inline]
-    fn minus(&self, rhs: &Self) -> Self {
-        self.plus(&rhs.negate())
-    }
     /// Contains a·b for all a in self and b in rhs. The product with 0 is 0, and what is ≥ 0 stays so.
     #[inline]
     fn times(&self, rhs: &Self) -> Self {

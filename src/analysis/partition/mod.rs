@@ -7,12 +7,11 @@ mod parameter;
 mod sweep;
 
 use num_bigint::BigInt;
-use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::Signed;
 use thiserror::Error;
 
-use crate::scalar::{Polynomial, Ring, integer, rationals_between};
+use crate::scalar::{Polynomial, Ring, integer, over_one_denominator, rationals_between};
 use crate::spline::{Basis, Index, KnotVector};
 
 use super::algebraic::Algebraic;
@@ -296,10 +295,9 @@ fn count(basis: &Basis, i: usize) -> Option<usize> {
     Some(Shape::of(&Pieces::of(basis), i).local_maxima().count())
 }
 
-/// The gaps between the knots, times a positive number that makes them integers.
+/// The gaps between the knots, times a positive number that makes the knots integers.
 fn integer_gaps(knots: &[BigRational]) -> Vec<BigInt> {
-    let common = knots.iter().fold(BigInt::from(1), |common, t| common.lcm(t.denom()));
-    knots.windows(2).map(|pair| ((&pair[1] - &pair[0]) * &common).to_integer()).collect()
+    over_one_denominator(knots).0.windows(2).map(|pair| &pair[1] - &pair[0]).collect()
 }
 
 /// G_i^k with t_J = t_{J−1} + t·(t_{J+1} − t_{J−1}); `None` if it lives on one span only.
