@@ -2,6 +2,7 @@
 
 use std::collections::HashSet;
 use std::ffi::OsString;
+use std::ops::RangeInclusive;
 use std::path::Path;
 use std::str::FromStr;
 
@@ -65,9 +66,11 @@ impl FromStr for IndexChoice {
     }
 }
 
-/// The argument that picks one basis function.
+/// What a command works on, and the argument that picks one basis function of it.
 #[derive(Debug, clap::Args)]
 pub(super) struct FunctionArgs {
+    #[command(flatten)]
+    pub(super) instance: InstanceArgs,
     /// Only the basis function G_I, I from 0 to n.
     #[arg(long, value_name = "I", value_parser = whole_number, allow_hyphen_values = true)]
     index: Option<usize>,
@@ -239,6 +242,14 @@ impl FunctionArgs {
             Some(index) if index > basis.n() => Err(CliError::Function { index, n: basis.n() }),
             index => Ok(index),
         }
+    }
+
+    /// That function, or all of them.
+    ///
+    /// # Errors
+    /// As [`chosen`](Self::chosen).
+    pub(super) fn range(&self, basis: &Basis) -> Result<RangeInclusive<usize>, CliError> {
+        Ok(self.chosen(basis)?.map_or(0..=basis.n(), |i| i..=i))
     }
 }
 

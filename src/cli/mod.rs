@@ -24,6 +24,7 @@ mod man;
 mod merge;
 mod notation;
 mod offered;
+mod on_knots;
 mod output;
 mod point_error;
 mod progress;

@@ -16,7 +16,6 @@ use super::exit::Exit;
 use super::output::Output;
 use super::progress::Progress;
 use super::report::choose;
-use super::table::{plain, right_aligned};
 use super::verify::Row;
 use super::visible::visible_path;
 
@@ -101,13 +100,7 @@ fn unwritable(path: &Path, error: std::io::Error) -> CliError {
 
 impl fmt::Display for Proved {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut table =
-            plain(["claim", "", "verdict", "scope", "degrees", "goals"].map(str::to_owned).to_vec());
-        for checked in &self.checked {
-            table.add_row(checked.row());
-        }
-        right_aligned(&mut table, 5);
-        writeln!(f, "{table}\n")?;
+        writeln!(f, "{}\n", Row::table(&self.checked, "goals"))?;
         writeln!(
             f,
             "Proved and checked: {} {}, in {}",

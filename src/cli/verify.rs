@@ -4,6 +4,7 @@ use std::fmt;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use comfy_table::Table;
 use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -72,7 +73,16 @@ impl Row {
         Ok(certificate.check()?.into())
     }
 
-    pub(super) fn row(&self) -> [String; 6] {
+    /// One row each, with what the last column counts.
+    pub(super) fn table(rows: &[Self], counted: &str) -> Table {
+        let mut table =
+            plain(["claim", "", "verdict", "scope", "degrees", counted].map(str::to_owned).to_vec());
+        table.add_rows(rows.iter().map(Self::cells));
+        right_aligned(&mut table, 5);
+        table
+    }
+
+    fn cells(&self) -> [String; 6] {
         let degrees: Vec<_> = self.degrees.iter().map(ToString::to_string).collect();
         [
             visible(&self.claim),
@@ -245,13 +255,7 @@ fn statements(path: &Path) -> Result<Vec<PathBuf>, CliError> {
 
 impl fmt::Display for Verified {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut table =
-            plain(["claim", "", "verdict", "scope", "degrees", "steps"].map(str::to_owned).to_vec());
-        for checked in &self.checked {
-            table.add_row(checked.row());
-        }
-        right_aligned(&mut table, 5);
-        writeln!(f, "{table}\n")?;
+        writeln!(f, "{}\n", Row::table(&self.checked, "steps"))?;
         for Rejection { file, reason } in &self.rejected {
             writeln!(f, "Rejected: {}: {}", visible(file), visible(reason))?;
         }
