@@ -8,6 +8,7 @@ mod complaint;
 mod definitions;
 mod file;
 mod known;
+mod paper;
 mod raw;
 mod resolve;
 mod sentence;
@@ -19,6 +20,7 @@ pub use cause::{Cause, Severity, Source};
 pub use complaint::Complaint;
 pub use file::{File, RestsOn, Said, Stanza, stanzas};
 pub use known::Known;
+pub use paper::{About, Paper, Row};
 pub use sentence::{one_line, sentence};
 pub use syntax::{
     Adjective, Argument, Binder, Definition, Fold, Formula, Function, Gap, Int, Interval, Item, Member, Name,

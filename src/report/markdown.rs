@@ -24,7 +24,9 @@ pub fn verdicts_page(baseline: &Baseline) -> String {
         format!("| `{id}` | {locator} | {printed} | {amended} | {} |\n", certificates.join(", "))
     };
     let rows: String = baseline.claims.iter().map(row).collect();
-    format!("{VERDICTS}\n\n| claim | where | as printed | as amended | certificates |\n|---|---|---|---|---|\n{rows}")
+    format!(
+        "{VERDICTS}\n\n| claim | where | as printed | as amended | certificates |\n|---|---|---|---|---|\n{rows}"
+    )
 }
 
 const VERDICTS: &str = "# The verdicts\n\nWritten by `knotproof report --record` from `proofs/verdicts.json`, not by hand; a test \
