@@ -52,6 +52,8 @@ pub struct Stanza {
     pub uses: Vec<RestsOn>,
     /// Is it judged for every degree by itself as well?
     pub each_degree: bool,
+    /// A file of cases that are tried after the usual ones.
+    pub cases: Option<String>,
 }
 
 /// A sentence, or words that no sentence can say.
@@ -153,6 +155,8 @@ struct RawStanza {
     uses: Vec<RawUse>,
     /// Judged for every degree by itself as well.
     degrees: Option<Degrees>,
+    /// A file of cases that are tried after the usual ones.
+    cases: Option<String>,
 }
 
 /// Another sentence of a claim.
@@ -217,7 +221,11 @@ impl Reading {
     }
 
     pub(super) fn complain(&mut self, at: Place, rule: impl Into<String>, advice: impl Into<String>) {
-        self.complaints.push(Complaint::new(&self.origin, at, rule, advice));
+        let complaint = Complaint::new(&self.origin, at, rule, advice);
+        // What amended sentences inherit is read again.
+        if !self.complaints.contains(&complaint) {
+            self.complaints.push(complaint);
+        }
     }
 
     /// Complains of a fault inside of a string of the file.
@@ -277,7 +285,8 @@ impl Reading {
             all.extend(self.stanza(raw, &known, &mut used));
         }
         for ((head, _), definition) in heads.iter().zip(known.definitions()) {
-            if !known.is_used(&definition.name, &used) {
+            // What is wrong otherwise may be what would use it.
+            if self.complaints.is_empty() && !known.is_used(&definition.name, &used) {
                 self.complain(head.span(), format!("nothing uses `{}`", definition.name), "delete it");
             }
         }
@@ -344,6 +353,7 @@ impl Reading {
             note: raw.note.clone(),
             uses: uses.collect(),
             each_degree: raw.degrees.is_some(),
+            cases: raw.cases.clone(),
         })
     }
 

@@ -21,7 +21,7 @@ pub use file::{File, RestsOn, Said, Stanza, stanzas};
 pub use known::Known;
 pub use sentence::{one_line, sentence};
 pub use syntax::{
-    Adjective, Argument, Binder, Definition, Fold, Formula, Function, Int, Interval, Item, Member, Name,
+    Adjective, Argument, Binder, Definition, Fold, Formula, Function, Gap, Int, Interval, Item, Member, Name,
     Over, Pattern, Range, Real, Relation, Sentence, Side, Use,
 };
 pub use words::{Sort, Word};
