@@ -1,6 +1,7 @@
 //! The deciders of words, one file a family of them. They know no claim.
 
 mod linear;
+mod regular;
 mod shape;
 mod trace;
 
@@ -36,6 +37,11 @@ fn say(own: &mut Reading<'_>, of: &Use) -> Result<Said, Stop> {
         Word::Rank => Said::Count(linear::rank_of(own, said.int(0)?)?),
         Word::Combination => Said::Truth(linear::combination(own, said.expression(0)?, said.int(1)?)?),
         Word::Supremum => Said::Measure(trace::supremum(own, said.expression(0)?)?),
+        Word::Defined => Said::Truth(regular::defined(own, said.real(0)?)?),
+        Word::Rational => Said::Truth(regular::rational(own, said.expression(0)?)?),
+        Word::Smooth => Said::Truth(regular::smooth(own, said.expression(0)?)?),
+        Word::Stop => Said::Measure(shape::stop(own, said.int(0)?)?.into()),
+        Word::Stops => Said::Count(own.knots()?.stop_knots().count()),
     })
 }
 
