@@ -21,6 +21,7 @@ mod span_quotients;
 mod supremum;
 
 pub use algebraic::{Algebraic, Enclosed, decimals_around, settled, settled_apart};
+pub use contenders::Attained;
 pub use decision::{
     Decision, PositivePoint, SignPattern, Zeros, always_nonnegative, always_positive, common_positive_roots,
     sign_pattern,
