@@ -66,6 +66,9 @@ words! {
     Minima "minima" (Function) -> Int "the number of local minima of {0}";
     /// Points at which the largest value is taken; 0 if it is only a limit.
     Maximisers "maximisers" (Function) -> Int "the number of x at which {0} takes its largest value";
+    /// Of two indices close by, for one the largest value is on one side of a lower point and for the other on the other side:
+    /// so there is one between for which it is taken on both.
+    Tied "tied" (Function) -> Truth "for an index close by, {0} takes its largest value at two points";
     /// Continuous on (t_0, t_m).
     Continuous "continuous" (Function) -> Truth "{0} is continuous on (t_0, t_m)";
     /// How often the values of an expression change their sign.

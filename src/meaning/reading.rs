@@ -331,6 +331,7 @@ impl<'a> Reading<'a> {
                 let ends = self.int(j).and_then(|j| Ok((j, self.int(from)?, self.int(to)?)));
                 ends.map(|(j, from, to)| (from..=to).contains(&j)).into()
             }
+            Formula::Instance(names) => self.on.name.as_ref().is_some_and(|name| names.contains(name)).into(),
             Formula::Not(f) => self.truth(f).negated(),
             Formula::And(all) => self.fold(true, all.iter(), |own, f| own.truth(f)),
             Formula::Or(all) => self.fold(false, all.iter(), |own, f| own.truth(f)),

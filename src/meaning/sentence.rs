@@ -214,6 +214,7 @@ impl<'a> Reading<'a> {
             Binder::Degree { .. } | Binder::Knots(_) | Binder::Instances(_) | Binder::Indices(_) => {
                 self.binders(others, &pending, walk);
             }
+            Binder::Gaps(_) => walk.unknown("knots by their gaps".into()),
             Binder::Index(name) => {
                 for index in other_indices().filter(|index| *index != self.index).collect::<Vec<_>>() {
                     self.bound.indices.push((name.clone(), index));
@@ -407,7 +408,7 @@ impl<'a> Reading<'a> {
 
 fn name_of(binder: &Binder) -> Option<&Name> {
     match binder {
-        Binder::Degree { .. } | Binder::Knots(_) | Binder::Instances(_) | Binder::Indices(_) => None,
+        Binder::Degree { .. } | Binder::Knots(_) | Binder::Gaps(_) | Binder::Instances(_) | Binder::Indices(_) => None,
         Binder::Integer(range) => Some(&range.name),
         Binder::Index(name) | Binder::Point(name, _) | Binder::Real { name, .. } | Binder::Points(name) => {
             Some(name)

@@ -31,6 +31,7 @@ fn say(own: &mut Reading<'_>, of: &Use) -> Result<Said, Stop> {
         Word::Maxima => Said::Count(shape::maxima(own, said.function(0)?)?),
         Word::Minima => Said::Count(shape::minima(own, said.function(0)?)?),
         Word::Maximisers => Said::Count(shape::maximisers(own, said.function(0)?)?),
+        Word::Tied => Said::Truth(shape::tied(own, said.function(0)?)?),
         Word::Continuous => Said::Truth(shape::continuous(own, said.function(0)?)?),
         Word::Changes => Said::Count(trace::changes(own, said.expression(0)?)?),
         Word::PolygonChanges => Said::Count(trace::polygon_changes(own, said.coefficients(0)?)?),
