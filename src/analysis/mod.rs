@@ -5,6 +5,7 @@ mod contenders;
 mod decision;
 mod extremum;
 mod formal;
+mod greatest;
 mod integer_polynomial;
 mod linear;
 mod local_knots;
@@ -27,6 +28,7 @@ pub use decision::{
 };
 pub use extremum::{Extremum, ExtremumKind, Jump, Place};
 pub use formal::{Factored, FormalBasis, FormalFunction, FormalPiece};
+pub use greatest::{Greatest, compare};
 pub use linear::{coefficient_rows, common_numerators, in_span, is_combination, rank};
 pub use local_knots::{LocalKnots, LocalKnotsError, SpanQuotient};
 pub use monotonicity::{Monotonicity, Route, SpanMonotonicity};

@@ -78,4 +78,8 @@ words! {
     Combination "combination" (Expression, Int) -> Truth "{0} is a combination of the functions of degree {1}";
     /// The supremum of an expression on its interval.
     Supremum "sup" (Expression) -> Real "the supremum of {0}";
+    /// Is some point of a plane curve farther than a distance from all points of the curve for α = ∞?
+    Strays "strays" (Function, Function, Real) -> Truth "some point of the curve ({0}, {1}) is farther than {2} from all points of the curve for α = ∞";
+    /// The least degree of an algebraic curve that holds a plane curve on the span of an index.
+    ImplicitDegree "implicit_degree" (Function, Function, Int) -> Int "the least degree of an algebraic curve with the points of ({0}, {1}) on span {2}";
 }
