@@ -14,6 +14,8 @@ const LINES: &[&str] = &[
     "k in 1..3; U; d points; i in 0..n : changes(sum(j in 0..n: d[j]*G[j](x)), x in [t[0], t[m]]) <= polygon_changes(d)",
     "k = 2; U; x in (t[0], t[m]) : not some(i in 0..n: G[i](x) < 0) => one(i in 0..n: x in [t[i], t[i+1])) <=> claim(X.linear, printed)",
     "k; U; q in 0..k; x in (t[0], t[m]); r1 > 0 : D(G[0], q)(x+; r = r1) = -x^2 + binomial(k, q)*x^(k-q) - 2/3*x^-1",
+    "k >= 3; q in 0..2; U gaps (each(j in 1..k: 0), 1, (k-2)*r - q, 1/8, each(j in 1..k: 0)) : m = 2*k+3",
+    "k = 2; U in {U0, S3} : U in {S3} => t[4] = t[5]",
 ];
 
 #[test]

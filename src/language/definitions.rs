@@ -1,6 +1,6 @@
 //! The definitions of a file: each is read once, none leads back to itself but by a recursion that ends.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use super::complaint::{Complaint, Fault, Origin, Place, fault};
@@ -60,8 +60,15 @@ pub(super) fn definitions(texts: &[(String, String)]) -> Result<Known, Vec<InDef
         known.subjects.entry(Arc::clone(&definition.name)).or_default().join(&subjects);
         calls.push(named.definitions);
     }
-    circles(&known.definitions, &calls).map_err(|(index, fault)| vec![(at[index], false, fault)])?;
-    spread(&mut known, &calls);
+    let in_body = |(index, fault): (usize, Fault)| vec![(at[index], false, fault)];
+    recursions(&known.definitions, &calls).map_err(in_body)?;
+    known.leads = leads(&known, &calls).map_err(in_body)?;
+    let own = known.subjects.clone();
+    for (name, leads) in &known.leads {
+        for other in leads {
+            known.subjects.entry(Arc::clone(name)).or_default().join(&own[other]);
+        }
+    }
     Ok(known)
 }
 
@@ -122,8 +129,8 @@ fn body(
 
 type Calls = Vec<(Name, Vec<Int>, Place)>;
 
-/// No definition needs itself, but by an index that falls to a literal.
-fn circles(all: &[Definition], calls: &[Calls]) -> Result<(), (usize, Fault)> {
+/// A definition names itself only with an index that falls to a literal.
+fn recursions(all: &[Definition], calls: &[Calls]) -> Result<(), (usize, Fault)> {
     for (index, definition) in all.iter().enumerate() {
         let own: Vec<_> = calls[index].iter().filter(|(name, ..)| *name == definition.name).collect();
         let falls = (0..definition.indices.len()).any(|position| falls(definition, &own, position, all));
@@ -137,25 +144,32 @@ fn circles(all: &[Definition], calls: &[Calls]) -> Result<(), (usize, Fault)> {
             ));
         }
     }
-    // The names that a name leads to, without itself.
-    let mut leads: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
-    for (definition, calls) in all.iter().zip(calls) {
-        let others = calls.iter().map(|(name, ..)| &**name).filter(|name| *name != &*definition.name);
-        leads.entry(&definition.name).or_default().extend(others);
+    Ok(())
+}
+
+/// What a definition leads to: all that those lead to that it names. None leads back.
+fn leads(known: &Known, calls: &[Calls]) -> Result<BTreeMap<Name, BTreeSet<Name>>, (usize, Fault)> {
+    let mut leads: BTreeMap<Name, BTreeSet<Name>> = BTreeMap::new();
+    for (definition, calls) in known.definitions.iter().zip(calls) {
+        let others = calls.iter().map(|(name, ..)| Arc::clone(name)).filter(|name| *name != definition.name);
+        leads.entry(Arc::clone(&definition.name)).or_default().extend(others);
     }
-    for (index, definition) in all.iter().enumerate() {
-        for (name, _, at) in calls[index].iter().filter(|(name, ..)| *name != definition.name) {
-            if reaches(&leads, name, &definition.name) {
-                let rule = format!(
-                    "`{}` is defined by `{name}`, and that by `{}`",
-                    definition.name, definition.name
-                );
-                let advice = "a definition stands for a term without itself".to_owned();
-                return Err((index, Fault { at: at.clone(), rule, advice }));
-            }
+    for _ in &known.definitions {
+        for name in leads.keys().cloned().collect::<Vec<_>>() {
+            let farther: Vec<_> = leads[&name].iter().flat_map(|next| leads[next].clone()).collect();
+            leads.entry(name).or_default().extend(farther);
         }
     }
-    Ok(())
+    for (index, (definition, calls)) in known.definitions.iter().zip(calls).enumerate() {
+        let name = &definition.name;
+        let back = calls.iter().find(|(other, ..)| other != name && leads[other].contains(name));
+        if let Some((other, _, at)) = back {
+            let rule = format!("`{name}` is defined by `{other}`, and that by `{name}`");
+            let advice = "a definition stands for a term without itself".to_owned();
+            return Err((index, Fault { at: at.clone(), rule, advice }));
+        }
+    }
+    Ok(leads)
 }
 
 /// Does each call lower this index by a step that literals catch?
@@ -183,36 +197,4 @@ fn falls(
         },
         _ => false,
     })
-}
-
-fn reaches(leads: &BTreeMap<&str, Vec<&str>>, from: &str, to: &str) -> bool {
-    let (mut open, mut seen) = (vec![from], Vec::new());
-    while let Some(name) = open.pop() {
-        if name == to {
-            return true;
-        }
-        if !seen.contains(&name) {
-            seen.push(name);
-            open.extend(leads.get(name).into_iter().flatten());
-        }
-    }
-    false
-}
-
-/// A definition speaks of what those speak of that it names.
-fn spread(known: &mut Known, calls: &[Calls]) {
-    let edges: Vec<(Name, Name)> = known
-        .definitions
-        .iter()
-        .zip(calls)
-        .flat_map(|(definition, calls)| {
-            calls.iter().map(|(name, ..)| (Arc::clone(&definition.name), Arc::clone(name)))
-        })
-        .collect();
-    for _ in 0..known.definitions.len() {
-        for (from, to) in &edges {
-            let subjects = known.subjects(to);
-            known.subjects.entry(Arc::clone(from)).or_default().join(&subjects);
-        }
-    }
 }

@@ -45,6 +45,8 @@ impl Subjects {
 pub struct Known {
     /// The definitions of the file.
     pub(super) definitions: Vec<Definition>,
+    /// Which others each of them names, itself or through others.
+    pub(super) leads: BTreeMap<Name, BTreeSet<Name>>,
     /// What each of them speaks of, itself or through others.
     pub(super) subjects: BTreeMap<Name, Subjects>,
     /// The names of the instances; without them, any name is taken.
@@ -58,6 +60,12 @@ impl Known {
     #[must_use]
     pub fn definitions(&self) -> &[Definition] {
         &self.definitions
+    }
+
+    /// Is it one of these names, or do they lead to it?
+    pub(super) fn is_used(&self, name: &str, by: &BTreeSet<Name>) -> bool {
+        by.contains(name)
+            || by.iter().any(|user| self.leads.get(user).is_some_and(|leads| leads.contains(name)))
     }
 
     pub(super) fn subjects(&self, name: &str) -> Subjects {

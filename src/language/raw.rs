@@ -71,6 +71,8 @@ pub(super) enum Quantity {
     All,
     Some,
     One,
+    /// In a list of gaps only.
+    Each,
 }
 
 /// What stands in the brackets behind a name.
@@ -109,6 +111,8 @@ pub(super) enum Says {
     Words(Vec<(String, Place)>),
     In(Domain),
     Compared(Relation, Node),
+    /// `U gaps (1, each(i in 1..k: 0))`.
+    Gaps(Vec<Node>),
 }
 
 /// The head of a definition: `b[i,q](x)`, `C(x)`, `c`.
@@ -409,7 +413,10 @@ impl<'a> Parser<'a> {
             } else if matches!(of.raw, Raw::Name { .. } | Raw::Index { .. } | Raw::Call { .. })
                 && self.sign("(")
             {
-                let mut with = vec![self.given()?];
+                let mut with = Vec::new();
+                if self.peek() != Token::Sign(")") {
+                    with.push(self.given()?);
+                }
                 while self.sign(",") {
                     with.push(self.given()?);
                 }
@@ -495,6 +502,14 @@ impl<'a> Parser<'a> {
         } else if let Some(Operator::Relation(relation)) = self.operator() {
             self.advance();
             Says::Compared(relation, self.binding(SUM)?)
+        } else if self.word("gaps") {
+            let open = self.here();
+            if !self.sign("(") {
+                return self.unexpected("`(` and the gaps");
+            }
+            let gaps = self.separated()?;
+            self.close(")", &open)?;
+            Says::Gaps(gaps)
         } else {
             let mut words = Vec::new();
             while let Token::Name(..) = self.peek() {
@@ -614,6 +629,7 @@ impl Quantity {
             "all" => Self::All,
             "some" => Self::Some,
             "one" => Self::One,
+            "each" => Self::Each,
             _ => return None,
         })
     }

@@ -10,7 +10,7 @@ use super::complaint::{Fault, Place, fault};
 use super::known::{Kind, Known, Subjects, nearest};
 use super::raw::{Domain, DomainKind, Given, Infix, Node, Quantity, Raw};
 use super::syntax::{
-    Argument, Formula, Function, Int, Interval, Item, Member, Name, Over, Range, Real, Relation, Use,
+    Argument, Formula, Function, Gap, Int, Interval, Item, Member, Name, Over, Range, Real, Relation, Use,
 };
 use super::words::{Sort, Word};
 
@@ -670,6 +670,17 @@ impl Scope<'_> {
 
     fn within(&mut self, of: &Node, domain: &Domain) -> Resolved<Formula> {
         match &domain.kind {
+            DomainKind::Set(names) => match &of.raw {
+                Raw::Name { name, primes: 0 } if name == "U" => {
+                    self.need_instance("U in {…}", &of.at)?;
+                    Ok(Formula::Instance(self.instances(names)?))
+                }
+                _ => fault(
+                    &domain.at,
+                    "only the knots of instances are in a list",
+                    "write `U in {U0, C5}`, or `= a or … = b`",
+                ),
+            },
             DomainKind::Range(..) => {
                 let of = self.int(of)?;
                 let (from, to) = self.ends(domain)?;
@@ -677,6 +688,38 @@ impl Scope<'_> {
             }
             _ => Ok(Formula::Within(self.real(of)?, self.interval(domain)?)),
         }
+    }
+
+    /// Names of instances.
+    pub(super) fn instances(&self, nodes: &[Node]) -> Resolved<Vec<Name>> {
+        let instance = |node: &Node| {
+            let Raw::Name { name, primes: 0 } = &node.raw else {
+                return fault(&node.at, "expected the name of an instance", "write `U in {U0, C5}`");
+            };
+            match &self.known.instances {
+                Some(known) if !known.contains(name.as_str()) => fault(
+                    &node.at,
+                    format!("no instance is called `{name}`"),
+                    meant(name, known.iter().map(|known| &**known)),
+                ),
+                _ => Ok(Name::from(name.as_str())),
+            }
+        };
+        nodes.iter().map(instance).collect()
+    }
+
+    /// The gaps of knots.
+    pub(super) fn gaps(&mut self, nodes: &[Node]) -> Resolved<Vec<Gap>> {
+        let gap = |node: &Node| match &node.raw {
+            Raw::Over { what: Quantity::Each, name, name_at, domain, body } => {
+                let (from, to) = self.ends(domain)?;
+                self.bound(name, Kind::Int, name_at, |scope, name| {
+                    Ok(Gap { each: Some(Range { name, from, to }), size: scope.real(body)? })
+                })
+            }
+            _ => Ok(Gap { each: None, size: self.real(node)? }),
+        };
+        nodes.iter().map(gap).collect()
     }
 
     pub(super) fn ends(&mut self, domain: &Domain) -> Resolved<(Int, Int)> {

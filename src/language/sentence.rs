@@ -150,6 +150,7 @@ impl<'a> Reader<'a> {
                 }
                 Ok(Binder::Real { name: self.bind(raw, Kind::Real)?, sign: Some(*relation) })
             }
+            (_, Says::Gaps(_)) => no_gaps(raw),
             (_, Says::Words(words)) => match words.as_slice() {
                 [] => Ok(Binder::Real { name: self.bind(raw, Kind::Real)?, sign: None }),
                 [(word, _)] if word == "index" => Ok(Binder::Index(self.bind(raw, Kind::Index)?)),
@@ -181,6 +182,7 @@ impl<'a> Reader<'a> {
             _ => fault(&node.at, "a degree is bounded by a number", "write `k >= 1`, `k in 1..3` or `k = 0`"),
         };
         let (least, most) = match says {
+            Says::Gaps(_) => return no_gaps(raw),
             Says::Words(words) if words.is_empty() => (0, None),
             Says::Words(words) => return fault(&words[0].1, "a degree has no adjectives", "write `k; U`"),
             Says::Compared(Relation::AtLeast, node) => (literal(node)?, None),
@@ -209,12 +211,19 @@ impl<'a> Reader<'a> {
             Says::In(Domain { kind: DomainKind::Set(names), .. }) => {
                 self.scope.has.degree = true;
                 self.scope.has.instance = true;
-                Ok(Binder::Instances(names.iter().map(|node| self.instance(node)).collect::<Result<_, _>>()?))
+                Ok(Binder::Instances(self.scope.instances(names)?))
+            }
+            Says::Words(_) | Says::Gaps(_) if !self.scope.has.degree => {
+                fault(&raw.at, "knots belong to a degree: n = m - k - 1", "write `k; U`")
+            }
+            Says::Gaps(nodes) => {
+                // They may not speak of themselves.
+                self.scope.has.knots = false;
+                let gaps = self.scope.gaps(nodes)?;
+                self.scope.has.knots = true;
+                Ok(Binder::Gaps(gaps))
             }
             Says::Words(words) => {
-                if !self.scope.has.degree {
-                    return fault(&raw.at, "knots belong to a degree: n = m - k - 1", "write `k; U`");
-                }
                 let mut adjectives: Vec<Adjective> = Vec::new();
                 for (word, at) in words {
                     match Adjective::ALL.into_iter().find(|adjective| adjective.name() == word) {
@@ -243,22 +252,6 @@ impl<'a> Reader<'a> {
         }
     }
 
-    fn instance(&self, node: &Node) -> Result<Name, Fault> {
-        let Raw::Name { name, primes: 0 } = &node.raw else {
-            return fault(&node.at, "expected the name of an instance", "write `U in {U0, C5}`");
-        };
-        match &self.scope.known.instances {
-            Some(known) if !known.iter().any(|known| **known == **name) => {
-                let advice = match nearest(name, known.iter().map(|known| &**known)) {
-                    Some(close) => format!("did you mean `{close}`?"),
-                    None => "give the name of an instance of the paper".to_owned(),
-                };
-                fault(&node.at, format!("no instance is called `{name}`"), advice)
-            }
-            _ => Ok(name.as_str().into()),
-        }
-    }
-
     /// The indices of a list; 0 and 1 are none.
     fn indices(&mut self, domain: &Domain) -> Result<Vec<Option<BigRational>>, Fault> {
         let DomainKind::Set(all) = &domain.kind else {
@@ -279,4 +272,8 @@ impl<'a> Reader<'a> {
         };
         all.iter().map(index).collect()
     }
+}
+
+fn no_gaps<T>(raw: &RawBinder) -> Result<T, Fault> {
+    fault(&raw.at, "only knots have gaps", "write `U gaps (1, each(i in 1..k: 0))`")
 }
