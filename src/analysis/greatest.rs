@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use num_rational::BigRational;
 
-use crate::scalar::{RationalAlgebra, Ring, integer};
+use crate::scalar::integer;
 
 use super::algebraic::{Algebraic, Enclosed};
 use super::pieces::Piece;
@@ -108,7 +108,7 @@ pub fn compare(a: &mut Greatest, b: &mut Greatest) -> Option<Ordering> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scalar::{RationalFunction, rational};
+    use crate::scalar::{RationalAlgebra, RationalFunction, Ring, rational};
 
     fn u() -> Piece {
         RationalFunction::variable(&rational(1, 1))
