@@ -91,4 +91,8 @@ words! {
     Stop "stop" (Int) -> Real "the stop knot u_{0}";
     /// How many different knots there are.
     Stops "stops" () -> Int "the number of stop knots";
+    /// Is some point of a plane curve farther than a distance from all points of the curve for α = ∞?
+    Strays "strays" (Function, Function, Real) -> Truth "some point of the curve ({0}, {1}) is farther than {2} from all points of the curve for α = ∞";
+    /// The least degree of an algebraic curve that holds a plane curve on the span of an index.
+    ImplicitDegree "implicit_degree" (Function, Function, Int) -> Int "the least degree of an algebraic curve with the points of ({0}, {1}) on span {2}";
 }
