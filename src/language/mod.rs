@@ -7,7 +7,7 @@ mod syntax;
 mod words;
 
 pub use syntax::{
-    Adjective, Argument, Binder, Definition, Fold, Formula, Function, Int, Interval, Item, Member, Name,
+    Adjective, Argument, Binder, Definition, Fold, Formula, Function, Gap, Int, Interval, Item, Member, Name,
     Over, Range, Real, Relation, Sentence, Side, Use,
 };
 pub use words::{Sort, Word};

@@ -278,6 +278,15 @@ pub enum Adjective {
     Interior,
 }
 
+/// Gaps of knots: one, or for `each(i in a..b: …)` one for every integer of a range.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct Gap {
+    /// For every one of these.
+    pub each: Option<Range>,
+    /// t_{i+1} − t_i.
+    pub size: Real,
+}
+
 /// One name of `for`.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub enum Binder {
@@ -290,6 +299,8 @@ pub enum Binder {
     },
     /// U.
     Knots(Vec<Adjective>),
+    /// U with t_0 = 0 and these gaps between its knots, in order.
+    Gaps(Vec<Gap>),
     /// U of an instance of the paper.
     Instances(Vec<Name>),
     /// α in a list; `None` is ∞.
