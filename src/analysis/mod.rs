@@ -8,6 +8,7 @@ mod formal;
 mod integer_polynomial;
 mod linear;
 mod local_knots;
+mod minors;
 mod monotonicity;
 mod partition;
 mod pieces;
@@ -29,6 +30,7 @@ pub use extremum::{Extremum, ExtremumKind, Jump, Place};
 pub use formal::{Factored, FormalBasis, FormalFunction, FormalPiece};
 pub use linear::{coefficient_rows, common_numerators, in_span, is_combination, rank};
 pub use local_knots::{LocalKnots, LocalKnotsError, SpanQuotient};
+pub use minors::{NegativeMinor, determinant, negative_minor};
 pub use monotonicity::{Monotonicity, Route, SpanMonotonicity};
 pub use partition::{FreeKnotError, Partition, PartitionCell, PartitionEnd, PartitionEvent};
 pub use pieces::{
