@@ -11,7 +11,7 @@ mod approximation;
 mod basis;
 mod captions;
 mod case;
-mod cause;
+use crate::language as cause;
 mod claim;
 mod classical;
 mod closeness;
@@ -48,8 +48,8 @@ mod verdict;
 mod weight;
 mod weight_effect;
 
+pub use crate::language::{Cause, Severity, Source};
 pub use case::{BasisCase, Case, Origin, WeightCase};
-pub use cause::{Cause, Severity, Source};
 pub use claim::{Claim, Form, Judged};
 pub use formal::{Formal, formal, formal_for_degree, refutation};
 pub use grade::Grade;

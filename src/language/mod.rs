@@ -3,11 +3,25 @@
 //! It knows rationals and no spline: what a formula means is said in `meaning`. The language for its users is described in
 //! `docs/language.md`.
 
+mod cause;
+mod complaint;
+mod definitions;
+mod file;
+mod known;
+mod raw;
+mod resolve;
+mod sentence;
 mod syntax;
+mod token;
 mod words;
 
+pub use cause::{Cause, Severity, Source};
+pub use complaint::Complaint;
+pub use file::{File, RestsOn, Said, Stanza, stanzas};
+pub use known::Known;
+pub use sentence::{one_line, sentence};
 pub use syntax::{
     Adjective, Argument, Binder, Definition, Fold, Formula, Function, Gap, Int, Interval, Item, Member, Name,
-    Over, Range, Real, Relation, Sentence, Side, Use,
+    Over, Pattern, Range, Real, Relation, Sentence, Side, Use,
 };
 pub use words::{Sort, Word};

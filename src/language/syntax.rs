@@ -79,6 +79,8 @@ pub enum Real {
     Greatest(Box<Real>, Box<Real>),
     /// Over a range of integers.
     Fold(Fold, Range, Box<Real>),
+    /// A definition of the file without a variable: `c`, `c[i]`.
+    Defined(Name, Vec<Int>),
     /// A function at a point.
     Value(Box<Function>, Box<Argument>),
     /// A word that measures: `sup(…)`.
@@ -213,6 +215,8 @@ pub enum Formula {
     Within(Real, Interval),
     /// j in a range of integers.
     Among(Int, Int, Int),
+    /// U in {…}: the case is one of these instances.
+    Instance(Vec<Name>),
     /// not.
     Not(Box<Formula>),
     /// and.

@@ -1,0 +1,102 @@
+//! What is wrong with a text: where, by which rule, and what to write instead.
+
+use std::fmt;
+use std::ops::Range;
+use std::sync::Arc;
+
+use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
+
+/// Bytes of a text.
+pub(super) type Place = Range<usize>;
+
+/// A text and what it is called: the name of a file, or what part of a sentence it is.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) struct Origin {
+    pub(super) name: String,
+    pub(super) text: String,
+}
+
+/// What is wrong in a text that is read, before it is known where that text stands.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Fault {
+    pub(super) at: Place,
+    pub(super) rule: String,
+    pub(super) advice: String,
+}
+
+/// For a `Result` of the reader: the fault at a place.
+pub(super) fn fault<T>(at: &Place, rule: impl Into<String>, advice: impl Into<String>) -> Result<T, Fault> {
+    Err(Fault { at: at.clone(), rule: rule.into(), advice: advice.into() })
+}
+
+/// What is wrong with a text: it displays as the line with the place underlined, the rule, and what to write instead.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Complaint {
+    origin: Arc<Origin>,
+    at: Place,
+    rule: String,
+    advice: String,
+}
+
+impl Complaint {
+    /// Of a fault in the text; `at` is where it stands in that.
+    pub(super) fn new(
+        origin: &Arc<Origin>,
+        at: Place,
+        rule: impl Into<String>,
+        advice: impl Into<String>,
+    ) -> Self {
+        let inside = |byte: usize| {
+            (0..=byte.min(origin.text.len()))
+                .rev()
+                .find(|byte| origin.text.is_char_boundary(*byte))
+                .unwrap_or(0)
+        };
+        let at = inside(at.start)..inside(at.end.max(at.start));
+        Self { origin: Arc::clone(origin), at, rule: rule.into(), advice: advice.into() }
+    }
+
+    /// The file, or the part of a sentence that was given by itself.
+    #[must_use]
+    pub fn source(&self) -> &str {
+        &self.origin.name
+    }
+
+    /// Line and column of the first character that is underlined, from 1.
+    #[must_use]
+    pub fn place(&self) -> (usize, usize) {
+        let before = &self.origin.text[..self.at.start];
+        let line = before.rfind('\n').map_or(0, |newline| newline + 1);
+        (before.matches('\n').count() + 1, before[line..].chars().count() + 1)
+    }
+
+    /// What is underlined.
+    #[must_use]
+    pub fn underlined(&self) -> &str {
+        &self.origin.text[self.at.clone()]
+    }
+
+    /// Which rule it breaks.
+    #[must_use]
+    pub fn rule(&self) -> &str {
+        &self.rule
+    }
+
+    /// What to write instead.
+    #[must_use]
+    pub fn advice(&self) -> &str {
+        &self.advice
+    }
+}
+
+impl fmt::Display for Complaint {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let place = AnnotationKind::Primary.span(self.at.clone()).label(self.advice.as_str());
+        let snippet =
+            Snippet::source(self.origin.text.as_str()).path(self.origin.name.as_str()).annotation(place);
+        let report = [Level::ERROR.primary_title(self.rule.as_str()).element(snippet)];
+        write!(f, "{}", Renderer::plain().render(&report))
+    }
+}
+
+impl std::error::Error for Complaint {}

@@ -1,0 +1,943 @@
+//! Raw tree → typed tree: what every name means, and whether it may stand where it stands.
+
+use std::sync::Arc;
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{ToPrimitive, Zero};
+
+use super::complaint::{Fault, Place, fault};
+use super::known::{Kind, Known, Subjects, nearest};
+use super::raw::{Domain, DomainKind, Given, Infix, Node, Quantity, Raw};
+use super::syntax::{
+    Argument, Formula, Function, Gap, Int, Interval, Item, Member, Name, Over, Range, Real, Relation, Use,
+};
+use super::words::{Sort, Word};
+
+/// Greater exponents and orders of derivatives are refused where they are literals.
+const GREATEST_EXPONENT: i64 = 1000;
+
+/// The names in force while a text is read.
+pub(super) struct Scope<'a> {
+    pub(super) known: &'a Known,
+    /// What of the case may be spoken of; in a definition, what is.
+    pub(super) has: Subjects,
+    /// In a definition, whoever uses it has to bind what is free in it.
+    pub(super) defining: bool,
+    /// Names bound inside of a formula, and a definition's own.
+    pub(super) own: Vec<(Name, Kind)>,
+    /// Definitions and claims that were named, and where.
+    pub(super) named: Named,
+}
+
+/// What a text names of other texts.
+#[derive(Debug, Default)]
+pub(super) struct Named {
+    pub(super) definitions: Vec<(Name, Vec<Int>, Place)>,
+    pub(super) claims: Vec<(Name, Place)>,
+}
+
+/// A node with its type.
+enum Typed {
+    Int(Int),
+    Real(Real),
+    Infinity,
+    Formula(Formula),
+    Function(Function),
+    Coefficients(Name),
+}
+
+type Resolved<T> = Result<T, Fault>;
+
+impl Typed {
+    fn what(&self) -> &'static str {
+        match self {
+            Self::Int(_) => "an integer",
+            Self::Real(_) => "a real number",
+            Self::Infinity => "infinity",
+            Self::Formula(_) => "a formula",
+            Self::Function(_) => "a function",
+            Self::Coefficients(_) => "the name of control values",
+        }
+    }
+
+    fn real(self, at: &Place) -> Resolved<Real> {
+        let advice = match self {
+            Self::Int(int) => return Ok(Real::Whole(int)),
+            Self::Real(real) => return Ok(real),
+            Self::Infinity => "it stands only beside an index: `alpha = infinity`".to_owned(),
+            Self::Function(_) => "give it a point: `(x)`, or `(x-)` for a limit".to_owned(),
+            Self::Coefficients(ref name) => format!("write `{name}[i]`"),
+            Self::Formula(_) => "check the brackets".to_owned(),
+        };
+        fault(at, format!("expected a number, this is {}", self.what()), advice)
+    }
+}
+
+impl Scope<'_> {
+    pub(super) fn int(&mut self, node: &Node) -> Resolved<Int> {
+        match self.typed(node)? {
+            Typed::Int(int) => Ok(int),
+            other => fault(
+                &node.at,
+                format!("expected an integer, this is {}", other.what()),
+                "indices, degrees and ends of `a..b` are made of integers, k, n, m and names that run over integers",
+            ),
+        }
+    }
+
+    pub(super) fn real(&mut self, node: &Node) -> Resolved<Real> {
+        self.typed(node)?.real(&node.at)
+    }
+
+    pub(super) fn formula(&mut self, node: &Node) -> Resolved<Formula> {
+        match self.typed(node)? {
+            Typed::Formula(formula) => Ok(formula),
+            other => fault(
+                &node.at,
+                format!("expected a formula, this is {}", other.what()),
+                "compare it with something: `= 0`, `> 0`",
+            ),
+        }
+    }
+
+    fn formulas(&mut self, nodes: &[Node]) -> Resolved<Vec<Formula>> {
+        nodes.iter().map(|node| self.formula(node)).collect()
+    }
+
+    fn ints(&mut self, nodes: &[Node]) -> Resolved<Vec<Int>> {
+        nodes.iter().map(|node| self.int(node)).collect()
+    }
+
+    fn typed(&mut self, node: &Node) -> Resolved<Typed> {
+        Ok(match &node.raw {
+            Raw::Number(text) => number(text, &node.at)?,
+            Raw::Name { name, primes } => self.name(name, *primes, &node.at)?,
+            Raw::Index { of, by } => self.indexed(of, by, &node.at)?,
+            Raw::Call { of, with } => self.call(of, with, &node.at)?,
+            Raw::Negated(of) => match self.typed(of)? {
+                Typed::Int(int) => Typed::Int(int.negated()),
+                other => Typed::Real(other.real(&of.at)?.negated()),
+            },
+            Raw::Infix(infix @ (Infix::Implies | Infix::Iff), left, right) => {
+                let (left, right) = (Box::new(self.formula(left)?), Box::new(self.formula(right)?));
+                Typed::Formula(match infix {
+                    Infix::Implies => Formula::Implies(left, right),
+                    _ => Formula::Iff(left, right),
+                })
+            }
+            Raw::Infix(infix, left, right) => self.arithmetic(*infix, left, right)?,
+            Raw::Chain(first, rest) => Typed::Formula(self.chain(first, rest)?),
+            Raw::In(of, domain) => Typed::Formula(self.within(of, domain)?),
+            Raw::Not(of) => Typed::Formula(Formula::Not(Box::new(self.formula(of)?))),
+            Raw::And(all) => Typed::Formula(Formula::And(self.formulas(all)?)),
+            Raw::Or(all) => Typed::Formula(Formula::Or(self.formulas(all)?)),
+            Raw::Over { what, name, name_at, domain, body } => {
+                self.over(*what, name, name_at, domain, body)?
+            }
+            Raw::Claim { id, printed } => {
+                if let Some(claims) = &self.known.claims
+                    && !claims.iter().any(|known| **known == **id)
+                {
+                    return fault(
+                        &node.at,
+                        format!("no claim is called `{id}`"),
+                        meant(id, claims.iter().map(|id| &**id)),
+                    );
+                }
+                let id = Name::from(id.as_str());
+                self.named.claims.push((Arc::clone(&id), node.at.clone()));
+                Typed::Formula(Formula::Claim { id, printed: *printed })
+            }
+        })
+    }
+
+    fn name(&mut self, name: &str, primes: usize, at: &Place) -> Resolved<Typed> {
+        if primes > 0 {
+            return Ok(Typed::Function(derived(self.function_name(name, at)?, primes)));
+        }
+        Ok(match name {
+            "k" => {
+                self.need_degree(at)?;
+                Typed::Int(Int::Degree)
+            }
+            "n" | "m" => {
+                self.need_knots(name, at)?;
+                Typed::Int(if name == "n" { Int::Last } else { Int::M })
+            }
+            "alpha" => Typed::Real(Real::Index(name.into())),
+            "r" => Typed::Real(Real::Ratio),
+            "infinity" => Typed::Infinity,
+            _ => {
+                let kind = self.own.iter().rev().chain(&self.has.names).find(|(bound, _)| **bound == *name);
+                match kind.map(|(name, kind)| (Arc::clone(name), *kind)) {
+                    Some((name, Kind::Int)) => Typed::Int(Int::Bound(name)),
+                    Some((name, Kind::Real)) => Typed::Real(Real::Bound(name)),
+                    Some((name, Kind::Index)) => Typed::Real(Real::Index(name)),
+                    Some((name, Kind::Coefficients)) => Typed::Coefficients(name),
+                    None => return self.unbound(name, at),
+                }
+            }
+        })
+    }
+
+    /// A name that nothing has bound: a definition, or in one a free real; else it is told what was meant.
+    fn unbound(&mut self, name: &str, at: &Place) -> Resolved<Typed> {
+        if let Some(defined) = self.defined(name, &[], at)? {
+            return Ok(defined);
+        }
+        if self.defining && !is_reserved(name) {
+            self.has.names.push((name.into(), Kind::Real));
+            return Ok(Typed::Real(Real::Bound(name.into())));
+        }
+        self.unknown(name, at)
+    }
+
+    fn unknown<T>(&self, name: &str, at: &Place) -> Resolved<T> {
+        let bracket = |form: &str| {
+            fault(at, format!("`{name}` stands here without what belongs to it"), format!("write `{form}`"))
+        };
+        match name {
+            "t" => return bracket("t[i]"),
+            "G" => return bracket("G[i](x)"),
+            "w" => return bracket("w[i,d](x)"),
+            "phi" | "f" => return bracket(&format!("{name}(x, a, b)")),
+            "P" => return bracket("P[i,1]"),
+            "U" => return fault(at, "`U` is no number", "a knot is `t[i]`"),
+            "D" => return bracket("D(G[i], 2)(x)"),
+            "sum" | "prod" | "all" | "some" | "one" => return bracket(&format!("{name}(i in 0..n: …)")),
+            _ => {}
+        }
+        let bound = self.own.iter().chain(&self.has.names).map(|(name, _)| &**name);
+        let defined = self.known.definitions.iter().map(|definition| &*definition.name);
+        let words = Word::ALL.iter().map(|word| word.name());
+        let advice = match nearest(name, bound.chain(defined).chain(words).chain(RESERVED.iter().copied())) {
+            Some(close) => format!("did you mean `{close}`?"),
+            None => "bind it in `for`, or define it in `define`".to_owned(),
+        };
+        fault(at, format!("nothing is called `{name}` here"), advice)
+    }
+
+    fn need_degree(&mut self, at: &Place) -> Resolved<()> {
+        self.has.degree |= self.defining;
+        match self.has.degree {
+            true => Ok(()),
+            false => fault(at, "`k` is not bound", "begin `for` with `k`"),
+        }
+    }
+
+    fn need_knots(&mut self, name: &str, at: &Place) -> Resolved<()> {
+        self.has.knots |= self.defining;
+        match self.has.knots {
+            true => Ok(()),
+            false => fault(at, format!("`{name}` needs knots"), "bind them in `for`: `k; U`"),
+        }
+    }
+
+    /// A definition with these indices, if it is one.
+    fn defined(&mut self, name: &str, by: &[Node], at: &Place) -> Resolved<Option<Typed>> {
+        let known = self.known;
+        let named: Vec<_> = known.definitions.iter().filter(|definition| *definition.name == *name).collect();
+        let Some(first) = named.first() else { return Ok(None) };
+        if first.indices.len() != by.len() {
+            return fault(
+                at,
+                format!("`{name}` is defined with {} indices, here are {}", first.indices.len(), by.len()),
+                format!("write `{}`", first.head()),
+            );
+        }
+        let needs = known.subjects(name);
+        if needs.degree {
+            self.need_degree(at)?;
+        }
+        if needs.knots {
+            self.need_knots(name, at)?;
+        }
+        if needs.instance {
+            self.need_instance(name, at)?;
+        }
+        for (needed, kind) in &needs.names {
+            let bound = self.has.names.iter().find(|(bound, _)| bound == needed).map(|(_, kind)| *kind);
+            match bound {
+                Some(bound) if bound == *kind => {}
+                None if self.defining => self.has.names.push((Arc::clone(needed), *kind)),
+                _ => {
+                    let advice = match kind {
+                        Kind::Coefficients => format!("bind it in `for`: `{needed} points`"),
+                        _ => format!("bind it in `for`: `{needed}`"),
+                    };
+                    return fault(at, format!("the definition of `{name}` speaks of `{needed}`"), advice);
+                }
+            }
+        }
+        let function = first.variable.is_some();
+        let (name, by) = (Arc::clone(&first.name), self.ints(by)?);
+        self.named.definitions.push((Arc::clone(&name), by.clone(), at.clone()));
+        Ok(Some(match function {
+            true => Typed::Function(Function::Defined(name, by)),
+            false => Typed::Real(Real::Defined(name, by)),
+        }))
+    }
+
+    fn need_instance(&mut self, name: &str, at: &Place) -> Resolved<()> {
+        self.has.instance |= self.defining;
+        match self.has.instance {
+            true => Ok(()),
+            false => {
+                fault(at, format!("`{name}` needs an instance of the paper"), "bind it in `for`: `U in {…}`")
+            }
+        }
+    }
+
+    /// A name that is said without indices and derived: `C'`.
+    fn function_name(&mut self, name: &str, at: &Place) -> Resolved<Function> {
+        match self.defined(name, &[], at)? {
+            Some(Typed::Function(function)) => Ok(function),
+            _ => fault(
+                at,
+                format!("`{name}` is no function"),
+                "a prime stands behind the name of a function: `G'[i](x)`",
+            ),
+        }
+    }
+
+    fn indexed(&mut self, of: &Node, by: &[Node], at: &Place) -> Resolved<Typed> {
+        let Raw::Name { name, primes } = &of.raw else {
+            return fault(at, "indices stand behind a name", "write them in one bracket: `G[i,d]`");
+        };
+        if name == "U" {
+            return fault(&of.at, "`U` has no indices", "a knot is `t[i]`");
+        }
+        let several = |least: usize, most: usize, form: &str| match (least..=most).contains(&by.len()) {
+            true => Ok(()),
+            false => fault(at, format!("`{name}` has another number of indices"), format!("write `{form}`")),
+        };
+        let function = match name.as_str() {
+            "t" => {
+                self.need_knots("t", &of.at)?;
+                several(1, 1, "t[i]")?;
+                no_prime(*primes, &of.at)?;
+                return Ok(Typed::Real(Real::Knot(self.place(&by[0])?)));
+            }
+            "G" => {
+                self.need_knots("G", &of.at)?;
+                several(1, 2, "G[i]` or `G[i,d]")?;
+                Function::Basis {
+                    i: self.place(&by[0])?,
+                    degree: by.get(1).map(|d| self.place(d)).transpose()?,
+                }
+            }
+            "w" => {
+                self.need_knots("w", &of.at)?;
+                several(2, 2, "w[i,d]")?;
+                Function::Weight { i: self.place(&by[0])?, degree: self.place(&by[1])? }
+            }
+            "P" => {
+                self.need_instance("P", &of.at)?;
+                several(2, 2, "P[i,1]` or `P[i,2]")?;
+                no_prime(*primes, &of.at)?;
+                let (i, c) = (self.place(&by[0])?, self.int(&by[1])?);
+                if matches!(c, Int::Number(c) if !(1..=2).contains(&c)) {
+                    return fault(
+                        &by[1].at,
+                        "a point of the plane has the coordinates 1 and 2",
+                        "write `P[i,1]` or `P[i,2]`",
+                    );
+                }
+                return Ok(Typed::Real(Real::Coefficient("P".into(), vec![i, c])));
+            }
+            name => {
+                let bound = self.own.iter().rev().chain(&self.has.names).find(|(bound, _)| **bound == *name);
+                match bound.map(|(name, kind)| (Arc::clone(name), *kind)) {
+                    Some((name, Kind::Coefficients)) => {
+                        several(1, 1, &format!("{name}[i]"))?;
+                        no_prime(*primes, &of.at)?;
+                        return Ok(Typed::Real(Real::Coefficient(name, vec![self.place(&by[0])?])));
+                    }
+                    Some((name, _)) => {
+                        return fault(
+                            &of.at,
+                            format!("`{name}` is a number, it has no indices"),
+                            "a product is written with `*`",
+                        );
+                    }
+                    None => match self.defined(name, by, at)? {
+                        Some(Typed::Function(function)) => function,
+                        Some(other) => {
+                            no_prime(*primes, &of.at)?;
+                            return Ok(other);
+                        }
+                        None if self.defining && by.len() == 1 && *primes == 0 && !is_reserved(name) => {
+                            self.has.names.push((name.into(), Kind::Coefficients));
+                            return Ok(Typed::Real(Real::Coefficient(
+                                name.into(),
+                                vec![self.place(&by[0])?],
+                            )));
+                        }
+                        None => return self.unknown(name, &of.at),
+                    },
+                }
+            }
+        };
+        Ok(Typed::Function(derived(function, *primes)))
+    }
+
+    /// An index of t, G, w, P or control values: none is below 0.
+    fn place(&mut self, node: &Node) -> Resolved<Int> {
+        match self.int(node)? {
+            Int::Number(below) if below < 0 => fault(
+                &node.at,
+                format!("no index is {below}, on any knots"),
+                "indices and degrees begin at 0",
+            ),
+            int => Ok(int),
+        }
+    }
+
+    fn call(&mut self, of: &Node, with: &[Given], at: &Place) -> Resolved<Typed> {
+        if let Raw::Name { name, primes } = &of.raw {
+            if matches!(name.as_str(), "phi" | "f") {
+                return self.phi(name, *primes, with, at);
+            }
+            if let (0, Some(typed)) = (*primes, self.built_in(name, with, at)?) {
+                return Ok(typed);
+            }
+        }
+        let function = self.function(of)?;
+        if with.len() != 1 {
+            return fault(at, "a function is taken at one point", "write `(x)`");
+        }
+        Ok(Typed::Real(Real::Value(Box::new(function), Box::new(self.argument(&with[0], None)?))))
+    }
+
+    fn function(&mut self, of: &Node) -> Resolved<Function> {
+        match self.typed(of)? {
+            Typed::Function(function) => Ok(function),
+            other => fault(
+                &of.at,
+                format!("expected a function, this is {}", other.what()),
+                "a product is written with `*`, a function `G[i]`",
+            ),
+        }
+    }
+
+    /// phi(x, a, b): the first is the point, the last one carries the member.
+    fn phi(&mut self, name: &str, primes: usize, with: &[Given], at: &Place) -> Resolved<Typed> {
+        let [point, from, to] = with else {
+            return fault(
+                at,
+                format!("`{name}` takes a point and two ends"),
+                format!("write `{name}(x, a, b)`"),
+            );
+        };
+        for end in [from, to] {
+            no_side(end)?;
+        }
+        if point.member.is_some() || from.member.is_some() {
+            return fault(at, "the other index comes last", format!("write `{name}(x, a, b; alpha = …)`"));
+        }
+        let function =
+            Function::Phi { cut: name == "phi", from: self.real(&from.node)?, to: self.real(&to.node)? };
+        let argument = self.argument(point, to.member.as_ref())?;
+        Ok(Typed::Real(Real::Value(Box::new(derived(function, primes)), Box::new(argument))))
+    }
+
+    fn argument(&mut self, given: &Given, member: Option<&(String, Place, Node)>) -> Resolved<Argument> {
+        let member = self.member(given.member.as_ref().or(member))?;
+        Ok(Argument { at: self.real(&given.node)?, side: given.side, member })
+    }
+
+    fn member(&mut self, member: Option<&(String, Place, Node)>) -> Resolved<Option<Member>> {
+        let Some((name, at, value)) = member else { return Ok(None) };
+        Ok(Some(match name.as_str() {
+            "alpha" => Member::Index(match self.typed(value)? {
+                Typed::Infinity => Real::Infinity,
+                other => other.real(&value.at)?,
+            }),
+            "r" => Member::Ratio(self.real(value)?),
+            _ => return fault(at, format!("the family has no `{name}`"), "write `; alpha = …` or `; r = …`"),
+        }))
+    }
+
+    /// abs(a), D(f, q), words.
+    fn built_in(&mut self, name: &str, with: &[Given], at: &Place) -> Resolved<Option<Typed>> {
+        let plain = |count: usize, form: &str| {
+            if with.len() != count {
+                return fault(
+                    at,
+                    format!("`{name}` takes another number of terms"),
+                    format!("write `{form}`"),
+                );
+            }
+            with.iter().try_for_each(|given| {
+                no_side(given)?;
+                no_member(given)
+            })
+        };
+        let real = |scope: &mut Self| Ok(Box::new(scope.real(&with[0].node)?));
+        Ok(Some(match name {
+            "abs" => {
+                plain(1, "abs(a)")?;
+                Typed::Real(Real::Absolute(real(self)?))
+            }
+            "sqrt" => {
+                plain(1, "sqrt(a)")?;
+                Typed::Real(Real::Root(real(self)?))
+            }
+            "min" | "max" => {
+                plain(2, &format!("{name}(a, b)` or `{name}(i in 0..n: …)"))?;
+                self.extreme(name == "min", &with[0].node, &with[1].node)?
+            }
+            "binomial" => {
+                plain(2, "binomial(a, b)")?;
+                let (a, b) = (self.int(&with[0].node)?, self.int(&with[1].node)?);
+                Typed::Int(Int::Binomial(Box::new(a), Box::new(b)))
+            }
+            "D" => {
+                plain(2, "D(G[i], q)")?;
+                let (function, order) = (self.function(&with[0].node)?, self.place(&with[1].node)?);
+                bounded(&order, &with[1].node.at)?;
+                Typed::Function(Function::Derivative(Box::new(function), order))
+            }
+            _ => match Word::ALL.iter().find(|word| word.name() == name) {
+                Some(word) => self.word(*word, with, at)?,
+                None => return Ok(None),
+            },
+        }))
+    }
+
+    fn extreme(&mut self, least: bool, a: &Node, b: &Node) -> Resolved<Typed> {
+        Ok(match (self.typed(a)?, self.typed(b)?) {
+            (Typed::Int(a), Typed::Int(b)) => {
+                Typed::Int(if least { Int::Least } else { Int::Greatest }(Box::new(a), Box::new(b)))
+            }
+            (left, right) => {
+                let (a, b) = (Box::new(left.real(&a.at)?), Box::new(right.real(&b.at)?));
+                Typed::Real(if least { Real::Least } else { Real::Greatest }(a, b))
+            }
+        })
+    }
+
+    fn word(&mut self, word: Word, with: &[Given], at: &Place) -> Resolved<Typed> {
+        let mut of = Vec::new();
+        let mut rest = with.iter();
+        for sort in word.takes() {
+            let Some(given) = rest.next() else { return wrong_number(word, at) };
+            no_side(given)?;
+            if *sort != Sort::Function {
+                no_member(given)?;
+            }
+            of.push(match sort {
+                Sort::Int => Item::Int(self.int(&given.node)?),
+                Sort::Real => Item::Real(self.real(&given.node)?),
+                Sort::Function => {
+                    Item::Function(self.function(&given.node)?, self.member(given.member.as_ref())?)
+                }
+                Sort::Coefficients => match self.typed(&given.node)? {
+                    Typed::Coefficients(name) => Item::Coefficients(name),
+                    other => {
+                        return fault(
+                            &given.node.at,
+                            format!("`{}` is said of control values, this is {}", word.name(), other.what()),
+                            "give the name of control values that `for` binds: `d points`",
+                        );
+                    }
+                },
+                Sort::Expression => {
+                    let Some(variable) = rest.next() else { return wrong_number(word, at) };
+                    self.expression(&given.node, &variable.node)?
+                }
+                Sort::Truth => continue,
+            });
+        }
+        if rest.next().is_some() {
+            return wrong_number(word, at);
+        }
+        let used = Box::new(Use { word, of });
+        Ok(match word.gives() {
+            Sort::Int => Typed::Int(Int::Word(used)),
+            Sort::Truth => Typed::Formula(Formula::Word(used)),
+            _ => Typed::Real(Real::Word(used)),
+        })
+    }
+
+    /// A term as a function of `x`, or of `x in [a, b]`.
+    fn expression(&mut self, term: &Node, variable: &Node) -> Resolved<Item> {
+        let (name, domain) = match &variable.raw {
+            Raw::In(name, domain) => (&**name, Some(&**domain)),
+            _ => (variable, None),
+        };
+        let Raw::Name { name, primes: 0 } = &name.raw else {
+            return fault(
+                &variable.at,
+                "expected the variable of the term before it",
+                "write `C(x), x` or `C(x), x in [a, b]`",
+            );
+        };
+        let interval = domain.map(|domain| self.interval(domain)).transpose()?;
+        self.bound(name, Kind::Real, &variable.at, |scope, name| {
+            Ok(Item::Expression(scope.real(term)?, name, interval))
+        })
+    }
+
+    /// Reads with one more name.
+    fn bound<T>(
+        &mut self,
+        name: &str,
+        kind: Kind,
+        at: &Place,
+        read: impl FnOnce(&mut Self, Name) -> Resolved<T>,
+    ) -> Resolved<T> {
+        self.free(name, at)?;
+        let name = Name::from(name);
+        self.own.push((Arc::clone(&name), kind));
+        let read = read(self, name);
+        self.own.pop();
+        read
+    }
+
+    /// May the name be bound here?
+    pub(super) fn free(&self, name: &str, at: &Place) -> Resolved<()> {
+        not_reserved(name, at)?;
+        let bound = self.own.iter().chain(&self.has.names).any(|(bound, _)| **bound == *name);
+        let defined = self.known.definitions.iter().any(|definition| *definition.name == *name);
+        match bound || defined {
+            true => fault(
+                at,
+                format!("`{name}` is bound already, or defined"),
+                "take another name: none hides another",
+            ),
+            false => Ok(()),
+        }
+    }
+
+    fn arithmetic(&mut self, infix: Infix, left: &Node, right: &Node) -> Resolved<Typed> {
+        if infix == Infix::Power {
+            let (base, exponent) = (self.real(left)?, self.int(right)?);
+            bounded(&exponent, &right.at)?;
+            return Ok(Typed::Real(Real::Power(Box::new(base), exponent)));
+        }
+        let (a, b) = (self.typed(left)?, self.typed(right)?);
+        if let (Typed::Int(a), Typed::Int(b)) = (&a, &b)
+            && infix != Infix::Over
+        {
+            let (a, b) = (Box::new(a.clone()), Box::new(b.clone()));
+            return Ok(Typed::Int(match infix {
+                Infix::Plus => Int::Plus(a, b),
+                Infix::Minus => Int::Minus(a, b),
+                _ => Int::Times(a, b),
+            }));
+        }
+        let (a, b) = (a.real(&left.at)?, b.real(&right.at)?);
+        Ok(Typed::Real(match infix {
+            Infix::Plus => Real::Plus(Box::new(a), Box::new(b)),
+            Infix::Minus => Real::Minus(Box::new(a), Box::new(b)),
+            Infix::Times => Real::Times(Box::new(a), Box::new(b)),
+            _ if b == Real::Whole(Int::Number(0)) => {
+                return fault(&right.at, "nothing is divided by 0", "check the denominator");
+            }
+            _ => a.over(b),
+        }))
+    }
+
+    /// Infinity is compared with indices only.
+    fn chain(&mut self, first: &Node, rest: &[(Relation, Node)]) -> Resolved<Formula> {
+        let mut terms = Vec::with_capacity(rest.len() + 1);
+        for node in std::iter::once(first).chain(rest.iter().map(|(_, node)| node)) {
+            terms.push(match self.typed(node)? {
+                Typed::Infinity => Real::Infinity,
+                other => other.real(&node.at)?,
+            });
+        }
+        for (at, (relation, node)) in rest.iter().enumerate() {
+            let (a, b) = (&terms[at], &terms[at + 1]);
+            let infinite = [a, b].contains(&&Real::Infinity);
+            let index = |term: &Real| matches!(term, Real::Index(_) | Real::Infinity);
+            let equality = matches!(relation, Relation::Equal | Relation::Unequal);
+            if infinite && !(index(a) && index(b) && equality && a != b) {
+                let at = if *a == Real::Infinity { first.at.start..node.at.end } else { node.at.clone() };
+                return fault(
+                    &at,
+                    "`infinity` is no number",
+                    "it stands only beside an index: `alpha = infinity`, `alpha != infinity`",
+                );
+            }
+        }
+        let mut terms = terms.into_iter();
+        let Some(first) = terms.next() else { return fault(&first.at, "nothing is compared", "write `= 0`") };
+        Ok(Formula::Chain(first, rest.iter().map(|(relation, _)| *relation).zip(terms).collect()))
+    }
+
+    fn within(&mut self, of: &Node, domain: &Domain) -> Resolved<Formula> {
+        match &domain.kind {
+            DomainKind::Set(names) => match &of.raw {
+                Raw::Name { name, primes: 0 } if name == "U" => {
+                    self.need_instance("U in {…}", &of.at)?;
+                    Ok(Formula::Instance(self.instances(names)?))
+                }
+                _ => fault(
+                    &domain.at,
+                    "only the knots of instances are in a list",
+                    "write `U in {U0, C5}`, or `= a or … = b`",
+                ),
+            },
+            DomainKind::Range(..) => {
+                let of = self.int(of)?;
+                let (from, to) = self.ends(domain)?;
+                Ok(Formula::Among(of, from, to))
+            }
+            _ => Ok(Formula::Within(self.real(of)?, self.interval(domain)?)),
+        }
+    }
+
+    /// Names of instances.
+    pub(super) fn instances(&self, nodes: &[Node]) -> Resolved<Vec<Name>> {
+        let instance = |node: &Node| {
+            let Raw::Name { name, primes: 0 } = &node.raw else {
+                return fault(&node.at, "expected the name of an instance", "write `U in {U0, C5}`");
+            };
+            match &self.known.instances {
+                Some(known) if !known.contains(name.as_str()) => fault(
+                    &node.at,
+                    format!("no instance is called `{name}`"),
+                    meant(name, known.iter().map(|known| &**known)),
+                ),
+                _ => Ok(Name::from(name.as_str())),
+            }
+        };
+        nodes.iter().map(instance).collect()
+    }
+
+    /// The gaps of knots.
+    pub(super) fn gaps(&mut self, nodes: &[Node]) -> Resolved<Vec<Gap>> {
+        let gap = |node: &Node| match &node.raw {
+            Raw::Over { what: Quantity::Each, name, name_at, domain, body } => {
+                let (from, to) = self.ends(domain)?;
+                self.bound(name, Kind::Int, name_at, |scope, name| {
+                    Ok(Gap { each: Some(Range { name, from, to }), size: scope.real(body)? })
+                })
+            }
+            _ => Ok(Gap { each: None, size: self.real(node)? }),
+        };
+        nodes.iter().map(gap).collect()
+    }
+
+    pub(super) fn ends(&mut self, domain: &Domain) -> Resolved<(Int, Int)> {
+        let DomainKind::Range(from, to) = &domain.kind else {
+            return fault(&domain.at, "expected a range of integers", "write `0..n`");
+        };
+        let (from, to) = (self.int(from)?, self.int(to)?);
+        match (&from, &to) {
+            (Int::Number(from), Int::Number(to)) if to < from => {
+                fault(&domain.at, "this range is empty", format!("write `{to}..{from}`"))
+            }
+            _ => Ok((from, to)),
+        }
+    }
+
+    pub(super) fn interval(&mut self, domain: &Domain) -> Resolved<Interval> {
+        let DomainKind::Interval { from, from_closed, to, to_closed } = &domain.kind else {
+            return fault(
+                &domain.at,
+                "expected an interval",
+                "write `[a, b]`, `(a, b)`, `[a, b)` or `(a, b]`",
+            );
+        };
+        let (from, to) = (self.real(from)?, self.real(to)?);
+        if let (Some(a), Some(b)) = (from.literal(), to.literal())
+            && (b < a || (a == b && !(*from_closed && *to_closed)))
+        {
+            return fault(&domain.at, "this interval is empty", "its left end comes first");
+        }
+        Ok(Interval { from, from_closed: *from_closed, to, to_closed: *to_closed })
+    }
+
+    fn over(
+        &mut self,
+        what: Quantity,
+        name: &str,
+        at: &Place,
+        domain: &Domain,
+        body: &Node,
+    ) -> Resolved<Typed> {
+        if let DomainKind::Interval { .. } = domain.kind {
+            let interval = self.interval(domain)?;
+            if let Quantity::Fold(_) = what {
+                return fault(
+                    &domain.at,
+                    "only integers are summed, multiplied or compared one by one",
+                    "write `i in 0..n`, or `sup(…, x in [a, b])`",
+                );
+            }
+            return self.bound(name, Kind::Real, at, |scope, name| {
+                let body = Box::new(scope.formula(body)?);
+                Ok(Typed::Formula(quantified(what, Over::Reals(name, interval), body)))
+            });
+        }
+        let (from, to) = self.ends(domain)?;
+        self.bound(name, Kind::Int, at, |scope, name| {
+            let range = Range { name, from, to };
+            Ok(match what {
+                Quantity::Fold(fold) => Typed::Real(Real::Fold(fold, range, Box::new(scope.real(body)?))),
+                _ => Typed::Formula(quantified(what, Over::Integers(range), Box::new(scope.formula(body)?))),
+            })
+        })
+    }
+}
+
+fn quantified(what: Quantity, over: Over, body: Box<Formula>) -> Formula {
+    match what {
+        Quantity::Some => Formula::Some(over, body),
+        Quantity::One => Formula::One(over, body),
+        _ => Formula::All(over, body),
+    }
+}
+
+/// Names with a meaning of their own.
+const RESERVED: &[&str] = &[
+    "k", "n", "m", "t", "G", "w", "U", "P", "D", "r", "alpha", "infinity", "phi", "f", "sum", "prod", "min",
+    "max", "abs", "sqrt", "binomial", "all", "some", "one", "and", "or", "not", "in", "claim", "printed",
+    "index", "points",
+];
+
+fn is_reserved(name: &str) -> bool {
+    RESERVED.contains(&name) || Word::ALL.iter().any(|word| word.name() == name)
+}
+
+/// May it be a name of one's own?
+pub(super) fn not_reserved(name: &str, at: &Place) -> Resolved<()> {
+    match is_reserved(name) {
+        true => fault(at, format!("`{name}` has a meaning already"), "take another name"),
+        false => Ok(()),
+    }
+}
+
+fn number(text: &str, at: &Place) -> Resolved<Typed> {
+    if let Ok(int) = text.parse() {
+        return Ok(Typed::Int(Int::Number(int)));
+    }
+    match crate::scalar::parse_rational(text) {
+        Ok(number) => Ok(Typed::Real(Real::number(number))),
+        Err(error) => fault(at, error.to_string(), "write digits, `1/2` or `0.5`"),
+    }
+}
+
+fn derived(function: Function, primes: usize) -> Function {
+    match i64::try_from(primes) {
+        Ok(order) if order > 0 => Function::Derivative(Box::new(function), Int::Number(order)),
+        _ => function,
+    }
+}
+
+fn bounded(exponent: &Int, at: &Place) -> Resolved<()> {
+    match exponent {
+        Int::Number(e) if e.abs() > GREATEST_EXPONENT => fault(
+            at,
+            format!("an exponent has at most the size {GREATEST_EXPONENT}"),
+            "name what it stands for",
+        ),
+        _ => Ok(()),
+    }
+}
+
+fn no_prime(primes: usize, at: &Place) -> Resolved<()> {
+    match primes {
+        0 => Ok(()),
+        _ => fault(
+            at,
+            "numbers have no derivative",
+            "a prime stands behind the name of a function: `G'[i](x)`",
+        ),
+    }
+}
+
+fn no_side(given: &Given) -> Resolved<()> {
+    match given.side {
+        None => Ok(()),
+        Some(_) => fault(&given.node.at, "a limit is taken at the point of a function", "write `G[i](x-)`"),
+    }
+}
+
+fn no_member(given: &Given) -> Resolved<()> {
+    match &given.member {
+        None => Ok(()),
+        Some((_, at, _)) => {
+            fault(at, "only a function has another index", "write it behind the point: `G[i](x; alpha = …)`")
+        }
+    }
+}
+
+fn wrong_number<T>(word: Word, at: &Place) -> Resolved<T> {
+    let shape = word.takes().iter().map(|sort| match sort {
+        Sort::Int => "k",
+        Sort::Real | Sort::Truth => "x",
+        Sort::Function => "G[i]",
+        Sort::Expression => "C(x), x in [a, b]",
+        Sort::Coefficients => "d",
+    });
+    let shape: Vec<_> = shape.collect();
+    fault(
+        at,
+        format!("`{}` is said of another number of things", word.name()),
+        format!("write it like `{}({})`", word.name(), shape.join(", ")),
+    )
+}
+
+fn meant<'a>(name: &str, among: impl Iterator<Item = &'a str>) -> String {
+    match nearest(name, among) {
+        Some(close) => format!("did you mean `{close}`?"),
+        None => "give one that is registered".to_owned(),
+    }
+}
+
+/// One tree for one meaning of what is made of literals: a number is reduced, and whole wherever it can be.
+impl Real {
+    /// A literal.
+    #[must_use]
+    pub fn number(value: BigRational) -> Self {
+        match value.is_integer().then(|| value.to_integer().to_i64()).flatten() {
+            Some(whole) => Self::Whole(Int::Number(whole)),
+            None => Self::Number(value),
+        }
+    }
+
+    /// The number, if it is a literal.
+    #[must_use]
+    pub fn literal(&self) -> Option<BigRational> {
+        match self {
+            Self::Number(value) => Some(value.clone()),
+            Self::Whole(Int::Number(whole)) => Some(BigRational::from_integer(BigInt::from(*whole))),
+            _ => None,
+        }
+    }
+
+    /// −a.
+    #[must_use]
+    pub fn negated(self) -> Self {
+        match (self.literal(), self) {
+            (Some(value), _) => Self::number(-value),
+            (None, Self::Whole(int)) => Self::Whole(int.negated()),
+            (None, other) => Self::Negated(Box::new(other)),
+        }
+    }
+
+    /// a/b.
+    #[must_use]
+    pub fn over(self, other: Self) -> Self {
+        match (self.literal(), other.literal()) {
+            (Some(a), Some(b)) if !b.is_zero() => Self::number(a / b),
+            _ => Self::Over(Box::new(self), Box::new(other)),
+        }
+    }
+}
+
+impl Int {
+    /// −a, as 0 − a.
+    #[must_use]
+    pub fn negated(self) -> Self {
+        match self {
+            Self::Number(value) if value != i64::MIN => Self::Number(-value),
+            other => Self::Minus(Box::new(Self::Number(0)), Box::new(other)),
+        }
+    }
+}
