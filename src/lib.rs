@@ -109,6 +109,7 @@ pub mod cli;
 pub mod float;
 pub mod json;
 pub mod language;
+pub mod meaning;
 pub mod report;
 pub mod scalar;
 pub mod search;
