@@ -330,6 +330,9 @@ impl<'a> Reading<'a> {
                 let each = self.over_reals(name, interval, |own| own.truth(body), &Truth::Mixed);
                 each.map_or_else(Truth::from, exactly_one)
             }
+            Formula::Instance(names) => {
+                self.on.name.as_ref().is_some_and(|name| names.contains(name)).into()
+            }
             Formula::Word(of) => words::holds(self, of),
             Formula::Claim { id, printed } => match (self.file.sentence)(id, *printed) {
                 Some(sentence) => self.sentence(&sentence),

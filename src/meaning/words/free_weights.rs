@@ -2,8 +2,12 @@
 
 use num_bigint::BigInt;
 
+use crate::language::Int;
 use crate::scalar::{Monomial, Multivariate, Ring};
 use crate::spline::{Active, KnotVector, Span, Triangle, Weights};
+
+use super::super::reading::{Reading, place};
+use super::super::truth::Stop;
 
 /// The weights w_i^d of one degree on a span as variables; their complements are variables too, or 1 − w.
 struct Free {
@@ -37,11 +41,18 @@ impl Weights for Free {
 }
 
 /// Are the functions of a degree positive inside of their supports, with the sum 1 on [t_k, t_{n+1}], whatever the weights?
+pub(super) fn holds(own: &mut Reading<'_>, degree: &Int) -> Result<bool, Stop> {
+    let (d, k) = (own.int(degree)?, own.degree()?);
+    let d = place(d, k + 1, || format!("there are no functions of degree {d}"))?;
+    let room = || Stop::Unknown(format!("the polynomials have room for {} variables", Monomial::VARIABLES));
+    for_all_weights(own.knots()?, d).ok_or_else(room)
+}
+
 /// `None` if the polynomials have no room for so many variables.
 ///
 /// Step by step from degree 0, where it is so: as polynomials in the functions of the degree before, the weights and their
 /// complements, those of the next degree have positive coefficients, and with complements 1 − w they have the same sum.
-pub(super) fn holds(knots: &KnotVector, degree: usize) -> Option<bool> {
+fn for_all_weights(knots: &KnotVector, degree: usize) -> Option<bool> {
     if 3 * (degree + 1) > Monomial::VARIABLES {
         return None;
     }
@@ -81,8 +92,8 @@ mod tests {
     fn positive_with_sum_one_for_all_weights() {
         let knots = KnotVector::new([0, 0, 1, 2, 2, 4, 5].map(integer).to_vec()).unwrap();
         for degree in 0..=3 {
-            assert_eq!(holds(&knots, degree), Some(true), "{degree}");
+            assert_eq!(for_all_weights(&knots, degree), Some(true), "{degree}");
         }
-        assert_eq!(holds(&knots, Monomial::VARIABLES), None);
+        assert_eq!(for_all_weights(&knots, Monomial::VARIABLES), None);
     }
 }

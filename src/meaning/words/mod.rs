@@ -1,7 +1,9 @@
 //! The deciders of words, one file a family of them. They know no claim.
 
+mod free_weights;
 mod linear;
 mod shape;
+mod spaces;
 mod trace;
 
 use crate::language::{Function, Int, Interval, Item, Member, Name, Real, Use, Word};
@@ -35,6 +37,12 @@ fn say(own: &mut Reading<'_>, of: &Use) -> Result<Said, Stop> {
         Word::PolygonChanges => Said::Count(trace::polygon_changes(own, said.coefficients(0)?)?),
         Word::Rank => Said::Count(linear::rank_of(own, said.int(0)?)?),
         Word::Combination => Said::Truth(linear::combination(own, said.expression(0)?, said.int(1)?)?),
+        Word::Valleys => Said::Count(trace::valleys(own, said.expression(0)?)?),
+        Word::TotallyPositive => Said::Truth(spaces::totally_positive(own, said.int(0)?)?),
+        Word::Nested => Said::Truth(spaces::nested(own, said.real(0)?)?),
+        Word::Elevated => Said::Truth(spaces::elevated(own, said.int(0)?)?),
+        Word::NurbsDegree => Said::Count(spaces::nurbs_degree(own, said.int(0)?)?),
+        Word::FreeWeights => Said::Truth(free_weights::holds(own, said.int(0)?)?),
         Word::Supremum => Said::Measure(trace::supremum(own, said.expression(0)?)?),
     })
 }

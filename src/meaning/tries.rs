@@ -5,20 +5,27 @@ use crate::analysis::{ExtremumKind, LocalKnots, Monotonicity, NegativeMinor, Pie
 use crate::scalar::{BigRational, integer};
 use crate::spline::{Basis, KnotVector, binomial};
 
-/// Control values for a basis: of alternating signs, so that neighbours differ as much as they can; without interior knots the
-/// coefficients of Chebyshev's polynomial; and a function with two maxima, cut between them.
-#[must_use]
-pub fn control_values(pieces: &Pieces) -> Vec<Vec<BigRational>> {
+/// Control values for a basis: constant, rising, of alternating signs, a step; without interior knots the coefficients of
+/// Chebyshev's polynomial; a function with two maxima, cut between them; and what a negative minor shows.
+pub(super) fn control_values(pieces: &Pieces) -> Vec<Vec<BigRational>> {
     let basis = pieces.basis();
     let (k, n, knots) = (basis.degree(), basis.n(), basis.knots());
-    let one_span = knots.is_open(k) && knots.m() == 2 * k + 1;
-    let alternating = (0..=n).map(|i| signed(i, integer(1))).collect();
-    [Some(alternating), one_span.then(|| chebyshev(k)), two_maxima_cut(pieces)].into_iter().flatten().collect()
+    let list = |value: &dyn Fn(usize) -> BigRational| (0..=n).map(value).collect();
+    let mut all: Vec<Vec<_>> = vec![
+        list(&|_| integer(1)),
+        list(&|i| integer(i)),
+        list(&|i| signed(i, integer(1))),
+        list(&|i| integer(i * i)),
+    ];
+    all.extend((1..=n).map(|step| list(&|i| integer(usize::from(i >= step)))));
+    all.extend((knots.is_open(k) && knots.m() == 2 * k + 1).then(|| chebyshev(k)));
+    all.extend(two_maxima_cut(pieces));
+    all.extend(from_negative_minor(basis));
+    all
 }
 
 /// Numbers beside knots: the middles of the spans, and the knots.
-#[must_use]
-pub fn numbers(knots: &KnotVector) -> Vec<BigRational> {
+pub(super) fn numbers(knots: &KnotVector) -> Vec<BigRational> {
     let middle = |pair: &[BigRational]| (&pair[0] + &pair[1]) / integer(2);
     let stops: Vec<_> = knots.stop_knots().map(|(t, _)| t.clone()).collect();
     stops.windows(2).map(middle).chain(stops.iter().cloned()).collect()
@@ -74,9 +81,8 @@ fn shortest_decimal(low: &BigRational, high: &BigRational) -> BigRational {
 
 /// From a negative minor: with f = Σ c_i G_i equal to 1, −1, 1 at its points, the c_i have the signs −, +, −, so f changes
 /// its sign there twice, and twice more where the outer functions, alone near the ends of their supports, make it
-/// negative. The numbers are long: for knots on which nothing shorter is known.
-#[must_use]
-pub fn from_negative_minor(basis: &Basis) -> Option<Vec<BigRational>> {
+/// negative. Whole numbers c_i change f by 1/2 at most.
+fn from_negative_minor(basis: &Basis) -> Option<Vec<BigRational>> {
     let NegativeMinor { first, rows, value, .. } = negative_minor(basis)?;
     // All others −1: they add no change of sign to the polygon's, and no part of it lies in the line y = 0.
     let mut c = vec![-integer(1); basis.n() + 1];
@@ -84,7 +90,7 @@ pub fn from_negative_minor(basis: &Basis) -> Option<Vec<BigRational>> {
         // Cramer's rule.
         let mut replaced = rows.clone();
         replaced.iter_mut().enumerate().for_each(|(row, entries)| entries[column] = signed(row, integer(1)));
-        c[first + column] = determinant(&replaced) / &value;
+        c[first + column] = (determinant(&replaced) / &value).round();
     }
     Some(c)
 }
