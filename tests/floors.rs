@@ -8,6 +8,8 @@ const FLOORS: &[&[&str]] = &[
     &["scalar", "json"],
     &["language", "spline"],
     &["analysis"],
+    &["meaning"],
+    &["judge"],
     &["claims", "search", "certificate"],
     &["report", "float"],
     &["cli"],

@@ -2,9 +2,7 @@
 
 use num_traits::Signed;
 
-use crate::analysis::{
-    Algebraic, Enclosed, IsolatedRoot, Piece, Sign, coordinate_between, sign_pattern,
-};
+use crate::analysis::{Algebraic, Enclosed, IsolatedRoot, Piece, Sign, coordinate_between, sign_pattern};
 use crate::language::Name;
 use crate::scalar::{BigRational, Polynomial, RationalAlgebra, RationalFunction, Ring, integer};
 
@@ -254,10 +252,7 @@ mod tests {
     #[test]
     fn unbounded_cells_have_coordinates_too() {
         let one = Some(integer(1));
-        for (cell, x) in [
-            (Cell::Open(one.clone(), None), 3),
-            (Cell::Open(None, one), -1),
-        ] {
+        for (cell, x) in [(Cell::Open(one.clone(), None), 3), (Cell::Open(None, one), -1)] {
             let half = rational(1, 2);
             let u = if x > 0 { integer(2) } else { half };
             assert_eq!(cell.coordinate().evaluate(&u), Some(integer(x)));

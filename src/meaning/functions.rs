@@ -42,14 +42,21 @@ impl Reading<'_> {
         let mut order = 0;
         while let Function::Derivative(inner, more) = f {
             let more = self.int(more)?;
-            order += usize::try_from(more).map_err(|_| Stop::Undefined(format!("a derivative of order {more}")))?;
+            order += usize::try_from(more)
+                .map_err(|_| Stop::Undefined(format!("a derivative of order {more}")))?;
             f = inner;
         }
         Ok((f, order))
     }
 
     /// The derivative of an order of a function at an argument.
-    pub(super) fn function(&mut self, f: &Function, order: usize, x: &Value, side: Option<Side>) -> Result<Value, Stop> {
+    pub(super) fn function(
+        &mut self,
+        f: &Function,
+        order: usize,
+        x: &Value,
+        side: Option<Side>,
+    ) -> Result<Value, Stop> {
         if let Some(x) = x.number() {
             return self.at_number(f, order, &x.clone(), side);
         }
@@ -87,7 +94,13 @@ impl Reading<'_> {
         Ok((place(i, m - d, missing)?, d))
     }
 
-    fn at_number(&mut self, f: &Function, order: usize, x: &BigRational, side: Option<Side>) -> Result<Value, Stop> {
+    fn at_number(
+        &mut self,
+        f: &Function,
+        order: usize,
+        x: &BigRational,
+        side: Option<Side>,
+    ) -> Result<Value, Stop> {
         match (f, order, side) {
             (Function::Basis { i, degree }, ..) => {
                 let id = self.existing(i, degree.as_ref())?;
@@ -97,7 +110,9 @@ impl Reading<'_> {
                 let span = self.knots()?.span_at(x, of(side)).map(spline::Span::index);
                 self.weight(i, degree, &x.clone().into(), span)
             }
-            (Function::Phi { cut: false, .. } | Function::Defined(..), 0, None) => self.along(f, &x.clone().into()),
+            (Function::Phi { cut: false, .. } | Function::Defined(..), 0, None) => {
+                self.along(f, &x.clone().into())
+            }
             (Function::Phi { cut: true, from, to }, 0, _) => {
                 let (from, to) = (self.real(from)?, self.real(to)?);
                 self.phi(&x.clone().into(), &from, &to, side)
@@ -107,7 +122,13 @@ impl Reading<'_> {
     }
 
     /// The limit of a derivative at x: that of its piece on a cell beside it.
-    fn limit(&mut self, f: &Function, order: usize, x: &BigRational, side: Option<Side>) -> Result<Value, Stop> {
+    fn limit(
+        &mut self,
+        f: &Function,
+        order: usize,
+        x: &BigRational,
+        side: Option<Side>,
+    ) -> Result<Value, Stop> {
         /// Halvings of the cell, until no cut of a definition lies in it.
         const NARROWEST: usize = 60;
         let knots = self.on.knots().filter(|_| !matches!(f, Function::Phi { .. }));
@@ -131,8 +152,11 @@ impl Reading<'_> {
                 Err(stop) => return Err(stop),
                 Ok(Value { plain: Plain::Number(q), root: None }) => return Ok(q.into()),
                 Ok(Value { plain, root: None }) => {
-                    let limit = if left { plain.piece().at_infinity() } else { plain.piece().evaluate(&integer(0)) };
-                    return limit.map(Value::from).ok_or_else(|| Stop::Undefined(format!("there is no finite limit at {x}")));
+                    let limit =
+                        if left { plain.piece().at_infinity() } else { plain.piece().evaluate(&integer(0)) };
+                    return limit
+                        .map(Value::from)
+                        .ok_or_else(|| Stop::Undefined(format!("there is no finite limit at {x}")));
                 }
                 Ok(_) => return Err(Stop::Unknown("the limit of a square root".into())),
             }
@@ -153,7 +177,10 @@ impl Reading<'_> {
                         let Value { plain: Plain::Piece(argument), root: None } = x else {
                             return Err(Stop::Unknown("a basis function at an irrational number".into()));
                         };
-                        let own = self.frame.as_ref().is_some_and(|frame| frame.span == Some(j) && frame.coordinate == *argument);
+                        let own = self
+                            .frame
+                            .as_ref()
+                            .is_some_and(|frame| frame.span == Some(j) && frame.coordinate == *argument);
                         let (from, to) = (self.knots()?.t(j), self.knots()?.t(j + 1));
                         Ok(if own { piece } else { composed(&piece, argument, from, to) }.into())
                     }

@@ -25,6 +25,8 @@ pub struct Instance {
     derivatives: Kept<(Index, usize, usize, usize, usize), Piece>,
     jets: Kept<(Index, usize, BigRational, bool, usize), Option<Active<Jet<BigRational>>>>,
     fault: OnceLock<String>,
+    /// Are values computed by the definition, word for word?
+    reference: bool,
 }
 
 /// Computed when first asked for.
@@ -61,6 +63,7 @@ impl Instance {
             derivatives: Kept::new(),
             jets: Kept::new(),
             fault: OnceLock::new(),
+            reference: false,
         }
     }
 
@@ -83,6 +86,12 @@ impl Instance {
         Self { basis, name: self.name.clone(), points: self.points.clone(), ..Self::index(index) }
     }
 
+    /// The same with values by the definition: the slow reference, which a witness is read on once more.
+    #[must_use]
+    pub fn by_definition(&self) -> Self {
+        Self { reference: true, ..self.with_index(self.index.clone()) }
+    }
+
     /// k.
     #[must_use]
     pub fn degree(&self) -> Option<usize> {
@@ -101,6 +110,13 @@ impl Instance {
         self.fault.get().map(String::as_str)
     }
 
+    /// What is found wrong with another one is wrong here.
+    pub(super) fn share_fault(&self, other: &Self) {
+        if let Some(fault) = other.fault() {
+            _ = self.fault.set(fault.to_owned());
+        }
+    }
+
     /// The basis of a degree ≤ k and an index on the same knots.
     #[must_use]
     pub fn basis_of(&self, index: &Index, degree: usize) -> Option<Basis> {
@@ -115,10 +131,12 @@ impl Instance {
             let pieces = Pieces::of(&basis);
             let defined = self.definitions.get(index.clone(), |index| self.defined(index));
             for (span, table) in pieces.spans().iter().zip(defined.iter()) {
-                let differs = |(i, g): (usize, &Piece)| span.functions.get(i).map_or(!g.is_zero(), |own| own != g);
+                let differs =
+                    |(i, g): (usize, &Piece)| span.functions.get(i).map_or(!g.is_zero(), |own| own != g);
                 if let Some(i) = table.get(degree).and_then(|row| row.iter().enumerate().position(differs)) {
                     let (j, knots) = (span.span.index(), basis.knots());
-                    let fault = format!("two pieces of G_{i}^{degree} on span {j} of U = {knots}, α = {index}");
+                    let fault =
+                        format!("two pieces of G_{i}^{degree} on span {j} of U = {knots}, α = {index}");
                     _ = self.fault.set(fault);
                 }
             }
@@ -127,7 +145,9 @@ impl Instance {
     }
 
     fn defined(&self, index: &Index) -> Vec<Vec<Vec<Piece>>> {
-        let Some(basis) = self.basis.as_ref().map(|basis| basis.with_index(index.clone())) else { return Vec::new() };
+        let Some(basis) = self.basis.as_ref().map(|basis| basis.with_index(index.clone())) else {
+            return Vec::new();
+        };
         let knots = basis.knots();
         let coordinate = |span| crate::analysis::positive_coordinate(knots, span).ok();
         knots.spans().filter_map(|span| by_definition(&basis, span, &coordinate(span)?).ok()).collect()
@@ -149,10 +169,22 @@ impl Instance {
 
     /// The derivative of an order of G_i^d at x from a side.
     #[must_use]
-    pub fn value(&self, index: &Index, (i, d): (usize, usize), x: &BigRational, side: Side, order: usize) -> BigRational {
+    pub fn value(
+        &self,
+        index: &Index,
+        (i, d): (usize, usize),
+        x: &BigRational,
+        side: Side,
+        order: usize,
+    ) -> BigRational {
         let key = (index.clone(), d, x.clone(), side == Side::Left, order);
         let jets = self.jets.get(key, |_| {
             let basis = self.basis_of(index, d)?;
+            if self.reference {
+                let span = basis.knots().span_at(x, side)?;
+                let table = by_definition(&basis, span, &Jet::variable(x.clone(), order)).ok()?.pop()?;
+                return Some(Active::new(0, table));
+            }
             Evaluator::new(&basis).jets(x, side, order)
         });
         let jet = (*jets).as_ref().and_then(|jets| jets.get(i));

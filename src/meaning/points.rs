@@ -64,7 +64,13 @@ impl Order<'_> {
             Real::Fold(crate::language::Fold::Sum, _, body) => self.real(body),
             // A derivative is as linear as its function, which may stand for control values.
             Real::Value(f, argument) if self.real(&argument.at) == 0 => usize::from(self.function(f)),
-            _ => if self.free(t) { 0 } else { Self::BEYOND },
+            _ => {
+                if self.free(t) {
+                    0
+                } else {
+                    Self::BEYOND
+                }
+            }
         }
     }
 
@@ -84,7 +90,9 @@ impl Order<'_> {
     /// Is a term free of control values?
     fn free(&self, t: &Real) -> bool {
         let mut free = true;
-        walk(t, &mut |name| free &= !(self.names.contains(name) || self.is_defined(name) && self.mentions(name)));
+        walk(t, &mut |name| {
+            free &= !(self.names.contains(name) || self.is_defined(name) && self.mentions(name))
+        });
         free
     }
 
@@ -98,9 +106,13 @@ impl Order<'_> {
             Formula::All(_, body) => self.formula(body, fits),
             // p => q with a p that is free of them is q on some cases.
             Formula::Implies(a, b) => self.formula(a, &|_, order| order == 0) && self.formula(b, fits),
-            Formula::Within(x, Interval { from, to, .. }) => [x, from, to].into_iter().all(|t| self.real(t) == 0),
+            Formula::Within(x, Interval { from, to, .. }) => {
+                [x, from, to].into_iter().all(|t| self.real(t) == 0)
+            }
             Formula::Among(..) | Formula::Instance(_) => true,
-            Formula::Not(f) | Formula::Some(_, f) | Formula::One(_, f) => self.formula(f, &|_, order| order == 0),
+            Formula::Not(f) | Formula::Some(_, f) | Formula::One(_, f) => {
+                self.formula(f, &|_, order| order == 0)
+            }
             Formula::Or(all) => all.iter().all(|f| self.formula(f, &|_, order| order == 0)),
             Formula::Iff(a, b) => [a, b].into_iter().all(|f| self.formula(f, &|_, order| order == 0)),
             Formula::Word(of) => of.of.iter().all(|item| match item {
@@ -128,7 +140,9 @@ fn walk<'t>(t: &'t Real, see: &mut dyn FnMut(&'t Name)) {
             walk(a, see);
             walk(b, see);
         }
-        Real::Negated(a) | Real::Power(a, _) | Real::Absolute(a) | Real::Root(a) | Real::Fold(_, _, a) => walk(a, see),
+        Real::Negated(a) | Real::Power(a, _) | Real::Absolute(a) | Real::Root(a) | Real::Fold(_, _, a) => {
+            walk(a, see)
+        }
         Real::Value(f, argument) => {
             let Argument { at, .. } = &**argument;
             walk(at, see);

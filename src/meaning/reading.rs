@@ -13,14 +13,14 @@ use super::words;
 
 /// What the names of a file stand for.
 #[derive(Clone, Copy)]
-pub struct File<'a> {
+pub struct Names<'a> {
     /// Its definitions.
     pub definitions: &'a [Definition],
     /// The sentence of a stanza, printed or, where it has one, amended.
     pub sentence: &'a (dyn Fn(&Name, bool) -> Option<Sentence> + Sync),
 }
 
-impl File<'static> {
+impl Names<'static> {
     /// Without definitions and other stanzas.
     #[must_use]
     pub fn empty() -> Self {
@@ -46,7 +46,7 @@ pub struct Reading<'a> {
     /// What is read on.
     pub on: &'a Instance,
     /// Whose names are known.
-    pub file: File<'a>,
+    pub file: Names<'a>,
     /// The index of the moment: α, but in `(x; alpha = …)`.
     pub index: Index,
     /// What is bound.
@@ -74,7 +74,7 @@ fn too_large() -> Stop {
 impl<'a> Reading<'a> {
     /// With nothing bound.
     #[must_use]
-    pub fn new(on: &'a Instance, file: File<'a>) -> Self {
+    pub fn new(on: &'a Instance, file: Names<'a>) -> Self {
         let (index, bound) = (on.index.clone(), Bound::default());
         Self { on, file, index, bound, frame: None, frames: 0, depth: 0 }
     }
@@ -108,7 +108,11 @@ impl<'a> Reading<'a> {
             Int::Binomial(a, b) => {
                 let (a, b) = two(a, b)?;
                 let step = |all: i64, s: i64| Some(all.checked_mul(a - s + 1)? / s);
-                if b < 0 || b > a { Ok(0) } else { (1..=b.min(a - b)).try_fold(1, step).ok_or_else(too_large) }
+                if b < 0 || b > a {
+                    Ok(0)
+                } else {
+                    (1..=b.min(a - b)).try_fold(1, step).ok_or_else(too_large)
+                }
             }
             Int::Word(of) => words::count(self, of),
         }
@@ -265,7 +269,10 @@ impl<'a> Reading<'a> {
             Member::Index(Real::Infinity) => return Ok(Index::infinity()),
             Member::Index(Real::Index(name)) => return self.index_named(name),
             // The family is closed under 1 − α, and there ∞ is its own partner.
-            Member::Index(Real::Minus(one, alpha)) if let Real::Index(name) = &**alpha && self.index_named(name)?.is_infinite() => {
+            Member::Index(Real::Minus(one, alpha))
+                if let Real::Index(name) = &**alpha
+                    && self.index_named(name)?.is_infinite() =>
+            {
                 self.real(one)?;
                 return Ok(Index::infinity());
             }
@@ -313,18 +320,23 @@ impl<'a> Reading<'a> {
             Formula::Some(Over::Integers(range), body) => self.over_integers(false, range, body),
             Formula::One(Over::Integers(range), body) => match self.range(range) {
                 Ok(values) => {
-                    let each = values.map(|i| (self.with_integer(&range.name, i, |own| own.truth(body)), true));
+                    let each =
+                        values.map(|i| (self.with_integer(&range.name, i, |own| own.truth(body)), true));
                     exactly_one(each.collect())
                 }
                 Err(stop) => stop.into(),
             },
             Formula::All(Over::Reals(name, interval), body) => {
                 let each = self.over_reals(name, interval, |own| own.truth(body), &Truth::False);
-                each.map_or_else(Truth::from, |each| each.into_iter().fold(Truth::True, |all, (t, _)| all.and(t)))
+                each.map_or_else(Truth::from, |each| {
+                    each.into_iter().fold(Truth::True, |all, (t, _)| all.and(t))
+                })
             }
             Formula::Some(Over::Reals(name, interval), body) => {
                 let each = self.over_reals(name, interval, |own| own.truth(body), &Truth::True);
-                each.map_or_else(Truth::from, |each| each.into_iter().fold(Truth::False, |all, (t, _)| all.or(t)))
+                each.map_or_else(Truth::from, |each| {
+                    each.into_iter().fold(Truth::False, |all, (t, _)| all.or(t))
+                })
             }
             Formula::One(Over::Reals(name, interval), body) => {
                 let each = self.over_reals(name, interval, |own| own.truth(body), &Truth::Mixed);
@@ -343,13 +355,20 @@ impl<'a> Reading<'a> {
 
     fn over_integers(&mut self, every: bool, range: &Range, body: &Formula) -> Truth {
         match self.range(range) {
-            Ok(values) => self.fold(every, values, |own, i| own.with_integer(&range.name, i, |own| own.truth(body))),
+            Ok(values) => {
+                self.fold(every, values, |own, i| own.with_integer(&range.name, i, |own| own.truth(body)))
+            }
             Err(stop) => stop.into(),
         }
     }
 
     /// `and` or `or` of a list, as far as it matters.
-    fn fold<T>(&mut self, every: bool, list: impl Iterator<Item = T>, read: impl Fn(&mut Self, T) -> Truth) -> Truth {
+    fn fold<T>(
+        &mut self,
+        every: bool,
+        list: impl Iterator<Item = T>,
+        read: impl Fn(&mut Self, T) -> Truth,
+    ) -> Truth {
         let mut all = Truth::from(every);
         for item in list {
             let next = read(self, item);
@@ -409,11 +428,13 @@ impl<'a> Reading<'a> {
             return Ok(wanted(Sign::Zero).into());
         }
         let difference = a.minus(b)?;
-        let (Plain::Piece(_), None, Some(frame)) = (&difference.plain, &difference.root, &mut self.frame) else {
+        let (Plain::Piece(_), None, Some(frame)) = (&difference.plain, &difference.root, &mut self.frame)
+        else {
             return Ok(wanted(self.sign(&difference)?).into());
         };
         let signs = frame.signs(&difference.plain);
-        let there = [(signs.negative, Sign::Negative), (signs.zero, Sign::Zero), (signs.positive, Sign::Positive)];
+        let there =
+            [(signs.negative, Sign::Negative), (signs.zero, Sign::Zero), (signs.positive, Sign::Positive)];
         let mut met = there.into_iter().filter(|(there, _)| *there).map(|(_, sign)| wanted(sign));
         let first = met.next().unwrap_or(true);
         Ok(if met.all(|next| next == first) {
@@ -432,7 +453,8 @@ fn exactly_one(parts: Vec<(Truth, bool)>) -> Truth {
     if many || count > 1 {
         return Truth::False;
     }
-    let open = parts.into_iter().map(|(truth, _)| truth).find(|truth| !matches!(truth, Truth::True | Truth::False));
+    let open =
+        parts.into_iter().map(|(truth, _)| truth).find(|truth| !matches!(truth, Truth::True | Truth::False));
     open.unwrap_or_else(|| (count == 1).into())
 }
 

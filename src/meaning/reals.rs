@@ -117,10 +117,15 @@ impl Reading<'_> {
             let Some(product) = frame.cuts.iter().cloned().reduce(|p, q| p.times(&q)) else { break };
             let (known, pattern) = (frame.cuts.len(), sign_pattern(&product));
             let between = pattern.between().iter().map(|(u, _)| Part::Between(u.clone()));
-            let roots: Vec<_> = pattern.roots().iter().cloned().map(|mut root| {
-                let x = root.rational().and_then(|u| frame.x(&u));
-                x.map_or_else(|| Part::Root(root), Part::Point)
-            }).collect();
+            let roots: Vec<_> = pattern
+                .roots()
+                .iter()
+                .cloned()
+                .map(|mut root| {
+                    let x = root.rational().and_then(|u| frame.x(&u));
+                    x.map_or_else(|| Part::Root(root), Part::Point)
+                })
+                .collect();
             let mut roots = roots.into_iter();
             let each: Vec<_> = between.flat_map(|part| std::iter::once(part).chain(roots.next())).collect();
             again = false;
@@ -161,7 +166,8 @@ impl Reading<'_> {
     pub(super) fn at_point<T>(&mut self, x: &BigRational, read: &mut dyn FnMut(&mut Self) -> T) -> T {
         let Some(frame) = self.frame.take() else { return read(self) };
         let slot = self.bound.reals.iter().position(|(_, _, id)| *id == frame.id);
-        let before = slot.map(|slot| std::mem::replace(&mut self.bound.reals[slot].1, Value::from(x.clone())));
+        let before =
+            slot.map(|slot| std::mem::replace(&mut self.bound.reals[slot].1, Value::from(x.clone())));
         let result = read(self);
         if let (Some(slot), Some(before)) = (slot, before) {
             self.bound.reals[slot].1 = before;

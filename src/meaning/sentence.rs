@@ -10,7 +10,7 @@ use crate::spline::{Basis, Index, KnotVector};
 use super::cell::{Cell, Focus};
 use super::instance::Instance;
 use super::points;
-use super::reading::{File, Reading};
+use super::reading::{Names, Reading};
 use super::reals::Part;
 use super::tries;
 use super::truth::{Stop, Truth};
@@ -29,8 +29,6 @@ pub enum Given {
     Index(Index),
     /// Control values.
     Points(Vec<BigRational>),
-    /// Knots that the sentence itself describes, in the place of the instance's.
-    Knots(KnotVector),
 }
 
 /// Where a sentence fails on an instance.
@@ -42,6 +40,8 @@ pub struct Failure {
     pub conclusion: Option<usize>,
     /// What does not exist; otherwise the conclusion is false.
     pub undefined: Option<String>,
+    /// The knots that the sentence itself describes, in the place of the instance's.
+    pub knots: Option<KnotVector>,
 }
 
 /// What a sentence comes to on an instance.
@@ -103,7 +103,7 @@ impl Walk<'_> {
     fn stopped(&mut self, stop: Stop, given: Vec<(Name, Given)>) {
         match stop {
             Stop::Undefined(what) if self.decided.failure.is_none() => {
-                self.decided.failure = Some(Failure { given, conclusion: None, undefined: Some(what) });
+                self.decided.failure = Some(Failure { given, conclusion: None, undefined: Some(what), knots: None });
             }
             Stop::Undefined(_) => {}
             Stop::Cut => self.unknown("a range that changes inside a cell".into()),
@@ -120,7 +120,7 @@ impl Walk<'_> {
 /// Decides a sentence on an instance: for every x of its intervals, every integer of its ranges, and the free reals, other
 /// indices and control values of short lists.
 #[must_use]
-pub fn decide(sentence: &Sentence, on: &Instance, file: File<'_>) -> Decided {
+pub fn decide(sentence: &Sentence, on: &Instance, file: Names<'_>) -> Decided {
     Reading::new(on, file).decide(sentence)
 }
 
@@ -160,7 +160,7 @@ pub fn has(adjective: Adjective, knots: &KnotVector, k: usize) -> bool {
 impl<'a> Reading<'a> {
     /// With the names bound as at a failure.
     #[must_use]
-    pub fn with(on: &'a Instance, file: File<'a>, given: &[(Name, Given)]) -> Self {
+    pub fn with(on: &'a Instance, file: Names<'a>, given: &[(Name, Given)]) -> Self {
         let mut reading = Self::new(on, file);
         for (name, given) in given {
             match given {
@@ -168,8 +168,6 @@ impl<'a> Reading<'a> {
                 Given::Real(x) => reading.bound.reals.push((name.clone(), x.clone().into(), 0)),
                 Given::Index(index) => reading.bound.indices.push((name.clone(), index.clone())),
                 Given::Points(points) => reading.bound.points.push((name.clone(), points.clone())),
-                // The instance has them.
-                Given::Knots(_) => {}
                 Given::Root(cell, root) => {
                     reading.enter(name, cell);
                     reading.focus(Focus::At(root.clone()));
@@ -224,9 +222,10 @@ impl<'a> Reading<'a> {
                     let known = walk.decided.failure.is_some();
                     let mut own = Reading { bound: self.bound.clone(), ..Reading::new(&on, self.file) };
                     own.binders(others, &pending, walk);
-                    if let (false, Some(failure), Some(knots)) = (known, &mut walk.decided.failure, on.knots()) {
-                        failure.given.insert(0, ("U".into(), Given::Knots(knots.clone())));
+                    if let (false, Some(failure)) = (known, &mut walk.decided.failure) {
+                        failure.knots = on.knots().cloned();
                     }
+                    self.on.share_fault(&on);
                 }
                 Err(stop) => walk.stopped(stop, self.given(&walk.sentence.given, None)),
             },
@@ -263,7 +262,8 @@ impl<'a> Reading<'a> {
                 };
                 for values in beside.into_iter().chain(by_size(&free, self.on.basis.is_some())) {
                     let before = self.bound.reals.len();
-                    let named = free.iter().zip(values).map(|((name, _), value)| ((*name).clone(), value.into(), 0));
+                    let named =
+                        free.iter().zip(values).map(|((name, _), value)| ((*name).clone(), value.into(), 0));
                     self.bound.reals.extend(named);
                     self.binders(others, &pending, walk);
                     self.bound.reals.truncate(before);
@@ -297,13 +297,19 @@ impl<'a> Reading<'a> {
                 knots.push(&knots[knots.len() - 1] + size);
             }
         }
-        let no_knots = |error: String| Stop::Undefined(error);
-        let knots = KnotVector::new(knots).map_err(|error| no_knots(error.to_string()))?;
+        let knots = KnotVector::new(knots).map_err(|error| Stop::Undefined(error.to_string()))?;
         let basis = Basis::new(knots, self.degree()?, self.index.clone());
-        basis.map(Instance::of).map_err(|error| no_knots(error.to_string()))
+        basis.map(Instance::of).map_err(|error| Stop::Undefined(error.to_string()))
     }
 
-    fn each_cell(&mut self, name: &Name, cells: &[Cell], others: &[Binder], pending: &[&Formula], walk: &mut Walk<'_>) {
+    fn each_cell(
+        &mut self,
+        name: &Name,
+        cells: &[Cell],
+        others: &[Binder],
+        pending: &[&Formula],
+        walk: &mut Walk<'_>,
+    ) {
         for cell in cells {
             self.within(name, cell, |own| own.binders(others, pending, walk));
         }
@@ -378,7 +384,9 @@ impl<'a> Reading<'a> {
             Part::Between(u) => Some(u.clone()),
             Part::Point(_) | Part::Root(_) => None,
         });
-        let points = failing.iter().find_map(|(part, _)| if let Part::Point(x) = part { Some(x.clone()) } else { None });
+        let points = failing
+            .iter()
+            .find_map(|(part, _)| if let Part::Point(x) = part { Some(x.clone()) } else { None });
         let candidates = match open {
             Some(u) => {
                 let sample = frame.x(&u);
@@ -403,16 +411,21 @@ impl<'a> Reading<'a> {
             Here::Undefined(at, what) => (*at, Some(what.clone())),
             Here::Nothing | Here::Holds | Here::Unknown(_) | Here::Mixed => (None, None),
         };
-        Failure { given: self.given(&sentence.given, at), conclusion, undefined }
+        Failure { given: self.given(&sentence.given, at), conclusion, undefined, knots: None }
     }
 
     /// What the names of `for` are bound to; the variable of the frame to what is given for it.
     fn given(&self, binders: &[Binder], at: Option<Given>) -> Vec<(Name, Given)> {
         let own = |name: &Name| {
             let bound = &self.bound;
-            let integer = || bound.integers.iter().find(|(known, _)| known == name).map(|(_, i)| Given::Integer(*i));
-            let index = || bound.indices.iter().find(|(known, _)| known == name).map(|(_, i)| Given::Index(i.clone()));
-            let points = || bound.points.iter().find(|(known, _)| known == name).map(|(_, d)| Given::Points(d.clone()));
+            let integer =
+                || bound.integers.iter().find(|(known, _)| known == name).map(|(_, i)| Given::Integer(*i));
+            let index = || {
+                bound.indices.iter().find(|(known, _)| known == name).map(|(_, i)| Given::Index(i.clone()))
+            };
+            let points = || {
+                bound.points.iter().find(|(known, _)| known == name).map(|(_, d)| Given::Points(d.clone()))
+            };
             let real = || {
                 let (_, value, id) = bound.reals.iter().find(|(known, ..)| known == name)?;
                 match (&at, &self.frame) {
@@ -439,7 +452,9 @@ fn name_of(binder: &Binder) -> Option<&Name> {
         | Binder::Instances(_)
         | Binder::Indices(_) => None,
         Binder::Integer(range) => Some(&range.name),
-        Binder::Index(name) | Binder::Point(name, _) | Binder::Real { name, .. } | Binder::Points(name) => Some(name),
+        Binder::Index(name) | Binder::Point(name, _) | Binder::Real { name, .. } | Binder::Points(name) => {
+            Some(name)
+        }
     }
 }
 
@@ -496,9 +511,12 @@ fn by_size(free: &[(&Name, Option<Relation>)], on_knots: bool) -> Vec<Vec<BigRat
     };
     let mut all = vec![(0, Vec::new())];
     for (_, sign) in free {
-        let list: Vec<_> = SIMPLE.iter().map(|(p, q)| rational(*p, *q)).filter(|q| fits(*sign, q)).take(each).collect();
+        let list: Vec<_> =
+            SIMPLE.iter().map(|(p, q)| rational(*p, *q)).filter(|q| fits(*sign, q)).take(each).collect();
         let longer = |(size, values): &(usize, Vec<BigRational>)| {
-            let next = |(place, q): (usize, &BigRational)| (size + place, [values.as_slice(), &[q.clone()]].concat());
+            let next = |(place, q): (usize, &BigRational)| {
+                (size + place, [values.as_slice(), &[q.clone()]].concat())
+            };
             list.iter().enumerate().map(next).collect::<Vec<_>>()
         };
         all = all.iter().flat_map(longer).collect();

@@ -21,7 +21,11 @@ impl Plain {
     #[must_use]
     pub fn of(piece: Piece) -> Self {
         let (p, q) = (piece.numerator(), piece.denominator());
-        if p.degree() == 0 && q.degree() == 0 { Self::Number(p.leading().clone()) } else { Self::Piece(piece) }
+        if p.degree() == 0 && q.degree() == 0 {
+            Self::Number(p.leading().clone())
+        } else {
+            Self::Piece(piece)
+        }
     }
 
     /// As a function.
@@ -196,7 +200,8 @@ impl Value {
 
     /// √a of a rational number ≥ 0.
     pub fn square_root(&self) -> Result<Self, Stop> {
-        let radicand = self.number().ok_or_else(|| Stop::Unknown("the root of what is no rational number".into()))?;
+        let radicand =
+            self.number().ok_or_else(|| Stop::Unknown("the root of what is no rational number".into()))?;
         if radicand.is_negative() {
             return Err(Stop::Undefined(format!("the root of {radicand}")));
         }

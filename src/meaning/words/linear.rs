@@ -14,7 +14,9 @@ fn functions(own: &mut Reading<'_>, d: &Int) -> Result<Vec<(usize, Vec<Piece>)>,
     let (d, k, m) = (own.int(d)?, own.degree()?, own.knots()?.m());
     let d = place(d, k + 1, || format!("there are no functions of degree {d}"))?;
     let pieces = own.on.pieces(&own.index, d).ok_or_else(|| Stop::Unknown("too few knots".into()))?;
-    let all = |span: &crate::analysis::SpanPieces| (span.span.index(), (0..m - d).map(|i| span.function(i)).collect());
+    let all = |span: &crate::analysis::SpanPieces| {
+        (span.span.index(), (0..m - d).map(|i| span.function(i)).collect())
+    };
     Ok(pieces.spans().iter().map(all).collect())
 }
 
@@ -25,17 +27,14 @@ pub(super) fn rank_of(own: &mut Reading<'_>, d: &Int) -> Result<usize, Stop> {
 }
 
 /// Is the expression one combination of the functions of the degree on all spans of the interval?
-pub(super) fn combination(
-    own: &mut Reading<'_>,
-    of: Expression<'_>,
-    d: &Int,
-) -> Result<bool, Stop> {
+pub(super) fn combination(own: &mut Reading<'_>, of: Expression<'_>, d: &Int) -> Result<bool, Stop> {
     let all = functions(own, d)?;
     let target = on_cells(own, of)?;
     let mut spans = Vec::new();
     for (j, piece) in target {
         let own = j.and_then(|j| all.iter().find(|(other, _)| *other == j));
-        let (_, functions) = own.ok_or_else(|| Stop::Unknown("an interval that does not consist of spans".into()))?;
+        let (_, functions) =
+            own.ok_or_else(|| Stop::Unknown("an interval that does not consist of spans".into()))?;
         spans.push([functions.as_slice(), &[piece]].concat());
     }
     let mut rows: Vec<Vec<BigRational>> = coefficient_rows(spans);

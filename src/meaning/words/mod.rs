@@ -56,7 +56,10 @@ impl<'a> Of<'a> {
         self.0.of.get(at).and_then(sort).ok_or_else(misused)
     }
     fn function(&self, at: usize) -> Result<OfMember<'a>, Stop> {
-        self.item(at, |item| if let Item::Function(f, member) = item { Some((f, member.as_ref())) } else { None })
+        self.item(
+            at,
+            |item| if let Item::Function(f, member) = item { Some((f, member.as_ref())) } else { None },
+        )
     }
     fn expression(&self, at: usize) -> Result<Expression<'a>, Stop> {
         self.item(at, |item| match item {

@@ -1,6 +1,6 @@
 //! Words about the graph of a basis function: maxima, minima, continuity.
 
-use crate::analysis::Shape;
+use crate::analysis::{LocalKnots, Monotonicity, Shape};
 use crate::language::{Function, Real};
 use crate::scalar::BigRational;
 use crate::spline::Side;
@@ -43,7 +43,11 @@ fn shape(own: &mut Reading<'_>, (f, member): OfMember<'_>) -> Result<Shape, Stop
 
 /// Local maxima; an interval of constancy counts once.
 pub(super) fn maxima(own: &mut Reading<'_>, (f, member): OfMember<'_>) -> Result<usize, Stop> {
-    Ok(shape(own, (f, member))?.local_maxima().count())
+    of_basis(own, (f, member), |own, (i, d)| {
+        let continuous = LocalKnots::of(&own.on.basis_of(&own.index, d)?, i);
+        let fast = continuous.and_then(|knots| Monotonicity::of(&knots).local_maxima());
+        fast.or_else(|| Some(Shape::of(&*own.on.pieces(&own.index, d)?, i).local_maxima().count()))
+    })
 }
 
 /// Local minima inside the support.

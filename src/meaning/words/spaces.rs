@@ -87,13 +87,12 @@ fn bezier_degree(on: &SpanPieces) -> Option<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::meaning::Instance;
-    use crate::meaning::reading::File;
+    use crate::meaning::{Instance, Names};
 
     fn on<T>(degree: usize, knots: &[usize], alpha: &str, read: impl FnOnce(&mut Reading<'_>) -> T) -> T {
         let knots = KnotVector::new(knots.iter().map(|t| integer(*t)).collect()).unwrap();
         let instance = Instance::of(Basis::new(knots, degree, alpha.parse().unwrap()).unwrap());
-        read(&mut Reading::new(&instance, File::empty()))
+        read(&mut Reading::new(&instance, Names::empty()))
     }
 
     #[test]

@@ -55,7 +55,9 @@ pub(super) fn changes(own: &mut Reading<'_>, (t, name, interval): Expression<'_>
                 let mixed = sign == Err(Stop::Cut);
                 (sign, mixed)
             };
-            if matches!(cell, Cell::Point(_)) { vec![sign(own).0] } else {
+            if matches!(cell, Cell::Point(_)) {
+                vec![sign(own).0]
+            } else {
                 own.by_parts(&mut sign).into_iter().map(|(_, sign)| sign).collect()
             }
         });
@@ -89,8 +91,11 @@ pub(super) fn polygon_changes(own: &mut Reading<'_>, name: &Name) -> Result<usiz
 /// The supremum of an expression on its interval, where it is taken, or approached, at a rational place.
 pub(super) fn supremum(own: &mut Reading<'_>, (t, name, interval): Expression<'_>) -> Result<Value, Stop> {
     let pieces: Vec<_> = on_cells(own, (t, name, interval))?.into_iter().map(|(_, piece)| piece).collect();
-    let found = enclosure(&pieces, &rational(1, 1 << 20)).map_err(|error| Stop::Unknown(error.to_string()))?;
-    if found.lo == found.hi { Ok(found.lo.into()) } else {
+    let found =
+        enclosure(&pieces, &rational(1, 1 << 20)).map_err(|error| Stop::Unknown(error.to_string()))?;
+    if found.lo == found.hi {
+        Ok(found.lo.into())
+    } else {
         Err(Stop::Unknown(format!("a supremum between {} and {}", found.lo, found.hi)))
     }
 }
