@@ -6,9 +6,11 @@ mod crossing;
 mod decision;
 mod extremum;
 mod formal;
+mod greatest;
 mod integer_polynomial;
 mod linear;
 mod local_knots;
+mod minors;
 mod monotonicity;
 mod partition;
 mod piece;
@@ -23,6 +25,7 @@ mod span_quotients;
 mod supremum;
 
 pub use algebraic::{Algebraic, Enclosed, decimals_around, settled, settled_apart};
+pub use contenders::Attained;
 pub use crossing::{Crossing, Flank};
 pub use decision::{
     Decision, PositivePoint, SignPattern, Zeros, always_nonnegative, always_positive, common_positive_roots,
@@ -30,9 +33,11 @@ pub use decision::{
 };
 pub use extremum::{Extremum, ExtremumKind, Jump, Location};
 pub use formal::{Factored, FormalBasis, FormalFunction, FormalPiece};
+pub use greatest::{Greatest, compare};
 pub use linear::{coefficient_rows, common_numerators, determinant, in_span, is_combination, rank};
 pub(crate) use local_knots::is_continuous;
 pub use local_knots::{LocalKnots, LocalKnotsError, SpanQuotient};
+pub use minors::{NegativeMinor, negative_minor};
 pub use monotonicity::{Monotonicity, Route, SpanMonotonicity};
 pub use partition::{FreeKnotError, Partition, PartitionEnd, PartitionEvent, RatioCell};
 pub use piece::{Piece, constant};

@@ -5,7 +5,7 @@ use num_rational::BigRational;
 
 use crate::scalar::integer;
 
-use super::contenders::attained_once;
+use super::contenders::{Attained, attained, attained_once};
 use super::extremum::{Extremum, ExtremumKind, Jump};
 use super::local_knots::{LocalKnots, SpanQuotient};
 use super::pieces::Pieces;
@@ -116,6 +116,12 @@ impl Shape {
     #[must_use]
     pub fn strong(&self) -> bool {
         self.local_maxima().count() == 1
+    }
+
+    /// How often the supremum is attained; `None` as for [`weak`](Self::weak).
+    #[must_use]
+    pub fn maximisers(&self) -> Option<Attained> {
+        attained(self.features.contenders.clone())
     }
 
     /// Is the supremum attained at exactly one x (`Conj3.1.weak`)? `None` if values at irrational points agree
