@@ -106,11 +106,8 @@
 
 pub mod analysis;
 pub mod certificate;
-pub mod claims;
 pub mod cli;
 pub mod float;
-#[cfg(test)]
-mod guard;
 pub mod json;
 pub mod judge;
 pub mod language;
@@ -118,4 +115,5 @@ pub mod meaning;
 pub mod report;
 pub mod scalar;
 pub mod search;
+pub mod settle;
 pub mod spline;

@@ -46,7 +46,6 @@ pub use rational_bezier::RationalBezier;
 pub use roots::{IsolatedRoot, count_positive_roots, positive_roots};
 pub use shape::Shape;
 pub use sign::Sign;
-pub(crate) use sign::sign_changes;
 pub use slopes::{KnotSlopes, knot_slopes};
 pub use span_quotients::{span_quotients, symbolic_quotients};
 pub use supremum::{ClosedCoordinate, Enclosure, SupremumError, supremum};

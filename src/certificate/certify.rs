@@ -2,12 +2,13 @@
 
 use thiserror::Error;
 
-use crate::claims::{Claim, Form as ClaimForm, Judged, Verdict, Witness};
+use crate::judge::Witness;
+use crate::language::{Claim, Form};
 
 use super::proof::{SectionProof, to_sexp};
 use super::prove::{ProofError, prove};
 use super::sexp::Sexp;
-use super::statement::{Form, Statement};
+use super::statement::Statement;
 use super::windows::{Windows, WindowsError, windows};
 
 /// A statement with its proof.
@@ -94,11 +95,11 @@ fn failed(claim: &str, form: Form, error: impl Into<Uncertified>) -> Certificate
 /// # Errors
 /// [`CertificateError`], if the windows are no text of the language, or are about another witness.
 pub fn statement(
-    claim: &Claim,
+    claim: Claim<'_>,
     form: Form,
     witness: Option<&Witness>,
 ) -> Result<Option<Statement>, CertificateError> {
-    let found = windows(claim.id, form, witness).map_err(|error| failed(claim.id, form, error))?;
+    let found = windows(claim.id(), form, witness).map_err(|error| failed(claim.id(), form, error))?;
     let stated = |Windows { claim: id, scope, degrees, because, sections, refutes, .. }| {
         let sections = Sexp::parse_all(&sections)
             .map_err(|error| failed(&id, form, ProofError::Statement(error.into())))?;
@@ -108,63 +109,43 @@ pub fn statement(
     found.cloned().map(stated).transpose()
 }
 
-/// The statement in words, with everything that has to be known to read it.
-fn in_words(claim: &Claim, form: Form) -> String {
-    let assuming = |form: &ClaimForm| match form.hypotheses() {
-        hypotheses if hypotheses.is_empty() => String::new(),
-        hypotheses => format!(" Assuming: {}.", hypotheses.join("; ")),
-    };
-    let printed = &claim.printed;
-    match (form, &claim.amended) {
-        (Form::Amended, Some(amended)) => {
-            format!("Printed: {} Amended: {}{}", printed.text(), amended.text(), assuming(amended))
-        }
-        _ => format!("{}{}", printed.text(), assuming(printed)),
+/// The sentence for people, an amended one with the printed one before it.
+fn in_words(claim: Claim<'_>, form: Form) -> String {
+    match form {
+        Form::Amended => format!("Printed: {} Amended: {}", claim.text(Form::Printed), claim.text(form)),
+        _ => claim.text(form),
     }
 }
 
-/// Proves all formal statements about a claim that was judged: what is true of it, and what is false, by the witness that
-/// was found.
+/// The certificate of a sentence: that it is true, or, with a witness, that it is false. `None` if it is not stated formally.
 ///
 /// # Errors
-/// [`CertificateError`]: the first statement that resists.
-pub fn certify(claim: &Claim, judged: &Judged) -> Result<Vec<Certificate>, CertificateError> {
-    let mut verdicts = vec![(Form::Printed, &judged.printed)];
-    verdicts.extend(judged.amended.iter().map(|verdict| (Form::Amended, verdict)));
-    verdicts.extend(judged.by_degree.iter().map(|(degree, verdict)| (Form::Degree(*degree), verdict)));
-    let mut certificates = Vec::new();
-    for (form, verdict) in verdicts {
-        let witness = match (verdict, form) {
-            (Verdict::Refuted(witness), _) => Some(&**witness),
-            // What no finite number of cases decides may have a proof all the same.
-            (Verdict::Proved { .. }, _) | (Verdict::Undecided(_), Form::Degree(_)) => None,
-            _ => continue,
-        };
-        if let Some(statement) = statement(claim, form, witness)? {
-            certificates.push(Certificate::of(statement)?);
-        }
-    }
-    Ok(certificates)
+/// [`CertificateError`], if the statement resists.
+pub fn certify(
+    claim: Claim<'_>,
+    form: Form,
+    witness: Option<&Witness>,
+) -> Result<Option<Certificate>, CertificateError> {
+    statement(claim, form, witness)?.map(Certificate::of).transpose()
 }
 
-/// The certificate of a claim for one degree: for a weight, which has no degree, the whole of it. `None` if there is no
-/// formal statement for that degree.
+/// What is proved of a sentence in one degree: for a weight, which has no degree, the whole of it. `None` if there is no formal
+/// statement for that degree.
 ///
 /// # Errors
 /// [`CertificateError`], if the statement resists.
 pub fn certify_for_degree(
-    claim: &Claim,
+    claim: Claim<'_>,
     form: Form,
-    k: usize,
+    degree: Option<usize>,
 ) -> Result<Option<Certificate>, CertificateError> {
-    let of_degree = form == Form::Printed && claim.is_settled_by_degree();
-    let form = if of_degree { Form::Degree(k) } else { form };
-    let Some(mut statement) = statement(claim, form, None)? else { return Ok(None) };
-    if matches!(claim.printed, ClaimForm::Basis(_)) {
-        statement.degrees.retain(|degree| *degree == k);
+    let form = match (form, degree) {
+        (Form::Printed, Some(k)) if claim.stanza.each_degree => Form::Degree(k),
+        (form, _) => form,
+    };
+    let Some(mut stated) = statement(claim, form, None)? else { return Ok(None) };
+    if claim.is_about_knots() {
+        stated.degrees.retain(|k| degree == Some(*k));
     }
-    if statement.degrees.is_empty() {
-        return Ok(None);
-    }
-    Certificate::of(statement).map(Some)
+    if stated.degrees.is_empty() { Ok(None) } else { Certificate::of(stated).map(Some) }
 }

@@ -21,6 +21,6 @@ pub use evaluate::{EvaluationError, Evaluator, Unfolding};
 pub use proof::{Lemma, Rule, SectionProof};
 pub use prove::{GoalError, ProofError, prove};
 pub use sexp::{Sexp, SyntaxError};
-pub use statement::{Class, Form, Gap, Hint, Section, Statement, Window};
+pub use statement::{Class, Gap, Hint, Section, Statement, Window};
 pub use term::{Formula, OfWeight, Place, Term, Where};
 pub use windows::{Windows, WindowsError, windows};

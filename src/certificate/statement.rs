@@ -1,45 +1,15 @@
 //! Statements: what a certificate proves (`proofs/FORMAT.md`, "Statements").
 
-use std::fmt;
-
 use num_traits::Signed;
 
-use crate::claims::Scope;
+use crate::judge::Scope;
+use crate::language::Form;
 use crate::scalar::BigRational;
 
 use super::error::StatementError;
 use super::expansion::{Integers, Range};
 use super::sexp::Sexp;
 use super::term::{self, Formula, Term};
-
-/// Which statement of a claim.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Form {
-    /// As the paper prints it.
-    Printed,
-    /// As amended.
-    Amended,
-    /// For one degree only.
-    Degree(usize),
-}
-
-impl Form {
-    /// The name in those of certificates and windows: `printed`, `amended`, `degree-3`.
-    #[must_use]
-    pub fn name(self) -> String {
-        self.to_string().replace(' ', "-")
-    }
-}
-
-impl fmt::Display for Form {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Printed => f.write_str("printed"),
-            Self::Amended => f.write_str("amended"),
-            Self::Degree(k) => write!(f, "degree {k}"),
-        }
-    }
-}
 
 /// A statement about a claim.
 #[derive(Debug, Clone, PartialEq)]
@@ -127,9 +97,8 @@ impl Statement {
     pub fn to_sexp(&self) -> Sexp {
         let degree = |k: usize| Sexp::Number(BigRational::from_integer(k.into()));
         let form = match self.form {
-            Form::Printed => Sexp::name("printed"),
-            Form::Amended => Sexp::name("amended"),
             Form::Degree(k) => Sexp::form("degree", [degree(k)]),
+            form => Sexp::name(&form.name()),
         };
         let parts = [
             Sexp::form("claim", [Sexp::Text(self.claim.clone())]),

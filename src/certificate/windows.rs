@@ -7,9 +7,8 @@ use std::sync::LazyLock;
 use serde::Deserialize;
 use thiserror::Error;
 
-use crate::claims::{Scope, Witness};
-
-use super::statement::Form;
+use crate::judge::{Scope, Witness};
+use crate::language::Form;
 
 /// Where the windows are, below the root of the project.
 const FILE: &str = "papers/rational-bsplines/windows.toml";
@@ -90,10 +89,10 @@ pub fn windows(
         windows.claim == claim && windows.form == form && windows.refutes.is_some() == witness.is_some()
     };
     let found = all_windows()?.iter().find(is_it);
-    if let (Some(Windows { refutes: Some(stated), .. }), Some(Witness { given, .. })) = (found, witness)
-        && stated != given
+    if let (Some(Windows { refutes: Some(stated), .. }), Some(witness)) = (found, witness)
+        && *stated != witness.given()
     {
-        return Err(WindowsError::OtherWitness { stated: stated.clone(), found: given.clone() });
+        return Err(WindowsError::OtherWitness { stated: stated.clone(), found: witness.given() });
     }
     Ok(found)
 }
@@ -104,19 +103,19 @@ mod tests {
 
     use super::*;
     use crate::certificate::Sexp;
-    use crate::claims::claims;
+    use crate::language::claims;
 
     /// What is wrong with the entries of a file, beyond what keeps it from being read.
     fn faults(all: &[Windows]) -> Vec<String> {
         let claims = claims();
-        let claim_of = |windows: &Windows| claims.iter().position(|claim| claim.id == windows.claim);
+        let claim_of = |windows: &Windows| claims.iter().position(|claim| claim.id() == windows.claim);
         let mut seen = BTreeSet::new();
         let mut faults = Vec::new();
         for windows in all {
             let Windows { claim, form, scope, degrees, because, sections, refutes } = windows;
             let known = [Form::Printed, Form::Amended].into_iter().chain((0..100).map(Form::Degree));
             let of_form = known.into_iter().find(|known| known.name() == *form);
-            let has_amendment = claim_of(windows).is_none_or(|claim| claims[claim].amended.is_some());
+            let has_amendment = claim_of(windows).is_none_or(|claim| claims[claim].stanza.amended.is_some());
             let is_section = |item: &Sexp| item.as_form().is_some_and(|(head, _)| head == "section");
             let read = Sexp::parse_all(sections)
                 .is_ok_and(|items| !items.is_empty() && items.iter().all(is_section));

@@ -1,28 +1,30 @@
-//! The command `check`: the paper's claims on one instance, for every x.
+//! The command `check`: claims on one instance, for every x; the paper's, or sentences of the user's own.
 
 use std::fmt;
+use std::path::PathBuf;
 
 use clap::builder::PossibleValuesParser;
 use clap::builder::TypedValueParser as _;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::certificate::{Form as Of, certify_for_degree};
-use crate::claims::{
-    BasisCase, Claim, Fault, Form, Origin, Scope, Source, Statement, Verdict, WeightCase, claims, judge,
-};
+use crate::judge::{Cases, Scope, Verdict};
+use crate::language::{Claim, File, Form, Said, Source, Stanza, one_line, paper, stanzas};
+use crate::meaning::Instance;
 use crate::report::{Baseline, Finding};
-use crate::spline::Basis;
+use crate::settle::{Proving, settle_form};
 
 use super::error::CliError;
 use super::exit::Exit;
+use super::file::read;
 use super::instance::InstanceArgs;
 use super::offered::claim_name;
 use super::output::Output;
 use super::progress::Progress;
 use super::verdict::{Tally, styled};
 
-/// Decides the paper's claims on one instance: for every x, exactly.
+/// Decides claims on one instance: for every x, exactly. The paper's, or sentences of your own in the language of
+/// docs/language.md, which are judged on all small cases where no instance is given.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLE)]
 pub(super) struct Args {
@@ -32,6 +34,12 @@ pub(super) struct Args {
     /// in general: what depends on the instance.
     #[arg(long, value_name = "CLAIM", value_parser = claim_name(), hide_possible_values = true)]
     property: Vec<String>,
+    /// A sentence of your own: "BINDERS : FORMULA", or "BINDERS | HYPOTHESES : FORMULA".
+    #[arg(long, value_name = "SENTENCE", conflicts_with_all = ["property", "all", "amended", "baseline"])]
+    claim: Option<String>,
+    /// A file of claims (TOML), such as those below papers/.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["property", "claim", "all", "baseline"])]
+    claims: Option<PathBuf>,
     /// Every statement that can be judged on an instance: also those about the weight alone, which are the same on any
     /// instance, and the questions X.….
     #[arg(long, conflicts_with = "property")]
@@ -52,8 +60,10 @@ const EXAMPLE: &str = r#"Examples:
   knotproof check --instance U4 --property T3.5.4 --property X.G1 --format json
   knotproof check --instance U4 --alpha -1 --amended
   knotproof check --instance U4 --alpha -1 --all --baseline
-Exit code 1 means that some claim is refuted, the first two and many others as printed; the witness says where. The
-last two end with 0: what is known to be true holds here too."#;
+  knotproof check --degree 2 --knots "0 0 0 1 2 2 2" --alpha -1 --claim "i in 0..n; x in [t[0], t[m]] : G[i](x) <= 1"
+  knotproof check --claim "k; U open; i in 0..n : maxima(G[i]) <= 1"
+Exit code 1 means that some claim is refuted, the first two and many others as printed, and the last; the witness says
+where. The others end with 0: what is known to be true holds here too."#;
 
 fn scope_parser() -> impl clap::builder::TypedValueParser<Value = Scope> {
     PossibleValuesParser::new(Scope::ALL.map(Scope::name))
@@ -66,9 +76,11 @@ pub(super) struct Check {
     /// What this object is: `knotproof.check/1`.
     #[schemars(extend("const" = "knotproof.check/1"))]
     schema: &'static str,
-    /// k.
-    degree: usize,
-    /// t_0, …, t_m, as fractions in lowest terms.
+    /// k; nothing where all small cases were judged.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    degree: Option<usize>,
+    /// t_0, …, t_m, as fractions in lowest terms; nothing where all small cases were judged.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     knots: Vec<String>,
     /// The claims, for one α after the other.
     properties: Vec<Property>,
@@ -80,15 +92,16 @@ pub(super) struct Check {
 #[derive(Debug, Serialize, JsonSchema)]
 struct Property {
     /// The claim.
-    id: &'static str,
-    /// α: `inf`, or an exact number.
-    alpha: String,
+    id: String,
+    /// α: `inf`, or an exact number; nothing where all small cases were judged.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    alpha: Option<String>,
     /// Is it the printed statement, or the amended one?
     #[serde(serialize_with = "named")]
     #[schemars(with = "String", extend("enum" = ["printed", "amended"]))]
-    form: Of,
+    form: Form,
     /// It, in words and formulas.
-    statement: &'static str,
+    statement: String,
     #[serde(flatten)]
     finding: Finding,
     /// Under `--baseline`: is it what the recorded verdict lets one expect?
@@ -103,162 +116,170 @@ struct Property {
 #[derive(Debug, Serialize, JsonSchema)]
 struct Amended {
     /// It, in words and formulas.
-    statement: &'static str,
+    statement: String,
     #[serde(flatten)]
     finding: Finding,
 }
 
-fn named<S: serde::Serializer>(form: &Of, serializer: S) -> Result<S::Ok, S::Error> {
+fn named<S: serde::Serializer>(form: &Form, serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_str(form)
 }
 
 /// Judges and prints.
 pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
-    let subject = args.instance.resolve()?;
-    let chosen = choose(claims(), args)?;
+    let own = args.own_claims()?;
+    let own_library = own.as_ref().map(|own| {
+        // What they name of the paper is there too.
+        std::iter::once(own).chain(&paper().files).cloned().collect::<Vec<_>>()
+    });
+    let chosen = match (&own, &own_library) {
+        (Some(own), Some(library)) => Claim::of(library).take(own.claims.len()).collect(),
+        _ => args.of_paper()?,
+    };
     let recorded = args.baseline.then(Baseline::recorded).transpose().map_err(CliError::Recorded)?;
-    let progress = Progress::new(chosen.len() * subject.cases.len());
-    let mut properties = Vec::new();
-    for case in &subject.cases {
-        let cases = UserCases::new(&case.basis);
+    let mut check = Check {
+        schema: "knotproof.check/1",
+        degree: None,
+        knots: Vec::new(),
+        properties: Vec::new(),
+        label: None,
+    };
+    let mut all = Vec::new();
+    if own.is_some() && args.instance.is_absent() {
+        all.push((None, None, Cases::all()));
+    } else {
+        let subjects = args.instance.resolve()?;
+        let first = &subjects.cases[0].basis;
+        check.degree = Some(first.degree());
+        check.knots = first.knots().knots().iter().map(ToString::to_string).collect();
+        check.label = subjects.label;
+        for subject in &subjects.cases {
+            let on = Instance::of(subject.basis.clone());
+            let points = subject.curve.as_ref().map(|curve| curve.points().to_vec());
+            let on = if points.is_some() { on.named("", points) } else { on };
+            let (k, alpha) = (subject.basis.degree(), subject.basis.index().to_string());
+            all.push((Some(k), Some(alpha), Cases::only(on)));
+        }
+    }
+    let progress = Progress::new(chosen.len() * all.len());
+    for (degree, alpha, cases) in &all {
         for claim in &chosen {
-            progress.step(claim.id);
-            properties.push(cases.property(claim, args, recorded.as_ref())?);
+            progress.step(claim.id());
+            let on = On { degree: *degree, cases, proves: own.is_none(), scope: args.scope };
+            let property = on.property(*claim, args.amended, recorded.as_ref())?;
+            check.properties.push(Property { alpha: alpha.clone(), ..property });
         }
     }
     drop(progress);
-    let unexpected = properties.iter().filter(|property| property.as_recorded != Some(true));
+    let unexpected = check.properties.iter().filter(|property| property.as_recorded != Some(true));
     let counted: Tally = unexpected.map(|property| &property.finding).collect();
-    let first = &subject.cases[0].basis;
-    let check = Check {
-        schema: "knotproof.check/1",
-        degree: first.degree(),
-        knots: first.knots().knots().iter().map(ToString::to_string).collect(),
-        properties,
-        label: subject.label,
-    };
     output.result_of_paper(&check)?;
     Ok(counted.exit())
 }
 
-/// The claims asked for: by name, all that can be judged on an instance, or those that depend on it.
-fn choose(all: Vec<Claim>, args: &Args) -> Result<Vec<Claim>, CliError> {
-    let ids: Vec<_> = all.iter().map(|claim| claim.id).collect();
-    for name in &args.property {
-        match all.iter().find(|claim| claim.id == name) {
-            None => return Err(CliError::unknown_claim("--property", name, &ids)),
-            Some(claim) if !claim.printed.is_general() => {
-                return Err(CliError::NotGeneral { claim: name.clone() });
-            }
-            Some(_) => {}
+impl Args {
+    /// The sentence or the file of the user's own, if one is given.
+    fn own_claims(&self) -> Result<Option<File>, CliError> {
+        if let Some(text) = &self.claim {
+            let complain = |complaint| CliError::Claim { argument: "--claim", complaints: vec![complaint] };
+            let printed = Said::Sentence(one_line(text).map_err(complain)?);
+            return Ok(Some(File {
+                title: None,
+                definitions: Vec::new(),
+                claims: vec![Stanza::own(printed)],
+            }));
         }
+        let Some(path) = &self.claims else { return Ok(None) };
+        let text = read("--claims", path)?;
+        let name = path.display().to_string();
+        let file = stanzas(&name, &text);
+        file.map(Some).map_err(|complaints| CliError::Claim { argument: "--claims", complaints })
     }
-    let wanted = |claim: &Claim| match args.property.as_slice() {
-        [] if args.all => claim.printed.is_general(),
-        [] => claim.source() == Source::Paper && matches!(claim.printed, Form::Basis(_)),
-        names => names.iter().any(|name| name == claim.id),
-    };
-    Ok(all.into_iter().filter(wanted).collect())
+
+    /// The paper's claims that are asked for: by name, all that can be judged on an instance, or those that depend on it.
+    fn of_paper(&self) -> Result<Vec<Claim<'static>>, CliError> {
+        let all = crate::language::claims();
+        let ids: Vec<_> = all.iter().map(Claim::id).collect();
+        for name in &self.property {
+            match all.iter().find(|claim| claim.id() == name) {
+                None => return Err(CliError::unknown_claim("--property", name, &ids)),
+                Some(claim) if !claim.is_general() => {
+                    return Err(CliError::NotGeneral { claim: name.clone() });
+                }
+                Some(_) => {}
+            }
+        }
+        let wanted = |claim: &Claim<'_>| match self.property.as_slice() {
+            [] if self.all => claim.is_general(),
+            [] => claim.source() == Source::Paper && claim.is_general() && claim.is_about_knots(),
+            names => names.iter().any(|name| name == claim.id()),
+        };
+        Ok(all.into_iter().filter(wanted).collect())
+    }
 }
 
 /// Does the recorded verdict on the statement, in that degree, let one expect what was found? Only what is refuted
 /// and was proved is news: proofs are about all instances, refutations about some.
-fn as_recorded(baseline: &Baseline, id: &str, form: Of, degree: usize, found: &Finding) -> bool {
+fn as_recorded(baseline: &Baseline, id: &str, form: Form, degree: Option<usize>, found: &Finding) -> bool {
     let entry = baseline.claims.iter().find(|entry| entry.id == id);
     let recorded = entry.and_then(|entry| match form {
-        Of::Amended => entry.amended.as_ref(),
+        Form::Amended => entry.amended.as_ref(),
         _ => {
-            let of_degree = entry.by_degree.iter().find(|of| of.degree == degree).map(|of| &of.finding);
-            of_degree.or(Some(&entry.as_printed))
+            let of_degree = entry.by_degree.iter().find(|of| Some(of.degree) == degree);
+            of_degree.map(|of| &of.finding).or(Some(&entry.as_printed))
         }
     });
     found.witness.is_none() || recorded.is_some_and(|recorded| recorded.witness.is_some())
 }
 
-/// What the claims are judged on: the basis, and the intervals of its weights.
-struct UserCases {
-    bases: [BasisCase; 1],
-    weights: Vec<WeightCase>,
+/// What claims are judged on, and how far.
+struct On<'a> {
+    degree: Option<usize>,
+    cases: &'a Cases,
+    /// Are there windows for them?
+    proves: bool,
+    scope: Scope,
 }
 
-impl UserCases {
-    fn new(basis: &Basis) -> Self {
-        let (knots, index) = (basis.knots(), basis.index());
-        let mut intervals = vec![(knots.first(), knots.last())];
-        for d in 1..=basis.degree() {
-            intervals.extend((0..=knots.m() - d).map(|i| (knots.t(i), knots.t(i + d))));
-        }
-        intervals.retain(|(a, b)| a < b);
-        intervals.sort();
-        intervals.dedup();
-        let weight =
-            |(a, b): (&_, &_)| WeightCase::new(Clone::clone(a), Clone::clone(b), index.clone(), Origin::User);
-        let weights = intervals.into_iter().map(weight).collect();
-        Self { bases: [BasisCase::new(basis.clone(), Origin::User)], weights }
-    }
-
-    fn verdict(&self, claim: &Claim, of: Of, scope: Scope) -> Result<Option<Finding>, CliError> {
-        let form = match of {
-            Of::Printed => &claim.printed,
-            _ => match &claim.amended {
-                Some(form) => form,
-                None => return Ok(None),
-            },
-        };
-        let verdict = match form {
-            Form::Weight(statement) => judge(statement, &self.weights)?,
-            Form::Basis(statement) => self.on_basis(statement)?,
-            Form::Illustration(..) => {
-                Verdict::NotApplicable("the claim is about examples of the paper".into())
-            }
-            Form::Vague { reason, .. } => Verdict::NotFormal((*reason).to_owned()),
-        };
+impl On<'_> {
+    fn finding(&self, claim: Claim<'_>, form: Form) -> Result<Option<Finding>, CliError> {
         // What is proved for every knot vector is proved for this one, and further.
-        let certificate = match verdict {
-            Verdict::Proved { .. } | Verdict::Undecided(_) => {
-                certify_for_degree(claim, of, self.bases[0].basis().degree())?
-            }
-            _ => None,
-        };
-        if let Some(certificate) = &certificate {
-            certificate.check()?;
-        }
-        let mut finding = Finding::from(&verdict).certified(certificate.as_ref());
+        let proving = if self.proves { Proving::ForDegree(self.degree) } else { Proving::Nothing };
+        let Some(settled) = settle_form(claim, form, self.cases, proving)? else { return Ok(None) };
+        let finding = Finding::from(&settled);
         let reached = Scope::ALL.into_iter().find(|reached| finding.scope.as_deref() == Some(reached.name()));
-        if let Some(reached) = reached.filter(|reached| *reached < scope) {
-            let reason = format!("proved at scope {reached} only, and {scope} was asked for");
-            finding = (&Verdict::Undecided(reason)).into();
-        }
-        Ok(Some(finding))
-    }
-
-    fn on_basis(&self, statement: &Statement<BasisCase>) -> Result<Verdict, Fault> {
-        judge(statement, &self.bases)
+        Ok(Some(match reached.filter(|reached| *reached < self.scope) {
+            Some(reached) => {
+                let reason = format!("proved at scope {reached} only, and {} was asked for", self.scope);
+                (&Verdict::Undecided(reason)).into()
+            }
+            None => finding,
+        }))
     }
 
     fn property(
         &self,
-        claim: &Claim,
-        args: &Args,
+        claim: Claim<'_>,
+        amended: bool,
         recorded: Option<&Baseline>,
     ) -> Result<Property, CliError> {
-        let (form, stated) = match &claim.amended {
-            Some(amended) if args.amended => (Of::Amended, amended),
-            _ => (Of::Printed, &claim.printed),
-        };
+        let form = if amended && claim.said(Form::Amended).is_some() { Form::Amended } else { Form::Printed };
         let nothing = || (&Verdict::NotApplicable("there is nothing to judge".into())).into();
-        let finding = self.verdict(claim, form, args.scope)?.unwrap_or_else(nothing);
-        let amended = match &claim.amended {
-            Some(amended) if finding.witness.is_some() && form == Of::Printed => self
-                .verdict(claim, Of::Amended, args.scope)?
-                .map(|finding| Amended { statement: amended.text(), finding }),
-            _ => None,
+        let finding = self.finding(claim, form)?.unwrap_or_else(nothing);
+        let amended = match finding.witness.is_some() && form == Form::Printed {
+            true => self.finding(claim, Form::Amended)?,
+            false => None,
         };
-        let basis = self.bases[0].basis();
-        let as_recorded =
-            recorded.map(|recorded| as_recorded(recorded, claim.id, form, basis.degree(), &finding));
-        let alpha = basis.index().to_string();
-        Ok(Property { id: claim.id, alpha, form, statement: stated.text(), finding, as_recorded, amended })
+        Ok(Property {
+            id: claim.id().to_owned(),
+            alpha: None,
+            form,
+            statement: claim.text(form),
+            as_recorded: recorded
+                .map(|recorded| as_recorded(recorded, claim.id(), form, self.degree, &finding)),
+            finding,
+            amended: amended.map(|finding| Amended { statement: claim.text(Form::Amended), finding }),
+        })
     }
 }
 
@@ -268,15 +289,19 @@ impl fmt::Display for Check {
         if let Some(label) = &self.label {
             writeln!(f, "{label}")?;
         }
-        writeln!(f, "k = {}, U = ({})", self.degree, self.knots.join(", "))?;
-        let width = if self.properties.iter().any(|property| property.form == Of::Amended) { 35 } else { 26 };
-        let mut alpha = None;
+        match self.degree {
+            Some(k) => writeln!(f, "k = {k}, U = ({})", self.knots.join(", "))?,
+            None => writeln!(f, "On all small cases and the paper's examples, for every x:")?,
+        }
+        let width =
+            if self.properties.iter().any(|property| property.form == Form::Amended) { 35 } else { 26 };
+        let mut alpha = &None;
         for property in &self.properties {
-            if alpha != Some(&property.alpha) {
-                writeln!(f, "\nα = {}, for every x:", property.alpha)?;
-                alpha = Some(&property.alpha);
+            if alpha != &property.alpha {
+                writeln!(f, "\nα = {}, for every x:", property.alpha.as_deref().unwrap_or_default())?;
+                alpha = &property.alpha;
             }
-            let form = if property.form == Of::Amended { ", amended" } else { "" };
+            let form = if property.form == Form::Amended { ", amended" } else { "" };
             let name = format!("{}{form}", property.id);
             write!(f, "  {name:width$} {}", styled(&property.finding))?;
             match property.as_recorded {
@@ -293,10 +318,12 @@ impl fmt::Display for Check {
             }
             if let Some(witness) = &property.finding.witness {
                 writeln!(f, "      {}", property.statement)?;
-                let at = witness.given.iter().filter(|(name, _)| !["k", "U", "α"].contains(&name.as_str()));
+                // The case stands at the head, if there is only one.
+                let known = if self.degree.is_some() { ["k", "U", "α"].as_slice() } else { &[] };
+                let at = witness.given().into_iter().filter(|(name, _)| !known.contains(&name.as_str()));
                 let at: Vec<_> = at.map(|(name, value)| format!("{name} = {value}")).collect();
                 let at = if at.is_empty() { String::new() } else { format!("at {}: ", at.join(", ")) };
-                writeln!(f, "      {at}it says {}; but {}", witness.claimed, witness.found)?;
+                writeln!(f, "      {at}it says {}; but {}", witness.claimed, witness.found())?;
             }
             if let Some(amended) = &property.amended {
                 writeln!(f, "      amended: {} {}", styled(&amended.finding), amended.statement)?;

@@ -8,12 +8,13 @@ use thiserror::Error;
 
 use crate::analysis::FreeKnotError;
 use crate::certificate::CertificateError;
-use crate::claims::Fault;
 use crate::float::FloatError;
 use crate::json::JsonError;
-use crate::report::{BaselineError, PageError, PictureError, ReportError, ScriptError};
+use crate::language::Complaint;
+use crate::report::{BaselineError, PageError, PictureError, ScriptError};
 use crate::scalar::NumberError;
 use crate::search::{AuditError, MergeError, PortionError, RecordError};
+use crate::settle::SettleError;
 use crate::spline::{BasisError, CurveError, KnotError};
 
 use super::exit::Exit;
@@ -119,7 +120,7 @@ pub enum CliError {
         /// The option to blame: `--degree`, or `--instance` if no degree was given.
         argument: &'static str,
         /// The name of the instance.
-        name: &'static str,
+        name: String,
         /// Its degrees.
         degrees: Vec<usize>,
     },
@@ -382,21 +383,20 @@ pub enum CliError {
     /// The page of the report could not be written: a bug.
     #[error("internal error: {0}; please report this bug with the command line")]
     Page(#[from] PageError),
-    /// This program has a bug.
-    #[error(transparent)]
-    Fault(#[from] Fault),
+    /// Two parts of this program disagree: a bug.
+    #[error("internal error: {0}; please report this bug with the command line")]
+    Settle(#[from] SettleError),
+    /// Text in the claim language that can't be read: all that is wrong with it.
+    #[error("{argument}:\n{}", complaints.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"))]
+    Claim {
+        /// Where it stands.
+        argument: &'static str,
+        /// What is wrong, each with its place and what to write instead.
+        complaints: Vec<Complaint>,
+    },
     /// A result could not be written.
     #[error("cannot write the result: {0}")]
     Output(#[from] io::Error),
-}
-
-impl From<ReportError> for CliError {
-    fn from(error: ReportError) -> Self {
-        match error {
-            ReportError::Fault(fault) => fault.into(),
-            ReportError::Certificate(error) => error.into(),
-        }
-    }
 }
 
 fn list(items: &[impl ToString]) -> String {
@@ -440,13 +440,14 @@ impl CliError {
             Self::Merge(_) => Some("FILE"),
             Self::Audit(_) => Some("--audit"),
             Self::Threads { .. } => Some("--threads"),
+            Self::Claim { argument, .. } => Some(argument),
             Self::Recorded(_)
             | Self::NotRecorded(_)
             | Self::Conversion { .. }
             | Self::Certificate(_)
             | Self::Picture(_)
             | Self::Page(_)
-            | Self::Fault(_)
+            | Self::Settle(_)
             | Self::Output(_) => None,
             Self::NoCertificate { .. } => Some("PATH"),
         }
@@ -476,7 +477,7 @@ impl CliError {
     pub fn exit(&self) -> Exit {
         match self {
             Self::Output(_)
-            | Self::Fault(_)
+            | Self::Settle(_)
             | Self::Certificate(_)
             | Self::Picture(_)
             | Self::Page(_)

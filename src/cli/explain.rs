@@ -6,9 +6,9 @@ use std::path::Path;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::certificate::{Form as Of, statement};
-use crate::claims::{Cause, Claim, Form, Severity, claims};
-use crate::report::{Baseline, DegreeFinding, Finding, Record, again};
+use crate::certificate::statement;
+use crate::language::{Cause, Claim, Form, Severity, claims};
+use crate::report::{Baseline, DegreeFinding, Finding, Record};
 
 use super::error::CliError;
 use super::exit::Exit;
@@ -41,9 +41,6 @@ struct Part {
     of: String,
     /// It, in words and formulas.
     statement: String,
-    /// What it assumes, as far as the engine knows that one by one.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    hypotheses: Vec<String>,
     #[serde(flatten)]
     finding: Finding,
     /// Why it is true or false.
@@ -85,44 +82,43 @@ pub(super) struct Explanation {
 /// Looks up and prints.
 pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     let all = claims();
-    let ids: Vec<_> = all.iter().map(|claim| claim.id).collect();
-    let Some(claim) = all.iter().find(|claim| claim.id == args.claim) else {
+    let ids: Vec<_> = all.iter().map(Claim::id).collect();
+    let Some(claim) = all.iter().find(|claim| claim.id() == args.claim).copied() else {
         return Err(CliError::unknown_claim("CLAIM", &args.claim, &ids));
     };
     let recorded = Baseline::recorded().map_err(CliError::Recorded)?;
-    let Some(entry) = recorded.claims.iter().find(|entry| entry.id == claim.id) else {
-        return Err(CliError::NotRecorded(claim.id));
+    let Some(entry) = recorded.claims.iter().find(|entry| entry.id == claim.id()) else {
+        return Err(CliError::NotRecorded(claim.id()));
     };
-    let mut parts = vec![part(claim, Of::Printed, &claim.printed, &entry.as_printed, args.goals)?];
-    if let (Some(form), Some(finding)) = (&claim.amended, &entry.amended) {
-        parts.push(part(claim, Of::Amended, form, finding, args.goals)?);
+    let mut parts = vec![part(claim, Form::Printed, &entry.as_printed, args.goals)?];
+    if let Some(finding) = &entry.amended {
+        parts.push(part(claim, Form::Amended, finding, args.goals)?);
     }
     for DegreeFinding { degree, finding, .. } in &entry.by_degree {
-        parts.push(part(claim, Of::Degree(*degree), &claim.printed, finding, args.goals)?);
+        parts.push(part(claim, Form::Degree(*degree), finding, args.goals)?);
     }
     let record = Record::recorded(claim, entry);
     let explanation = Explanation {
         schema: "knotproof.explain/1",
-        id: claim.id,
-        locator: claim.locator,
+        id: claim.id(),
+        locator: &claim.stanza.at,
         severity: record.severity,
         cause: record.cause,
         printed: styled_as_printed(&record),
         parts,
-        note: claim.note,
+        note: claim.stanza.note.as_deref(),
     };
     output.result_of_paper(&explanation)?;
     Ok(Exit::Holds)
 }
 
-fn part(claim: &Claim, of: Of, form: &Form, finding: &Finding, goals: bool) -> Result<Part, CliError> {
+fn part(claim: Claim<'_>, of: Form, finding: &Finding, goals: bool) -> Result<Part, CliError> {
     let certified = finding.certificate.is_some();
     let stated = statement(claim, of, finding.witness.as_ref())?.filter(|_| certified);
     let (idea, sections) = stated.map(|stated| (stated.because, stated.sections)).unzip();
     Ok(Part {
-        of: if let Of::Degree(_) = of { of.to_string() } else { format!("as {of}") },
-        statement: form.text().to_owned(),
-        hypotheses: form.hypotheses(),
+        of: if let Form::Degree(_) = of { of.to_string() } else { format!("as {of}") },
+        statement: claim.text(of),
         finding: finding.clone(),
         idea,
         goals: sections
@@ -143,12 +139,9 @@ impl fmt::Display for Explanation {
                 writeln!(f, "  {}", part.statement)?;
                 said = &part.statement;
             }
-            if !part.hypotheses.is_empty() {
-                writeln!(f, "  assuming: {}", part.hypotheses.join("; "))?;
-            }
             if let Some(witness) = &finding.witness {
                 writeln!(f, "  witness: {witness}")?;
-                writeln!(f, "  again: {}", again(self.id, witness))?;
+                writeln!(f, "  again: {}", witness.again(self.id))?;
             }
             if let Some(reason) = &finding.reason {
                 writeln!(f, "  {reason}")?;

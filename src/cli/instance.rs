@@ -8,7 +8,7 @@ use std::str::FromStr;
 
 use num_rational::BigRational;
 
-use crate::claims::{Instance, instances_named};
+use crate::meaning::{Example, examples_named};
 use crate::spline::{Basis, Curve, CurveError, Index, IndexError, KnotError, KnotVector, Point};
 
 use super::error::CliError;
@@ -153,6 +153,12 @@ impl InstanceArgs {
         Ok(Subjects { label, cases })
     }
 
+    /// Is nothing said at all?
+    pub(super) fn is_absent(&self) -> bool {
+        let Self { instance, degree, knots, alpha, points } = self;
+        instance.is_none() && degree.is_none() && knots.is_none() && alpha.is_empty() && points.is_none()
+    }
+
     /// The name of an instance, and what the options have made different in it. Indices are shown anyway.
     fn changed(&self, label: &str, degree: Option<usize>) -> String {
         let parts = [
@@ -204,12 +210,12 @@ impl InstanceArgs {
 
     /// A paper instance if the name is known, a file otherwise.
     fn named(&self, name: &OsString) -> Result<Given, CliError> {
-        let known = name.to_str().map(instances_named).unwrap_or_default();
+        let known = name.to_str().map(examples_named).unwrap_or_default();
         if known.is_empty() { from_file(Path::new(name)) } else { self.choose(known) }
     }
 
     /// The instance of the name that has the degree asked for.
-    fn choose(&self, mut known: Vec<Instance>) -> Result<Given, CliError> {
+    fn choose(&self, mut known: Vec<Example>) -> Result<Given, CliError> {
         let position = match self.degree {
             // With one degree only, another one overrides it: a choice is wanted where there are several.
             _ if known.len() == 1 => Some(0),
@@ -219,15 +225,15 @@ impl InstanceArgs {
         let Some(position) = position else {
             let argument = if self.degree.is_some() { "--degree" } else { "--instance" };
             let degrees = known.iter().map(|instance| instance.degree).collect();
-            return Err(CliError::Degree { argument, name: known[0].name, degrees });
+            return Err(CliError::Degree { argument, name: known[0].name.to_string(), degrees });
         };
         let chosen = known.swap_remove(position);
         Ok(Given {
             label: Some(format!("{} ({})", chosen.name, chosen.figure)),
             degree: Some(chosen.degree),
-            knots: Some((chosen.knots, Provenance::paper(chosen.name, "knots"))),
+            knots: Some((chosen.knots, Provenance::paper(&chosen.name, "knots"))),
             indices: chosen.indices,
-            points: chosen.points.map(|points| (points, Provenance::paper(chosen.name, "points"))),
+            points: chosen.points.map(|points| (points, Provenance::paper(&chosen.name, "points"))),
         })
     }
 }

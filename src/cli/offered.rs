@@ -5,7 +5,8 @@ use std::ffi::OsStr;
 use clap::builder::{OsStringValueParser, PossibleValue, StringValueParser, TypedValueParser};
 use clap::{Arg, Command, Error};
 
-use crate::claims::{claims, instances};
+use crate::language::claims;
+use crate::meaning::examples;
 
 /// Reads as `parser` does, and offers the names.
 #[derive(Clone)]
@@ -16,7 +17,7 @@ pub(super) struct Offered<P> {
 
 /// The identifier of a claim.
 pub(super) fn claim_name() -> Offered<StringValueParser> {
-    Offered { parser: StringValueParser::new(), names: || claims().iter().map(|claim| claim.id).collect() }
+    Offered { parser: StringValueParser::new(), names: || claims().iter().map(|claim| claim.id()).collect() }
 }
 
 /// The name of an instance of the paper, or a file.
@@ -26,7 +27,7 @@ pub(super) fn instance_name() -> Offered<OsStringValueParser> {
 
 /// The names of the paper's instances, once each.
 pub(super) fn instance_names() -> Vec<&'static str> {
-    let mut names: Vec<_> = instances().iter().map(|instance| instance.name).collect();
+    let mut names: Vec<_> = examples().iter().map(|example| &*example.name).collect();
     names.dedup();
     names
 }

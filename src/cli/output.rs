@@ -11,7 +11,7 @@ use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use crate::claims::PaperNumber;
+use crate::language::PaperNumber;
 
 use super::error::CliError;
 use super::notation::Notation;

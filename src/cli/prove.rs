@@ -7,8 +7,9 @@ use std::path::{Path, PathBuf};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::certificate::{Certificate, certify};
-use crate::claims::{Cases, claims};
+use crate::certificate::Certificate;
+use crate::language::claims;
+use crate::settle::settle_all;
 
 use super::atomic::Folder;
 use super::error::CliError;
@@ -57,15 +58,10 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     let chosen = choose(claims(), &args.claim)?;
     Folder::try_out("--out", &args.out)?;
     let progress = Progress::new(chosen.len());
-    let cases = Cases::all();
-    let (mut checked, mut proved) = (Vec::new(), Vec::new());
-    for claim in &chosen {
-        progress.step(claim.id);
-        for certificate in certify(claim, &claim.judge(&cases)?)? {
-            checked.push(Row::certificate(&certificate)?);
-            proved.push(certificate);
-        }
-    }
+    let settled = settle_all(&chosen, |name| progress.step(name))?;
+    let all = settled.iter().flat_map(|(_, outcome)| outcome.all());
+    let (checked, proved): (Vec<_>, Vec<_>) =
+        all.filter_map(|one| Some((Row::from(one.checked.clone()?), one.certificate.as_ref()?))).unzip();
     drop(progress);
     let folder = Folder::beside("--out", &args.out)?;
     for certificate in &proved {
@@ -73,7 +69,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         folder.write(&format!("{}.proof", certificate.name()), certificate.proof_text())?;
     }
     folder.put_in_place()?;
-    let names: Vec<_> = proved.iter().map(Certificate::name).collect();
+    let names: Vec<_> = proved.iter().map(|certificate| Certificate::name(certificate)).collect();
     let stale = if args.claim.is_empty() { stale(&args.out, &names)? } else { Vec::new() };
     let proved = Proved { schema: "knotproof.prove/1", checked, written: args.out.clone(), stale };
     output.result_of_paper(&proved)?;

@@ -16,7 +16,7 @@ pub struct Provenance {
 enum Source {
     Option(&'static str),
     Field { path: PathBuf, field: &'static str },
-    Paper { name: &'static str, what: &'static str },
+    Paper { name: String, what: &'static str },
 }
 
 impl Provenance {
@@ -34,8 +34,8 @@ impl Provenance {
 
     /// What an instance of the paper brings along, such as its `points`.
     #[must_use]
-    pub fn paper(name: &'static str, what: &'static str) -> Self {
-        Self { source: Source::Paper { name, what }, positions: Vec::new() }
+    pub fn paper(name: &str, what: &'static str) -> Self {
+        Self { source: Source::Paper { name: name.to_owned(), what }, positions: Vec::new() }
     }
 
     /// The entry of the list at the given position, from 0.

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use schemars::{JsonSchema, schema_for};
 use serde::Serialize;
 
-use crate::claims::{Claim, Source, claims};
+use crate::language::{Claim, Source, claims};
 use crate::report::{
     Baseline, Difference, Drift, Errata, PageSource, Record, Report, by_severity, conjecture_page,
     dependence_picture, errata_page, figures, markdown, opening, page, verdicts_page,
@@ -181,12 +181,15 @@ fn errata(report: &Report, args: &Args, output: &Output) -> Result<Exit, CliErro
 }
 
 /// The claims of these identifiers, or all if there are none.
-pub(super) fn choose(mut all: Vec<Claim>, names: &[String]) -> Result<Vec<Claim>, CliError> {
-    let ids: Vec<_> = all.iter().map(|claim| claim.id).collect();
+pub(super) fn choose(
+    mut all: Vec<Claim<'static>>,
+    names: &[String],
+) -> Result<Vec<Claim<'static>>, CliError> {
+    let ids: Vec<_> = all.iter().map(Claim::id).collect();
     if let Some(name) = names.iter().find(|name| !ids.contains(&name.as_str())) {
         return Err(CliError::unknown_claim("--claim", name, &ids));
     }
-    all.retain(|claim| names.is_empty() || names.iter().any(|name| name == claim.id));
+    all.retain(|claim| names.is_empty() || names.iter().any(|name| name == claim.id()));
     Ok(all)
 }
 

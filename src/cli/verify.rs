@@ -9,8 +9,8 @@ use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::certificate::{Certificate, CertificateError, Form, Sexp, statement};
-use crate::claims::claims;
+use crate::certificate::{Sexp, statement};
+use crate::language::{Form, claims};
 use crate::report::{Baseline, Finding};
 
 use super::error::CliError;
@@ -68,11 +68,6 @@ pub(super) struct Row {
 }
 
 impl Row {
-    /// What the checker says of a certificate that was just written.
-    pub(super) fn certificate(certificate: &Certificate) -> Result<Self, CertificateError> {
-        Ok(certificate.check()?.into())
-    }
-
     /// One row each, with what the last column counts.
     pub(super) fn table(rows: &[Self], counted: &str) -> Table {
         let mut table =
@@ -136,7 +131,7 @@ pub(super) struct Verified {
 
 /// Checks and prints.
 pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
-    let chosen: Vec<_> = choose(claims(), &args.claim)?.iter().map(|claim| claim.id).collect();
+    let chosen: Vec<_> = choose(claims(), &args.claim)?.iter().map(|claim| claim.id()).collect();
     let paths = if args.paths.is_empty() { vec![recorded()?] } else { args.paths.clone() };
     let mut files = Vec::new();
     for path in &paths {
@@ -220,15 +215,15 @@ fn own_statements() -> Result<Vec<Own>, CliError> {
     let recorded = Baseline::recorded().map_err(CliError::Recorded)?;
     let mut all = Vec::new();
     for claim in claims() {
-        let Some(entry) = recorded.claims.iter().find(|entry| entry.id == claim.id) else { continue };
+        let Some(entry) = recorded.claims.iter().find(|entry| entry.id == claim.id()) else { continue };
         let mut findings: Vec<(Form, &Finding)> = vec![(Form::Printed, &entry.as_printed)];
         findings.extend(entry.amended.iter().map(|finding| (Form::Amended, finding)));
         findings.extend(entry.by_degree.iter().map(|of| (Form::Degree(of.degree), &of.finding)));
         for (form, finding) in findings {
             let Some(certificate) = finding.certificate.clone() else { continue };
-            let stated = statement(&claim, form, finding.witness.as_ref())?;
+            let stated = statement(claim, form, finding.witness.as_ref())?;
             let statement = stated.map(|statement| statement.to_sexp());
-            all.push(Own { claim: claim.id, certificate, statement });
+            all.push(Own { claim: claim.id(), certificate, statement });
         }
     }
     Ok(all)

@@ -4,8 +4,8 @@ use std::collections::HashSet;
 use std::ops::RangeInclusive;
 use std::sync::Arc;
 
-use crate::language::{Binder, Name, Sentence};
-use crate::meaning::{Instance, concerns};
+use crate::language::{Binder, Name, Sentence, paper};
+use crate::meaning::{Example, Instance, concerns, examples, examples_of};
 use crate::scalar::{BigRational, integer};
 use crate::spline::{Basis, Index, KnotVector};
 
@@ -44,6 +44,20 @@ impl Cases {
         Self { small, paper, indices }
     }
 
+    /// Those of the paper that comes with the program.
+    #[must_use]
+    pub fn all() -> Self {
+        Self::new(examples().iter().flat_map(Example::instances))
+    }
+
+    /// One instance of the user's own, and its index for sentences about weights.
+    #[must_use]
+    pub fn only(on: Instance) -> Self {
+        let index = on.index.clone();
+        let [on, index] = [on, Instance::index(index)].map(|on| Arc::new(Case { on, origin: Origin::User }));
+        Self { small: Vec::new(), paper: vec![on], indices: vec![index] }
+    }
+
     /// Only the cases of these degrees.
     #[must_use]
     pub fn up_to(mut self, degree: usize) -> Self {
@@ -53,9 +67,22 @@ impl Cases {
         self
     }
 
-    /// Those that the binders of a sentence speak of.
+    /// Those that the binders of a sentence speak of, and then the further cases of a file of the paper.
     #[must_use]
-    pub fn of(&self, sentence: &Sentence) -> Vec<Arc<Case>> {
+    pub fn of(&self, sentence: &Sentence, further: Option<&str>) -> Vec<Arc<Case>> {
+        let mut cases = self.usual(sentence);
+        // A case of the user's own is the only one.
+        if let Some(rows) =
+            further.filter(|_| !self.small.is_empty()).and_then(|file| paper().cases.get(file))
+        {
+            let more = examples_of(rows).into_iter().flat_map(|row| row.instances().collect::<Vec<_>>());
+            let more = more.map(|on| Arc::new(Case { on, origin: Origin::Small }));
+            cases.extend(more.filter(|case| concerns(sentence, &case.on)));
+        }
+        cases
+    }
+
+    fn usual(&self, sentence: &Sentence) -> Vec<Arc<Case>> {
         let binders = &sentence.given;
         let named = binders.iter().any(|binder| matches!(binder, Binder::Instances(_)));
         let knots = binders.iter().any(|binder| matches!(binder, Binder::Degree { .. } | Binder::Knots(_)));

@@ -86,6 +86,8 @@ pub enum Verdict {
     Refuted(Box<Witness>),
     /// Not settled, with the limit that was hit.
     Undecided(String),
+    /// Not said in the language, with the reason.
+    NotFormal(String),
     /// The hypotheses hold in no case: nothing is said.
     NotApplicable(String),
 }
@@ -98,7 +100,14 @@ impl Verdict {
             Self::Proved { .. } => "proved",
             Self::Refuted(_) => "refuted",
             Self::Undecided(_) => "undecided",
+            Self::NotFormal(_) => "not-formal",
             Self::NotApplicable(_) => "not-applicable",
         }
+    }
+
+    /// The scope of a proof.
+    #[must_use]
+    pub fn scope(&self) -> Option<Scope> {
+        if let Self::Proved { scope, .. } = self { Some(*scope) } else { None }
     }
 }

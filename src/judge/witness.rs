@@ -8,8 +8,8 @@ use serde::{Deserialize, Serialize};
 use crate::analysis::{Algebraic, settled};
 use crate::language::{Formula, Int, Name, Over, Real, Sentence, text};
 use crate::meaning::{Failure, Focus, Given, Instance, Look, Names, Plain, Reading, Truth, Value};
-use crate::scalar::BigRational;
-use crate::spline::{Basis, Side};
+use crate::scalar::{BigRational, parse_rational};
+use crate::spline::{Basis, KnotVector, Side};
 
 use super::Fault;
 use super::instantiated::{formula, real, words};
@@ -205,6 +205,31 @@ impl Witness {
         let greek = |name: &str| if name == "beta" { "β".to_owned() } else { name.to_owned() };
         all.extend(self.given.iter().map(|bound| (greek(&bound.name), bound.value.to_string())));
         all
+    }
+
+    /// The basis that it is about, if it is about one.
+    #[must_use]
+    pub fn basis(&self) -> Option<Basis> {
+        let knots = self.knots.iter().map(|t| parse_rational(t).ok()).collect::<Option<_>>()?;
+        Basis::new(KnotVector::new(knots).ok()?, self.k?, self.alpha.parse().ok()?).ok()
+    }
+
+    /// The number under a name, if it is a rational one.
+    #[must_use]
+    pub fn number(&self, name: &str) -> Option<BigRational> {
+        match &self.given.iter().find(|bound| bound.name == name)?.value {
+            Bind::Integer(i) => Some(BigRational::from_integer((*i).into())),
+            Bind::Number(number) => parse_rational(number).ok(),
+            _ => None,
+        }
+    }
+
+    /// Is its x one of its knots, or an end of its interval [a, b]?
+    #[must_use]
+    pub fn is_at_an_end(&self) -> bool {
+        let knots = self.knots.iter().filter_map(|t| parse_rational(t).ok());
+        let ends = ["a", "b"].into_iter().filter_map(|name| self.number(name));
+        self.number("x").is_some_and(|x| knots.chain(ends).any(|end| end == x))
     }
 
     /// What is so, in words.

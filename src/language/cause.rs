@@ -53,3 +53,55 @@ pub enum Cause {
     /// A question of ours whose answer is no for polynomial B-splines too: nothing is lost.
     NeverSo,
 }
+
+impl Cause {
+    /// The cause in words, as an author would be told.
+    #[must_use]
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::EndPoints => "end points of intervals",
+            Self::OutsideInterval => "φ outside of [a, b)",
+            Self::EndKnots => "end knots that occur more than k + 1 times",
+            Self::InnerMultiplicity => "knots inside of multiplicity greater than k",
+            Self::IndexRange => "the range of an index",
+            Self::ProofStep => "steps of proofs",
+            Self::Picture => "readings of pictures",
+            Self::VagueWords => "words with more than one reading",
+            Self::Conjecture => "the conjecture, and what else holds only for α = ∞",
+            Self::NeverSo => "what is not so for α = ∞ either",
+        }
+    }
+
+    /// The name in JSON.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::EndPoints => "end-points",
+            Self::OutsideInterval => "outside-interval",
+            Self::EndKnots => "end-knots",
+            Self::InnerMultiplicity => "inner-multiplicity",
+            Self::IndexRange => "index-range",
+            Self::ProofStep => "proof-step",
+            Self::Picture => "picture",
+            Self::VagueWords => "vague-words",
+            Self::Conjecture => "conjecture",
+            Self::NeverSo => "never-so",
+        }
+    }
+}
+
+impl Severity {
+    /// All, mildest first.
+    pub const ALL: [Self; 4] = [Self::Slip, Self::Hypothesis, Self::Reading, Self::Serious];
+
+    /// The name in reports.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Slip => "slip",
+            Self::Hypothesis => "hypothesis",
+            Self::Reading => "reading",
+            Self::Serious => "serious",
+        }
+    }
+}

@@ -56,6 +56,27 @@ pub struct Stanza {
     pub cases: Option<String>,
 }
 
+impl Stanza {
+    /// A sentence that somebody types, with nothing else said of it.
+    #[must_use]
+    pub fn own(printed: Said) -> Self {
+        Self {
+            id: "claim".into(),
+            at: String::new(),
+            title: String::new(),
+            printed,
+            amended: None,
+            fails: None,
+            cause: None,
+            severity: None,
+            note: None,
+            uses: Vec::new(),
+            each_degree: false,
+            cases: None,
+        }
+    }
+}
+
 /// A sentence, or words that no sentence can say.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Said {

@@ -5,6 +5,7 @@
 
 mod canonical;
 mod cause;
+mod claim;
 mod complaint;
 mod definitions;
 mod file;
@@ -19,10 +20,11 @@ mod token;
 mod words;
 
 pub use cause::{Cause, Severity, Source};
+pub use claim::{Claim, Form, claims};
 pub use complaint::Complaint;
 pub use file::{File, RestsOn, Said, Stanza, schema, stanzas};
 pub use known::Known;
-pub use paper::{About, Paper, Row};
+pub use paper::{About, Paper, PaperNumber, Row, paper};
 pub use print::{Print, latex, mathml, source, text};
 pub use sentence::{one_line, sentence};
 pub use syntax::{

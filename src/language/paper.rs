@@ -192,24 +192,45 @@ impl Paper {
         if complaints.is_empty() { Ok(paper) } else { Err(complaints) }
     }
 
-    /// The paper that comes with the program.
-    ///
-    /// # Errors
-    /// What is wrong with its data: the program was built with a damaged folder.
-    pub fn embedded() -> Result<&'static Self, &'static [Complaint]> {
-        static FOLDER: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/papers/rational-bsplines");
-        static PAPER: LazyLock<Result<Paper, Vec<Complaint>>> = LazyLock::new(|| {
-            let below = FOLDER.get_dir("claims").into_iter().flat_map(Dir::files);
-            let text = |file: &include_dir::File<'_>| {
-                Some((file.path().to_str()?.to_owned(), file.contents_utf8()?.to_owned()))
-            };
-            Paper::read(&FOLDER.files().chain(below).filter_map(text).collect())
-        });
-        PAPER.as_ref().map_err(Vec::as_slice)
-    }
-
     /// Its claims with their files, in its order.
     pub fn claims(&self) -> impl Iterator<Item = (&File, &Stanza)> {
         self.files.iter().flat_map(|file| file.claims.iter().map(move |claim| (file, claim)))
+    }
+}
+
+/// The paper that comes with the program.
+///
+/// # Panics
+/// If the program was built with a damaged folder, which a test rules out: with all that is wrong in it.
+#[must_use]
+pub fn paper() -> &'static Paper {
+    static FOLDER: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/papers/rational-bsplines");
+    static PAPER: LazyLock<Paper> = LazyLock::new(|| {
+        let below = FOLDER.get_dir("claims").into_iter().flat_map(Dir::files);
+        let text = |file: &include_dir::File<'_>| {
+            Some((file.path().to_str()?.to_owned(), file.contents_utf8()?.to_owned()))
+        };
+        match Paper::read(&FOLDER.files().chain(below).filter_map(text).collect()) {
+            Ok(paper) => paper,
+            Err(complaints) => {
+                let complaints: Vec<_> = complaints.iter().map(ToString::to_string).collect();
+                unreachable!("the folder of the paper is damaged:\n{}", complaints.join("\n"))
+            }
+        }
+    });
+    &PAPER
+}
+
+/// The paper, in results that say something of it.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PaperNumber {
+    /// Its number at arXiv.
+    pub arxiv: String,
+}
+
+impl Default for PaperNumber {
+    fn default() -> Self {
+        Self { arxiv: paper().about.arxiv.clone() }
     }
 }

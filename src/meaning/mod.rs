@@ -5,6 +5,7 @@
 //! claim is known here.
 
 mod cell;
+mod example;
 mod functions;
 mod instance;
 mod points;
@@ -17,6 +18,7 @@ mod value;
 mod words;
 
 pub use cell::{Cell, Focus, Frame, Signs};
+pub use example::{Example, examples, examples_named, examples_of};
 pub use instance::Instance;
 pub use reading::{Bound, Library, Look, Names, Reading};
 pub use reals::Part;

@@ -2,7 +2,7 @@
 
 use crate::analysis::Sign;
 use crate::language::{
-    Definition, File, Fold, Formula, Int, Member, Name, Over, Range, Real, Relation, Sentence,
+    Claim, Definition, File, Fold, Formula, Int, Member, Name, Over, Range, Real, Relation, Sentence,
 };
 use crate::scalar::BigRational;
 use crate::spline::{Index, KnotVector, Side};
@@ -43,6 +43,12 @@ impl Library for Vec<File> {
             .find_map(|file| Some((file.claims.iter().find(|stanza| &*stanza.id == id)?, file)))?;
         let said = stanza.amended.as_ref().filter(|_| !printed).unwrap_or(&stanza.printed);
         Some((said.sentence()?, &file.definitions))
+    }
+}
+
+impl<'a> From<Claim<'a>> for Names<'a> {
+    fn from(claim: Claim<'a>) -> Self {
+        Self { definitions: claim.definitions, library: claim.library }
     }
 }
 

@@ -4,7 +4,7 @@ use num_traits::{One, Signed, Zero};
 use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
 
-use crate::claims::instances;
+use crate::meaning::examples;
 use crate::scalar::{BigRational, decimal, integer, rational};
 use crate::spline::{Basis, Curve, Index, Point, Side};
 
@@ -85,7 +85,7 @@ fn texts<S: Serializer>(values: &[BigRational], serializer: S) -> Result<S::Ok, 
 #[must_use]
 pub fn corners() -> Vec<Corner> {
     let mut corners = Vec::new();
-    for instance in instances() {
+    for instance in examples() {
         let Some(points) = &instance.points else { continue };
         for index in &instance.indices {
             let basis = Basis::new(instance.knots.clone(), instance.degree, index.clone());
@@ -99,8 +99,8 @@ pub fn corners() -> Vec<Corner> {
                 let (left, right) = (derivative(Side::Left), derivative(Side::Right));
                 let determinant = determinant(&left, &right);
                 corners.push(Corner {
-                    instance: instance.name,
-                    figure: instance.figure,
+                    instance: &instance.name,
+                    figure: &instance.figure,
                     degree: instance.degree,
                     alpha: index.clone(),
                     knot: knot.clone(),

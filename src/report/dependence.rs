@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::claims::{Source, USES, claims};
+use crate::language::{Source, claims};
 
 use super::record::Record;
 
@@ -30,7 +30,7 @@ pub struct Dependency {
     pub state: State,
     /// What survives, and why.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub why: Option<&'static str>,
+    pub why: Option<String>,
 }
 
 /// What becomes of a conclusion.
@@ -69,10 +69,11 @@ impl Dependence {
     #[must_use]
     pub fn of(records: &[Record]) -> Self {
         let record = |id: &str| records.iter().find(|record| record.id == id);
-        let uses: Vec<Dependency> = USES
-            .iter()
-            .filter_map(|one| {
-                let (conclusion, premise) = (record(one.claim)?, record(one.rests_on)?);
+        let stated = claims();
+        let uses = stated.iter().flat_map(|claim| claim.stanza.uses.iter().map(|one| (claim.id(), one)));
+        let uses: Vec<Dependency> = uses
+            .filter_map(|(claim, one)| {
+                let (conclusion, premise) = (record(claim)?, record(&one.id)?);
                 let settled = |stated: &super::Stated| stated.finding.is_proved();
                 let own = settled(&conclusion.as_printed) || conclusion.amended.as_ref().is_some_and(settled);
                 let state = match (settled(&premise.as_printed), own && one.survives.is_some()) {
@@ -81,10 +82,10 @@ impl Dependence {
                     (false, false) => State::Broken,
                 };
                 Some(Dependency {
-                    claim: one.claim.into(),
-                    rests_on: one.rests_on.into(),
+                    claim: claim.into(),
+                    rests_on: one.id.to_string(),
                     state,
-                    why: one.survives,
+                    why: one.survives.clone(),
                 })
             })
             .collect();
@@ -96,7 +97,7 @@ impl Dependence {
             .filter(|record| !record.stands() || broken(&record.id))
             .map(|record| record.id.clone())
             .collect();
-        let all = claims().iter().filter(|claim| is_theorem(claim.source(), claim.locator)).count();
+        let all = stated.iter().filter(|claim| is_theorem(claim.source(), &claim.stanza.at)).count();
         let sentence = (theorems.len() == all).then(|| sentence(&theorems, &falls));
         Self { sentence, falls, uses }
     }

@@ -6,11 +6,9 @@ use std::fmt::Write as _;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::claims::{Cause, Severity, Source};
+use crate::language::{Cause, Severity, Source, paper};
 
-use super::again::again;
 use super::markdown::plain;
-use super::paper::PAPER;
 use super::record::Record;
 use super::summary::UNASSIGNED;
 
@@ -107,7 +105,7 @@ impl Erratum {
                     claim: record.id.clone(),
                     locator: record.locator.clone(),
                     text: witness.to_string(),
-                    again: again(&record.id, witness),
+                    again: witness.again(&record.id),
                 },
             ))
         });
@@ -145,8 +143,8 @@ fn head(errata: &Errata) -> String {
     format!(
         "“{}” (arXiv {}). {claims} statements fail as printed, by {causes} {}. Each has a counterexample in exact numbers; one is \
          given for each cause.",
-        PAPER.title,
-        PAPER.arxiv,
+        paper().about.title,
+        paper().about.arxiv,
         if causes == 1 { "cause" } else { "causes" }
     )
 }

@@ -2,15 +2,13 @@
 
 use std::fmt::Write as _;
 
-use crate::claims::Source;
 use crate::float::MethodRecord;
+use crate::language::{About, Source};
 
-use super::again::again;
 use super::baseline::{Baseline, Entry};
 use super::corners::Corner;
 use super::dependence::Dependency;
 use super::opening::opening;
-use super::paper::Paper;
 use super::record::{Grounds, Record, Stated, by_severity};
 use super::{Drift, Report};
 
@@ -53,23 +51,14 @@ pub(super) fn plain(text: &str) -> String {
 fn items(claim: &str, stated: &Stated) -> Vec<String> {
     let finding = &stated.finding;
     let mut items = Vec::new();
-    if !stated.hypotheses.is_empty() {
-        items.push(format!("assuming: {}", plain(&stated.hypotheses.join("; "))));
-    }
     items.extend(stated.rests_on.as_ref().map(decided));
     items.extend(finding.witness.iter().map(|witness| format!("witness: {}", plain(&witness.to_string()))));
-    items.extend(finding.witness.iter().map(|witness| format!("again: `{}`", again(claim, witness))));
+    items.extend(finding.witness.iter().map(|witness| format!("again: `{}`", witness.again(claim))));
     items.extend(finding.reason.iter().chain(&finding.remarks).map(|text| plain(text)));
     items.extend(finding.certificate.iter().map(|name| format!("certificate: `proofs/certs/{name}`")));
     if !finding.checked_by.is_empty() {
         items.push(format!("found or checked by: {}", finding.checked_by.join(", ")));
     }
-    items.extend(stated.sharpness.map(|sharpness| {
-        format!(
-            "of {} cases that the extra hypotheses exclude, the printed statement fails in {}",
-            sharpness.excluded, sharpness.failing
-        )
-    }));
     items
 }
 
@@ -83,9 +72,10 @@ fn decided(grounds: &Grounds) -> String {
 fn section(record: &Record) -> String {
     let mut text = format!("### {} ({})\n\n", record.id, record.locator);
     let amended = record.amended.as_ref().map(|stated| ("As amended", stated.finding.words(), stated));
+    let fails = record.fails.as_ref().map(|stated| ("Elsewhere", stated.finding.words(), stated));
     // Writing to a string cannot fail.
     for (title, words, stated) in
-        std::iter::once(("As printed", record.words(), &record.as_printed)).chain(amended)
+        std::iter::once(("As printed", record.words(), &record.as_printed)).chain(amended).chain(fails)
     {
         let _ = writeln!(text, "**{title}: {words}.** {}\n", plain(&stated.statement));
         for item in items(&record.id, stated) {
@@ -158,7 +148,8 @@ fn verdicts(report: &Report) -> String {
 
 fn dependence(uses: &[Dependency]) -> String {
     let row = |one: &Dependency| {
-        let (claim, premise, why) = (&one.claim, &one.rests_on, plain(one.why.unwrap_or_default()));
+        let (claim, premise, why) =
+            (&one.claim, &one.rests_on, plain(one.why.as_deref().unwrap_or_default()));
         format!("| `{claim}` | `{premise}` | {} | {why} |\n", one.state.name())
     };
     let rows: String = uses.iter().map(row).collect();
@@ -185,8 +176,8 @@ fn corner_table(corners: &[Corner]) -> String {
 }
 
 /// What was read, and what it is close to.
-fn source(paper: &Paper) -> String {
-    format!("{}\n\nRelated: {}", plain(&paper.to_string()), plain(paper.related))
+fn source(paper: &About) -> String {
+    format!("{}\n\nRelated: {}", plain(&paper.to_string()), plain(&paper.related))
 }
 
 /// The whole report.

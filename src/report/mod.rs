@@ -1,6 +1,5 @@
 //! Floor 5: all claims judged, as data, as Markdown and against recorded verdicts; basis functions as formulas.
 
-mod again;
 mod baseline;
 mod conjecture;
 mod corners;
@@ -22,14 +21,13 @@ use std::collections::{BTreeMap, HashMap, HashSet};
 use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::Serialize;
-use thiserror::Error;
 
-use crate::certificate::{CertificateError, certify};
-use crate::claims::{Cases, Claim, Fault, instances};
 use crate::float::{Effort, FloatBasis, Method, MethodRecord, Population, study};
+use crate::language::{About, Claim, paper as read};
+use crate::meaning::examples;
+use crate::settle::{SettleError, settle_all};
 use crate::spline::Basis;
 
-pub use again::again;
 pub use baseline::{Baseline, BaselineError, Difference, Entry};
 pub use conjecture::conjecture_page;
 pub use corners::{Corner, Turn, corners};
@@ -41,7 +39,6 @@ pub use heat::heat_map;
 pub use markdown::{markdown, verdicts_page};
 pub use opening::opening;
 pub use page::{PageError, PageSource, page};
-pub use paper::{PAPER, Paper};
 pub use picture::dependence_picture;
 pub use record::{DegreeFinding, Finding, Grounds, Record, Stated, by_severity};
 pub use summary::{Counts, Refutations, Summary};
@@ -53,7 +50,7 @@ pub struct Report {
     #[schemars(extend("const" = "knotproof.report/1"))]
     pub schema: &'static str,
     /// What is judged.
-    pub paper: Paper,
+    pub paper: &'static About,
     /// How many statements there are, and what became of them.
     pub summary: Summary,
     /// What rests on what, and whether a theorem falls.
@@ -85,52 +82,35 @@ pub struct Drift {
 /// The random points of each instance, and the steps of the search for its worst one.
 const EFFORT: Effort = Effort { seed: 0, count: 60, steps: 200 };
 
-/// Why there is no report: a bug of this program.
-#[derive(Debug, Error)]
-pub enum ReportError {
-    /// The engine found two computations that disagree.
-    #[error(transparent)]
-    Fault(#[from] Fault),
-    /// The engine, the prover and the checker disagree.
-    #[error(transparent)]
-    Certificate(#[from] CertificateError),
-}
-
 impl Report {
-    /// Judges the claims one after the other; `progress` hears the name of what comes next.
+    /// Settles the claims one after the other; `progress` hears the name of what comes next.
     ///
     /// # Errors
-    /// [`ReportError`], if two computations of the same thing disagree: then there is no report.
-    pub fn of(claims: &[Claim], mut progress: impl FnMut(&str)) -> Result<Self, ReportError> {
-        let cases = Cases::all();
-        let mut records = Vec::with_capacity(claims.len());
-        let mut steps = BTreeMap::new();
-        for claim in claims {
-            progress(claim.id);
-            let judged = claim.judge(&cases)?;
-            let certificates = certify(claim, &judged)?;
-            let counted = certificates.par_iter().map(|certificate| {
-                let checked = certificate.check()?;
-                Ok((certificate.name(), checked.goals + checked.lemmas))
-            });
-            steps.extend(counted.collect::<Result<Vec<_>, CertificateError>>()?);
-            records.push(Record::new(claim, &judged, &certificates));
-        }
+    /// [`SettleError`], if two computations of the same thing disagree: then there is no report.
+    pub fn of(claims: &[Claim<'_>], mut progress: impl FnMut(&str)) -> Result<Self, SettleError> {
+        let settled = settle_all(claims, &mut progress)?;
+        let all = settled.iter().flat_map(|(_, outcome)| outcome.all());
+        let steps = all.filter_map(|one| {
+            let checked = one.checked.as_ref()?;
+            Some((one.certificate.as_ref()?.name(), checked.goals + checked.lemmas))
+        });
+        let steps = steps.collect();
         progress("f64 against exact");
+        let records = settled.iter().map(|(claim, outcome)| Record::new(*claim, outcome)).collect();
         Ok(Self { float: drifts(), steps, ..Self::on(records) })
     }
 
     /// The report on verdicts that were recorded: nothing is judged, and floats are not studied.
     #[must_use]
-    pub fn recorded(claims: &[Claim], verdicts: &Baseline) -> Self {
-        let entry = |claim: &Claim| verdicts.claims.iter().find(|entry| entry.id == claim.id);
-        Self::on(claims.iter().filter_map(|claim| Some(Record::recorded(claim, entry(claim)?))).collect())
+    pub fn recorded(claims: &[Claim<'_>], verdicts: &Baseline) -> Self {
+        let entry = |claim: Claim<'_>| verdicts.claims.iter().find(|entry| entry.id == claim.id());
+        Self::on(claims.iter().filter_map(|claim| Some(Record::recorded(*claim, entry(*claim)?))).collect())
     }
 
     fn on(claims: Vec<Record>) -> Self {
         Self {
             schema: "knotproof.report/1",
-            paper: PAPER,
+            paper: &read().about,
             summary: Summary::of(&claims),
             dependence: Dependence::of(&claims),
             claims,
@@ -144,10 +124,10 @@ impl Report {
 /// One drift for each instance and index; a basis that occurs twice is run once.
 fn drifts() -> Vec<Drift> {
     let mut runs = Vec::new();
-    for instance in instances() {
-        for index in &instance.indices {
-            if let Ok(basis) = Basis::new(instance.knots.clone(), instance.degree, index.clone()) {
-                runs.push((instance.name, basis));
+    for example in examples() {
+        for index in &example.indices {
+            if let Some(basis) = example.basis(index) {
+                runs.push((&*example.name, basis));
             }
         }
     }

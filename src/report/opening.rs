@@ -92,7 +92,7 @@ fn errata(report: &Report) -> Option<String> {
     let causes = &report.summary.paper.refutations.by_cause;
     let serious = report.claims.iter().filter(|record| record.is_serious());
     let serious: std::collections::BTreeSet<_> = serious
-        .filter(|record| record.source == crate::claims::Source::Paper)
+        .filter(|record| record.source == crate::language::Source::Paper)
         .map(|record: &Record| record.cause)
         .collect();
     (refuted > 0).then(|| {

@@ -3,8 +3,10 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::certificate::{Certificate, Form as CertificateForm, Statement};
-use crate::claims::{Cause, Claim, Form, Judged, Severity, Sharpness, Source, Verdict, Witness};
+use crate::certificate::{Certificate, Statement};
+use crate::judge::{Verdict, Witness};
+use crate::language::{Cause, Claim, Form, Severity, Source};
+use crate::settle::{Outcome, Settled, grade};
 
 use super::baseline::Entry;
 
@@ -139,18 +141,12 @@ pub struct Grounds {
 pub struct Stated {
     /// The statement in words and formulas.
     pub statement: String,
-    /// Its hypotheses, as far as the engine knows them one by one.
-    #[serde(skip_serializing_if = "Vec::is_empty", default)]
-    pub hypotheses: Vec<String>,
     /// The verdict.
     #[serde(flatten)]
     pub finding: Finding,
     /// On how much a proof rests.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub rests_on: Option<Grounds>,
-    /// Among the cases that an amended statement excludes, in how many the printed one fails.
-    #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub sharpness: Option<Sharpness>,
 }
 
 /// The verdict on a question for one degree.
@@ -191,6 +187,9 @@ pub struct Record {
     /// The amended statement with its verdict, where the printed one is refuted.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub amended: Option<Stated>,
+    /// What holds where the amended statement does not apply: proved, if that can't be weakened.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub fails: Option<Stated>,
     /// For the questions `X.…`: degree by degree.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub by_degree: Vec<DegreeFinding>,
@@ -244,79 +243,77 @@ impl From<&Verdict> for Finding {
     }
 }
 
+impl From<&Settled> for Finding {
+    fn from(settled: &Settled) -> Self {
+        Self::from(&settled.verdict).certified(settled.certificate.as_ref())
+    }
+}
+
 impl Stated {
-    /// A statement and the verdict on it.
-    #[must_use]
-    pub fn new(form: &Form, verdict: &Verdict, certificate: Option<&Certificate>) -> Self {
+    /// A statement and what it came to.
+    fn new(claim: Claim<'_>, settled: &Settled) -> Self {
         Self {
-            statement: form.text().to_owned(),
-            hypotheses: form.hypotheses(),
-            finding: Finding::from(verdict).certified(certificate),
-            rests_on: Grounds::of(verdict),
-            sharpness: None,
+            statement: claim.text(settled.form),
+            finding: settled.into(),
+            rests_on: Grounds::of(&settled.verdict),
         }
+    }
+
+    /// The same with a verdict that was recorded.
+    fn recorded(claim: Claim<'_>, form: Form, finding: &Finding) -> Self {
+        Self { statement: claim.text(form), finding: finding.clone(), rests_on: None }
     }
 }
 
 impl Record {
-    /// The record of a claim that was judged.
+    /// The record of a claim that was settled.
     #[must_use]
-    pub fn new(claim: &Claim, judged: &Judged, certificates: &[Certificate]) -> Self {
-        let of = |form: CertificateForm| certificates.iter().find(|found| found.statement.form == form);
-        let amended = claim.amended.as_ref().zip(judged.amended.as_ref()).map(|(form, verdict)| {
-            let mut stated = Stated::new(form, verdict, of(CertificateForm::Amended));
-            stated.sharpness = judged.sharpness;
-            stated
-        });
-        // A degree in which there is nothing to judge is left out.
-        let said =
-            judged.by_degree.iter().filter(|(_, verdict)| !matches!(verdict, Verdict::NotApplicable(_)));
-        Self::of(claim, Stated::new(&claim.printed, &judged.printed, of(CertificateForm::Printed))).with(
-            amended,
-            said.map(|(degree, verdict)| DegreeFinding {
-                degree: *degree,
-                finding: Finding::from(verdict).certified(of(CertificateForm::Degree(*degree))),
-                rests_on: Grounds::of(verdict),
-            })
-            .collect(),
-        )
+    pub fn new(claim: Claim<'_>, outcome: &Outcome) -> Self {
+        let stated = |settled: &Settled| Stated::new(claim, settled);
+        let of_degree = |settled: &Settled| match settled.form {
+            Form::Degree(degree) => Some(DegreeFinding {
+                degree,
+                finding: settled.into(),
+                rests_on: Grounds::of(&settled.verdict),
+            }),
+            _ => None,
+        };
+        Self {
+            amended: outcome.amended.as_ref().map(stated),
+            fails: outcome.fails.as_ref().map(stated),
+            by_degree: outcome.by_degree.iter().filter_map(of_degree).collect(),
+            ..Self::of(claim, stated(&outcome.printed))
+        }
     }
 
     /// The record of a claim with the verdicts that were recorded: nothing is judged, and nothing is said of grounds.
     #[must_use]
-    pub fn recorded(claim: &Claim, entry: &Entry) -> Self {
-        let stated = |form: &Form, finding: &Finding| Stated {
-            statement: form.text().to_owned(),
-            hypotheses: form.hypotheses(),
-            finding: finding.clone(),
-            rests_on: None,
-            sharpness: None,
-        };
-        let amended = claim.amended.as_ref().zip(entry.amended.as_ref());
-        Self::of(claim, stated(&claim.printed, &entry.as_printed))
-            .with(amended.map(|(form, finding)| stated(form, finding)), entry.by_degree.clone())
-    }
-
-    fn of(claim: &Claim, as_printed: Stated) -> Self {
-        let witness = as_printed.finding.witness.as_ref();
-        let grade = witness.and_then(|witness| claim.grade(witness));
+    pub fn recorded(claim: Claim<'_>, entry: &Entry) -> Self {
+        let amended = entry.amended.as_ref();
         Self {
-            id: claim.id.to_owned(),
-            locator: claim.locator.to_owned(),
-            source: claim.source(),
-            statement: claim.printed.text().to_owned(),
-            cause: witness.and(claim.cause),
-            severity: grade.map(|grade| grade.severity),
-            severity_because: grade.map(|grade| grade.because.to_owned()),
-            as_printed,
-            amended: None,
-            by_degree: Vec::new(),
-            note: claim.note.map(str::to_owned),
+            amended: amended.map(|finding| Stated::recorded(claim, Form::Amended, finding)),
+            by_degree: entry.by_degree.clone(),
+            ..Self::of(claim, Stated::recorded(claim, Form::Printed, &entry.as_printed))
         }
     }
 
-    fn with(self, amended: Option<Stated>, by_degree: Vec<DegreeFinding>) -> Self {
-        Self { amended, by_degree, ..self }
+    fn of(claim: Claim<'_>, as_printed: Stated) -> Self {
+        let witness = as_printed.finding.witness.as_ref();
+        let grade = witness.and_then(|witness| grade(claim, witness));
+        Self {
+            id: claim.id().to_owned(),
+            locator: claim.stanza.at.clone(),
+            source: claim.source(),
+            statement: as_printed.statement.clone(),
+            cause: witness.and(claim.stanza.cause),
+            severity: grade.as_ref().map(|grade| grade.severity),
+            severity_because: grade.map(|grade| grade.because.to_owned()),
+            as_printed,
+            amended: None,
+            fails: None,
+            by_degree: Vec::new(),
+            note: claim.stanza.note.clone(),
+        }
     }
 
     /// The verdict as printed in words: `proved (knots, for k ≤ 8)`, `refuted (slip)`.

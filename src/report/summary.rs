@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Serialize;
 
-use crate::claims::{Cause, Severity, Source};
+use crate::language::{Cause, Severity, Source};
 
 use super::record::Record;
 

@@ -4,8 +4,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use crate::claims::PaperNumber;
 use crate::json::{self, JsonError};
+use crate::language::PaperNumber;
 
 use super::block::BlockRecord;
 use super::decide::{Decided, local_maxima};

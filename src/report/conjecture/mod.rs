@@ -6,9 +6,11 @@ use std::fmt::Write as _;
 
 use rayon::prelude::*;
 
-use crate::analysis::{Partition, PartitionEnd, RatioCell, settled};
-use crate::claims::Witness;
-use crate::scalar::{BigRational, decimal, integer, parse_rational, rational};
+use num_traits::ToPrimitive;
+
+use crate::analysis::{Crossing, Flank, LocalKnots, Partition, PartitionEnd, RatioCell, settled};
+use crate::judge::Witness;
+use crate::scalar::{BigRational, decimal, integer, rational};
 use crate::spline::{Basis, Index, KnotVector};
 
 use super::baseline::Baseline;
@@ -39,7 +41,7 @@ pub fn conjecture_page(verdicts: &Baseline) -> Result<Vec<(String, String)>, Pic
     let mut files = Vec::new();
     let mut page =
         format!("# Conjecture 3.1: one and only one maximum?\n\n{INTRODUCTION}\n\n{}\n", table(verdicts));
-    let strong = example(verdicts, "Conj3.1.strong.continuous", 3, "α");
+    let strong = example(verdicts, "Conj3.1.strong.continuous", 3);
     if let Some((example, witness)) = strong {
         let _ = writeln!(
             page,
@@ -48,16 +50,30 @@ pub fn conjecture_page(verdicts: &Baseline) -> Result<Vec<(String, String)>, Pic
         );
         draw(&mut page, &mut files, "two-maxima", "two local maxima", &example)?;
     }
-    if let Some((first, witness)) = example(verdicts, "Conj3.1.weak.continuous", 3, "α from") {
+    if let Some((equal, witness)) = example(verdicts, "Conj3.1.weak.continuous", 3)
+        && let Some(crossing) = crossing(&equal)
+    {
+        let ends = crossing.indices();
+        let sides = crossing.at_ends().map(|(flank, _)| if flank == Flank::Left { "left" } else { "right" });
         let _ = writeln!(
             page,
-            "## Two equal maxima\n\n{EQUAL}\n\nFor degree 3: {}: {}.\n",
+            "## Two equal maxima\n\n{EQUAL}\n\nFor degree 3: {}. On its gaps {:?} the largest value is on the {} for α = {}, and on \
+             the {} for α = {}.\n",
             words(witness),
-            witness.found
+            crossing.gaps(),
+            sides[0],
+            ends[0],
+            sides[1],
+            ends[1],
         );
-        draw(&mut page, &mut files, "left-higher", "at the first α", &first)?;
-        if let Some((second, _)) = example(verdicts, "Conj3.1.weak.continuous", 3, "α to") {
-            draw(&mut page, &mut files, "right-higher", "at the second α", &second)?;
+        for ((name, title), alpha) in
+            [("left-higher", "at the first α"), ("right-higher", "at the second α")].into_iter().zip(ends)
+        {
+            if let Some(example) =
+                Index::from_alpha(alpha).ok().and_then(|index| alone(crossing.gaps(), index))
+            {
+                draw(&mut page, &mut files, name, title, &example)?;
+            }
         }
     }
     let _ = writeln!(page, "## Which α\n\n{EVERY_INDEX}\n");
@@ -146,26 +162,39 @@ fn table(verdicts: &Baseline) -> String {
     text
 }
 
-/// The function of a witness, with the index that stands there under a name.
-fn example<'a>(
-    verdicts: &'a Baseline,
-    claim: &str,
-    degree: usize,
-    index: &str,
-) -> Option<(Example, &'a Witness)> {
+/// The function of a witness.
+fn example<'a>(verdicts: &'a Baseline, claim: &str, degree: usize) -> Option<(Example, &'a Witness)> {
     let witness = of_degree(verdicts, claim, degree)?.finding.witness.as_ref()?;
-    let given =
-        |name: &str| witness.given.iter().find(|(known, _)| known == name).map(|(_, value)| value.as_str());
-    let inner = given("U")?.strip_prefix('(')?.strip_suffix(')')?;
-    let knots: Option<Vec<_>> = inner.split(", ").map(|knot| parse_rational(knot).ok()).collect();
-    let basis = Basis::new(KnotVector::new(knots?).ok()?, degree, given(index)?.parse().ok()?).ok()?;
-    Some((Example { basis, i: given("i")?.parse().ok()? }, witness))
+    let i = witness.number("i")?.to_integer().to_usize()?;
+    Some((Example { basis: witness.basis()?, i }, witness))
+}
+
+/// The interval of indices, close to that of the function, at whose ends different ones of its two maxima are the higher.
+fn crossing(example: &Example) -> Option<Crossing> {
+    let knots = LocalKnots::of(&example.basis, example.i)?;
+    let mut gaps: Vec<_> = knots.gaps().iter().map(ToPrimitive::to_u64).collect::<Option<_>>()?;
+    let (p, q) = knots.ratio();
+    let (p, q) = (p.to_u64()?, q.to_u64()?);
+    // The mirror image, if it has the r < 1 that is looked at.
+    if p > q {
+        gaps.reverse();
+    }
+    Crossing::near(&gaps, (p.min(q), p.max(q)))
+}
+
+/// The only function on the knots with these gaps.
+fn alone(gaps: &[u64], index: Index) -> Option<Example> {
+    let mut knots = vec![integer(0)];
+    for gap in gaps {
+        knots.push(&knots[knots.len() - 1] + BigRational::from_integer((*gap).into()));
+    }
+    Some(Example { basis: Basis::new(KnotVector::new(knots).ok()?, gaps.len() - 1, index).ok()?, i: 0 })
 }
 
 /// Where a witness is.
 fn words(witness: &Witness) -> String {
     const PLACE: [&str; 4] = ["k", "U", "α", "i"];
-    let given = witness.given.iter().filter(|(name, _)| PLACE.contains(&name.as_str()));
+    let given = witness.given().into_iter().filter(|(name, _)| PLACE.contains(&name.as_str()));
     given.map(|(name, value)| format!("{name} = {value}")).collect::<Vec<_>>().join(", ")
 }
 

@@ -1,7 +1,7 @@
 //! Figures 4 to 21: all functions of a basis, a panel for each α.
 
 use crate::analysis::{Pieces, Shape};
-use crate::claims::Instance;
+use crate::meaning::Example;
 use crate::scalar::{integer, rational};
 use crate::spline::{Basis, Side};
 
@@ -18,7 +18,7 @@ const NOTE: &str = "Below the axis: knots, and how often they occur. ● value (
 ///
 /// # Errors
 /// [`PictureError`].
-pub(super) fn svg(title: &str, instance: &Instance) -> Result<String, PictureError> {
+pub(super) fn svg(title: &str, instance: &Example) -> Result<String, PictureError> {
     let subtitle = format!("Basis functions of degree {} on U = {}", instance.degree, knots(&instance.knots));
     let sheet =
         Sheet { title, subtitle: &subtitle, notes: &[NOTE], cells: instance.indices.len(), panel: 190 };

@@ -1,6 +1,6 @@
 //! Which figures there are.
 
-use crate::claims::{Instance, instances_named};
+use crate::meaning::{Example, examples_named};
 use crate::scalar::parse_rational;
 use crate::spline::{Basis, KnotVector};
 
@@ -74,8 +74,8 @@ impl Figure {
         match self.subject {
             Subject::Weights(weights) => weight::svg(self.title, weights),
             Subject::Bases(name, degree) => {
-                let of_degree = |instance: &Instance| instance.degree == degree;
-                let instance = instances_named(name).into_iter().find(of_degree);
+                let of_degree = |instance: &Example| instance.degree == degree;
+                let instance = examples_named(name).into_iter().find(of_degree);
                 basis::svg(self.title, &instance.ok_or_else(|| failed(format!("there is no {name}")))?)
             }
             Subject::Curves(names, panels, hull) => curve::svg(self.title, names, panels, hull),

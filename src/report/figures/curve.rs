@@ -4,7 +4,8 @@ use std::collections::BTreeSet;
 
 use plotters::style::{BLACK, RGBColor};
 
-use crate::claims::{Instance, Reflection, instances_named};
+use super::reflection::Reflection;
+use crate::meaning::{Example, examples_named};
 use crate::scalar::{BigRational, integer};
 use crate::spline::{Basis, Curve, Index, Point};
 
@@ -32,7 +33,7 @@ pub(super) enum Panels {
 /// # Errors
 /// [`PictureError`].
 pub(super) fn svg(title: &str, names: &[&str], panels: Panels, hull: bool) -> Result<String, PictureError> {
-    let instances: Vec<Instance> = names.iter().flat_map(|name| instances_named(name)).collect();
+    let instances: Vec<Example> = names.iter().flat_map(|name| examples_named(name)).collect();
     let first = instances.first().ok_or_else(|| failed("there is no such instance"))?;
     let mut all = panels.of(&first.indices);
     if panels != Panels::Together {
@@ -83,7 +84,7 @@ pub(super) fn svg(title: &str, names: &[&str], panels: Panels, hull: bool) -> Re
 }
 
 /// The degree, if there is one for all.
-fn degree(instances: &[Instance]) -> String {
+fn degree(instances: &[Example]) -> String {
     match instances.iter().all(|instance| instance.degree == instances[0].degree) {
         true => format!("k = {}, ", instances[0].degree),
         false => String::new(),
@@ -111,15 +112,15 @@ impl Panels {
     }
 }
 
-fn legend(instances: &[Instance]) -> Vec<(Pen, String)> {
-    let name = |(i, instance): (usize, &Instance)| (Pen::nth(i), label(instances, instance));
+fn legend(instances: &[Example]) -> Vec<(Pen, String)> {
+    let name = |(i, instance): (usize, &Example)| (Pen::nth(i), label(instances, instance));
     let mut entries: Vec<_> = instances.iter().enumerate().map(name).collect();
     entries.push((Pen::thin(BEHIND, Dash::Short), "control polygon".to_owned()));
     entries
 }
 
 /// What tells an instance from the others: its degree, its moved control point, or nothing.
-fn label(instances: &[Instance], instance: &Instance) -> String {
+fn label(instances: &[Example], instance: &Example) -> String {
     let moved = (0..).zip(instance.points.iter().flatten()).find(|(i, point)| {
         instances.iter().any(|other| other.points.as_ref().and_then(|points| points.get(*i)) != Some(point))
     });
@@ -133,7 +134,7 @@ fn label(instances: &[Instance], instance: &Instance) -> String {
     }
 }
 
-fn draw(panel: &Panel<'_>, instances: &[Instance], indices: &[Index], panels: Panels, hull: bool) -> Drawn {
+fn draw(panel: &Panel<'_>, instances: &[Example], indices: &[Index], panels: Panels, hull: bool) -> Drawn {
     let polygons: Vec<&Vec<Point>> =
         instances.iter().filter_map(|instance| instance.points.as_ref()).collect();
     if hull {
@@ -294,7 +295,7 @@ mod tests {
 
     #[test]
     fn conjugates_stand_side_by_side() {
-        let indices = &instances_named("C5")[0].indices;
+        let indices = &examples_named("C5")[0].indices;
         let panels = Panels::Conjugates.of(indices);
         assert_eq!(panels.len(), 9);
         assert!(panels[1..].chunks(2).all(|pair| pair[0][0].conjugate() == pair[1][0]));

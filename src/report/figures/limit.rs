@@ -1,6 +1,6 @@
 //! The trace of a curve as α → 0⁻ and as α → 1⁺, with what it tends to: a part of the control polygon, and an arc.
 
-use crate::claims::{Instance, instances_named};
+use crate::meaning::{Example, examples_named};
 use crate::spline::{Basis, Curve, FormalWeights, Index, Span, triangle};
 
 use super::canvas::{Dash, Frame, GREEN, Panel, Pen, PictureError, VERMILION, failed};
@@ -21,7 +21,7 @@ const NOTE: &str =
 /// [`PictureError`].
 pub(super) fn svg(title: &str, name: &str) -> Result<String, PictureError> {
     let instance =
-        instances_named(name).into_iter().next().ok_or_else(|| failed("there is no such instance"))?;
+        examples_named(name).into_iter().next().ok_or_else(|| failed("there is no such instance"))?;
     let indices: Vec<Index> =
         INDICES.iter().map(|text| text.parse()).collect::<Result<_, _>>().map_err(failed)?;
     let conjugates = indices.iter().map(Index::conjugate).collect();
@@ -61,7 +61,7 @@ fn pen(i: usize) -> Pen {
     }
 }
 
-fn curve_of(instance: &Instance, index: &Index) -> Result<Curve, PictureError> {
+fn curve_of(instance: &Example, index: &Index) -> Result<Curve, PictureError> {
     let basis = Basis::new(instance.knots.clone(), instance.degree, index.clone()).map_err(failed)?;
     Curve::new(basis, instance.points.clone().unwrap_or_default()).map_err(failed)
 }
@@ -88,7 +88,7 @@ enum Way {
 
 impl Way {
     /// The polygon d_0, …, d_{n−k} and the arc of the last span; or that of the first one and d_k, …, d_n.
-    fn limit(self, instance: &Instance, panel: &Panel<'_>) -> Result<Vec<(f64, f64)>, PictureError> {
+    fn limit(self, instance: &Example, panel: &Panel<'_>) -> Result<Vec<(f64, f64)>, PictureError> {
         let curve = curve_of(instance, &Index::infinity())?;
         let corners: Vec<_> = curve.points().iter().map(planar).collect();
         let mut spans = curve.basis().knots().spans();
@@ -133,7 +133,7 @@ mod tests {
     /// No point of the trace is far from the limit, and for r → 0 all of it comes near.
     #[test]
     fn the_trace_comes_near_its_limit() {
-        let instance = &instances_named("C5")[0];
+        let instance = &examples_named("C5")[0];
         let distances = |way: Way, index: &str| {
             let mut farthest = 0.0_f64;
             let cell = Cell { left: 0, top: 0, right: 400, bottom: 200 };

@@ -14,6 +14,7 @@ mod limit;
 mod metrics;
 mod notation;
 mod png;
+mod reflection;
 pub(super) mod sample;
 mod slopes;
 mod weight;

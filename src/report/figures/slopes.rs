@@ -1,7 +1,7 @@
 //! The jumps of the first derivatives at simple knots, along all α: lost regularity, and how it comes back.
 
 use crate::analysis::knot_slopes;
-use crate::claims::{Instance, instances_named};
+use crate::meaning::{Example, examples_named};
 use crate::scalar::{BigRational, integer, rational};
 use crate::spline::{Basis, Index};
 
@@ -25,7 +25,7 @@ const NAMED: [&str; 7] = ["-1/7", "-1/3", "-1", "inf", "2", "4/3", "8/7"];
 /// [`PictureError`].
 pub(super) fn svg(title: &str, name: &str) -> Result<String, PictureError> {
     let instance =
-        instances_named(name).into_iter().next().ok_or_else(|| failed("there is no such instance"))?;
+        examples_named(name).into_iter().next().ok_or_else(|| failed("there is no such instance"))?;
     let places: Vec<BigRational> = instance.knots.inner_stop_knots().map(|(t, _)| t.clone()).collect();
     let lines: Vec<Vec<Line>> = places.iter().map(|at| lines(&instance, at)).collect::<Result<_, _>>()?;
     let frame = Frame::of(lines.iter().flatten().flat_map(|line| line.points.iter().copied()));
@@ -56,7 +56,7 @@ struct Line {
 }
 
 /// All functions whose derivative jumps at the knot for some α.
-fn lines(instance: &Instance, at: &BigRational) -> Result<Vec<Line>, PictureError> {
+fn lines(instance: &Example, at: &BigRational) -> Result<Vec<Line>, PictureError> {
     let mut jumps: Vec<Vec<(f64, f64)>> = Vec::new();
     for step in -STEPS * OCTAVES..=STEPS * OCTAVES {
         let index = Index::from_ratio(ratio(step)).map_err(failed)?;

@@ -1,15 +1,15 @@
 //! What the page shows of one claim.
 
 use super::super::Report;
-use super::super::again::again;
 use super::super::figures::all;
 use super::super::record::{Finding, Grounds, Record, Stated};
 use super::super::summary::UNASSIGNED;
 use super::example::{self, Example, example};
-use super::working::{Setting, Working, workings};
+use super::working::{Working, function, workings};
 use super::{PageSource, formula};
 
-use crate::claims::{Severity, Witness};
+use crate::judge::Witness;
+use crate::language::Severity;
 
 /// One row of the table of verdicts.
 pub(super) struct Row<'a> {
@@ -79,19 +79,17 @@ pub(super) struct Part<'a> {
     pub(super) badge: String,
     pub(super) verdict: String,
     pub(super) statement: String,
-    pub(super) hypotheses: Vec<String>,
     pub(super) grounds: Option<String>,
     pub(super) reason: Option<String>,
-    pub(super) witness: Option<Shown<'a>>,
+    pub(super) witness: Option<Shown>,
     pub(super) remarks: &'a [String],
     pub(super) certificate: Option<Certificate<'a>>,
     pub(super) checked_by: String,
-    pub(super) sharpness: Option<String>,
 }
 
 /// A witness with its working.
-pub(super) struct Shown<'a> {
-    pub(super) given: &'a [(String, String)],
+pub(super) struct Shown {
+    pub(super) given: Vec<(String, String)>,
     pub(super) claimed: String,
     pub(super) found: String,
     pub(super) workings: Vec<Working>,
@@ -104,7 +102,7 @@ pub(super) struct OfDegree<'a> {
     pub(super) degree: usize,
     pub(super) status: &'a str,
     pub(super) verdict: String,
-    pub(super) witness: Option<Shown<'a>>,
+    pub(super) witness: Option<Shown>,
     pub(super) grounds: Option<String>,
     pub(super) certificate: Option<Certificate<'a>>,
 }
@@ -172,7 +170,7 @@ fn decided(grounds: &Grounds) -> String {
 
 /// The state of the panel that shows the witness, for the part of the address after `#`.
 fn panel(witness: &Witness) -> Option<String> {
-    let Setting { basis, i, x } = Setting::of(witness)?;
+    let (basis, i, x) = (witness.basis()?, function(witness), witness.number("x"));
     let knots: Vec<_> = basis.knots().knots().iter().map(ToString::to_string).collect();
     let mut state =
         format!("panel=own&degree={}&knots={}&alpha={}", basis.degree(), knots.join(","), basis.index());
@@ -184,14 +182,14 @@ fn panel(witness: &Witness) -> Option<String> {
     Some(state)
 }
 
-impl<'a> Shown<'a> {
-    fn of(claim: &str, witness: &'a Witness, worked: bool) -> Self {
+impl Shown {
+    fn of(claim: &str, witness: &Witness, worked: bool) -> Self {
         Self {
-            given: &witness.given,
+            given: witness.given(),
             claimed: formula::html(&witness.claimed),
-            found: formula::html(&witness.found),
+            found: formula::html(&witness.found()),
             workings: if worked { workings(witness) } else { Vec::new() },
-            command: again(claim, witness),
+            command: witness.again(claim),
             panel: panel(witness),
         }
     }
@@ -211,33 +209,26 @@ impl<'a> Section<'a> {
                 badge,
                 verdict,
                 statement: formula::html(&stated.statement),
-                hypotheses: stated.hypotheses.iter().map(|hypothesis| formula::html(hypothesis)).collect(),
                 grounds: stated.rests_on.as_ref().map(decided),
                 reason: finding.reason.as_deref().map(formula::html),
                 witness: finding.witness.as_ref().map(|witness| Shown::of(&record.id, witness, true)),
                 remarks: &finding.remarks,
                 certificate: certificate(finding),
                 checked_by: finding.checked_by.join(", "),
-                sharpness: stated.sharpness.map(|sharpness| {
-                    format!(
-                        "Of {} cases that the extra hypotheses exclude, the printed statement fails in {}.",
-                        sharpness.excluded, sharpness.failing
-                    )
-                }),
             }
         };
         let mut parts = vec![part("As printed", badge(record), record.words(), &record.as_printed)];
-        parts.extend(
-            record.amended.as_ref().map(|stated| {
-                part("As amended", stated.finding.status.clone(), stated.finding.words(), stated)
-            }),
-        );
+        let others = [("As amended", &record.amended), ("Elsewhere", &record.fails)];
+        parts.extend(others.into_iter().filter_map(|(title, stated)| {
+            let stated = stated.as_ref()?;
+            Some(part(title, stated.finding.status.clone(), stated.finding.words(), stated))
+        }));
         let cause = record.severity.zip(record.severity_because.as_ref()).map(|(severity, because)| {
             let cause = record.cause.map_or(UNASSIGNED, |cause| cause.words());
             formula::html(&format!("Cause: {cause}. Severity: {}, {because}.", severity.name()))
         });
         let command = match &record.as_printed.finding.witness {
-            Some(witness) => again(&record.id, witness),
+            Some(witness) => witness.again(&record.id),
             None => format!("knotproof report --claim {}", record.id),
         };
         let degrees = record

@@ -3,11 +3,11 @@
 use num_traits::ToPrimitive;
 use serde_json::json;
 
-use crate::claims::instances;
+use crate::meaning::examples;
 
 /// A JSON list that may stand in a `script` element: numbers of knots as they are written, points in `f64`.
 pub(super) fn json() -> String {
-    let list: Vec<_> = instances()
+    let list: Vec<_> = examples()
         .iter()
         .map(|instance| {
             let knots: Vec<_> = instance.knots.knots().iter().map(ToString::to_string).collect();
@@ -16,7 +16,7 @@ pub(super) fn json() -> String {
             let points: Vec<Vec<_>> =
                 points.map(|point| point.iter().map(|c| c.to_f64()).collect()).collect();
             json!({
-                "name": instance.name,
+                "name": &*instance.name,
                 "figure": instance.figure,
                 "degree": instance.degree,
                 "knots": knots.join(", "),

@@ -19,11 +19,10 @@ use super::baseline::Difference;
 use super::corners::Corner;
 use super::dependence::Dependency;
 use super::opening::{CONJECTURE, opening};
-use super::paper::Paper;
 use super::record::by_severity;
 use super::{PictureError, Report, dependence_picture};
 
-use crate::claims::Source;
+use crate::language::Source;
 
 use claim::{Figure, Row, Section, figures, row};
 
@@ -68,7 +67,7 @@ struct Page<'a> {
     panel_script: &'static str,
     instances: String,
     version: &'static str,
-    paper: Paper,
+    paper: &'static crate::language::About,
     /// What matters, in lines of HTML, and the picture of the conjecture.
     opening: Vec<String>,
     picture: Option<Figure<'a>>,
@@ -104,7 +103,7 @@ pub fn page(report: &Report, source: &PageSource<'_>) -> Result<String, PageErro
         table("table", "The paper's statements", Source::Paper, &report.summary.paper),
         table("questions", "Our questions", Source::Question, &report.summary.questions),
     ];
-    let why = |one: &'_ Dependency| formula::html(one.why.unwrap_or_default());
+    let why = |one: &'_ Dependency| formula::html(one.why.as_deref().unwrap_or_default());
     let uses = &report.dependence.uses;
     let page = Page {
         style: include_str!("page.css"),

@@ -1,11 +1,11 @@
 //! A witness worked out: the recursion at its points, every weight and every value as an exact fraction.
 
-use num_traits::{One, Signed, Zero};
+use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use crate::analysis::{Location, Pieces, Shape};
-use crate::claims::Witness;
+use crate::judge::Witness;
 use crate::scalar::{BigRational, Jet, parse_rational};
-use crate::spline::{Active, Basis, Index, KnotVector, PointWeights, Side, Span, Weights, triangle, weight};
+use crate::spline::{Active, Basis, Index, PointWeights, Side, Span, Weights, triangle};
 
 use super::formula;
 
@@ -27,92 +27,44 @@ pub(super) struct Level {
     pub(super) lines: Vec<String>,
 }
 
-/// The basis of a witness, and its α as it is written there.
-pub(super) struct Setting {
-    /// The basis.
-    pub(super) basis: Basis,
-    /// i, where there is one.
-    pub(super) i: Option<usize>,
-    /// x, where there is one.
-    pub(super) x: Option<BigRational>,
-}
-
-/// What stands under a name.
-fn given<'a>(witness: &'a Witness, name: &str) -> Option<&'a str> {
-    witness.given.iter().find(|(known, _)| known == name).map(|(_, value)| value.as_str())
-}
-
-fn number(witness: &Witness, name: &str) -> Option<BigRational> {
-    parse_rational(given(witness, name)?).ok()
-}
-
-/// The numbers of `(a, b, c)`.
-fn list(text: &str) -> Option<Vec<BigRational>> {
-    let inner = text.strip_prefix('(')?.strip_suffix(')')?;
-    inner.split(", ").map(|number| parse_rational(number).ok()).collect()
-}
-
-impl Setting {
-    /// The basis that the witness is about; `None` for one about the weight, or about no α in particular.
-    pub(super) fn of(witness: &Witness) -> Option<Self> {
-        let knots = KnotVector::new(list(given(witness, "U")?)?).ok()?;
-        let degree = given(witness, "k")?.parse().ok()?;
-        let index: Index = given(witness, "α")?.parse().ok()?;
-        let basis = Basis::new(knots, degree, index).ok()?;
-        let i = given(witness, "i").or(given(witness, "j")).and_then(|i| i.parse().ok());
-        let i = i.filter(|&i| i <= basis.n());
-        Some(Self { basis, i, x: number(witness, "x") })
-    }
-}
-
-/// All that can be worked out of a witness; nothing where it is about more than values at points.
+/// All that can be worked out of a witness: the recursion at every point, for every index, from every side that it looked at.
+/// Where it looked at no points but counted turns, at the knots where the function turns.
 pub(super) fn workings(witness: &Witness) -> Vec<Working> {
-    match Setting::of(witness) {
-        Some(setting) => of_basis(witness, &setting),
-        None => of_weight(witness).into_iter().collect(),
-    }
-}
-
-fn of_basis(witness: &Witness, setting: &Setting) -> Vec<Working> {
-    let Setting { basis, i, x } = setting;
-    let text = format!("{} {}", witness.claimed, witness.found);
-    let derivatives = ["DG", "derivative", "differentiable", "slope"].iter().any(|word| text.contains(word));
-    let at = |x: &BigRational, side| working(basis, x, side, derivatives);
-    if let Some(x) = x {
-        // A symmetry is between two indices.
-        if text.contains("1−α") {
-            let mirrored = basis.knots().mirror(x);
-            let conjugate = basis.with_index(basis.index().conjugate());
-            let pair = [(basis, &mirrored), (&conjugate, x)];
-            return pair
-                .iter()
-                .filter_map(|(basis, x)| working(basis, x, Side::Right, derivatives))
-                .collect();
+    let Some(basis) = witness.basis() else { return Vec::new() };
+    let derivatives = witness.looked.iter().any(|look| look.order > 0);
+    let mut places: Vec<(Index, BigRational, Side)> = Vec::new();
+    for look in &witness.looked {
+        let side = if look.left { Side::Left } else { Side::Right };
+        let (Ok(index), Ok(x)) = (look.alpha.parse(), parse_rational(&look.x)) else { continue };
+        let place = (index, x, side);
+        if !places.contains(&place) {
+            places.push(place);
         }
-        let left = text.contains("left limit") || text.contains("from the left");
-        let sides: &[Side] = match (left, text.contains("one-sided") || text.contains("jumps")) {
-            (true, _) => &[Side::Left],
-            (_, true) => &[Side::Left, Side::Right],
-            _ => &[Side::Right],
-        };
-        return sides.iter().filter_map(|side| at(x, *side)).collect();
     }
-    if let Some(points) = given(witness, "points").and_then(list) {
-        return points.iter().filter_map(|x| at(x, Side::Right)).collect();
+    // More of them would hide what they show.
+    const SHOWN: usize = 4;
+    let at = |(index, x, side): &(Index, BigRational, Side)| {
+        working(&basis.with_index(index.clone()), x, *side, derivatives)
+    };
+    if !places.is_empty() {
+        return places.iter().take(SHOWN).filter_map(at).collect();
     }
-    let Some(i) = *i else { return Vec::new() };
-    if !text.contains("maxim") && !text.contains("largest") {
-        return Vec::new();
-    }
+    let Some(i) = function(witness).filter(|_| !witness.words.is_empty()) else { return Vec::new() };
     // Where the function turns from falling to rising, or jumps: there the count of maxima is decided.
-    let shape = Shape::of(&Pieces::of(basis), i);
+    let shape = Shape::of(&Pieces::of(&basis), i);
     let minima = shape.local_minima().filter_map(|minimum| match &minimum.place {
         Location::Point(x) => Some(x.clone()),
         _ => None,
     });
     let places: Vec<_> = minima.chain(shape.jumps().iter().map(|jump| jump.at.clone())).take(2).collect();
-    let both = |x: &BigRational| [Side::Left, Side::Right].map(|side| working(basis, x, side, true));
+    let both = |x: &BigRational| [Side::Left, Side::Right].map(|side| working(&basis, x, side, true));
     places.iter().flat_map(both).flatten().collect()
+}
+
+/// The index of the function that a witness is about, where it is about one.
+pub(super) fn function(witness: &Witness) -> Option<usize> {
+    let index = |name| witness.number(name)?.to_integer().to_usize();
+    index("i").or_else(|| index("j")).filter(|i| witness.k.is_some_and(|k| i + k + 1 < witness.knots.len()))
 }
 
 /// A number as a factor: in parentheses if it is negative.
@@ -258,54 +210,4 @@ fn function_line(
 /// The product rule: (fg)′ = f′g + fg′.
 fn product(f: &Jet<BigRational>, g: &Jet<BigRational>) -> String {
     format!("{}·{} + {}·{}", factor(&slope_at(f)), value(g), value(f), factor(&slope_at(g)))
-}
-
-/// The two sides of C2.4 and P2.1.3, which are about the weight alone.
-fn of_weight(witness: &Witness) -> Option<Working> {
-    let (a, b, x) = (number(witness, "a")?, number(witness, "b")?, number(witness, "x")?);
-    let index: Index = given(witness, "α")?.parse().ok()?;
-    let (left, right) = match (number(witness, "t1"), number(witness, "t2")) {
-        (Some(t1), Some(t2)) => {
-            let mirror = |y: &BigRational| &a + &b - y;
-            ((mirror(&x), t1.clone(), t2.clone()), (x.clone(), mirror(&t2), mirror(&t1)))
-        }
-        _ => {
-            let (slope, shift) = given(witness, "T")?.strip_prefix("x ↦ ")?.split_once("·x + ")?;
-            let (slope, shift) = (parse_rational(slope).ok()?, parse_rational(shift).ok()?);
-            let map = |y: &BigRational| &slope * y + &shift;
-            ((map(&x), map(&b), map(&a)), (x.clone(), a, b))
-        }
-    };
-    let line = |index: &Index, (x, a, b): &(BigRational, BigRational, BigRational), name: &str| {
-        let arguments = format!("φ_{{{name}}}({x}, {a}, {b})");
-        formula::html(&if a <= x && x < b {
-            let found = weight(index.ratio(), x, a, b).0;
-            format!("{arguments} = {} = {found}", quotient(index.ratio(), x, a, b))
-        } else {
-            format!("{arguments} = 0, because {x} is not in [{a}, {b})")
-        })
-    };
-    let conjugate = index.conjugate();
-    let phi = |index: &Index, (x, a, b): &(BigRational, BigRational, BigRational)| {
-        if a <= x && x < b { weight(index.ratio(), x, a, b).0 } else { BigRational::zero() }
-    };
-    let (first, second) = (phi(&index, &left), phi(&conjugate, &right));
-    let lines = vec![
-        line(&index, &left, "α"),
-        line(&conjugate, &right, "1−α"),
-        formula::html(&format!(
-            "The left side is {first} and the right side 1 − {second} = {}.",
-            BigRational::one() - &second
-        )),
-    ];
-    Some(Working {
-        title: "The two sides".to_owned(),
-        preparation: vec![formula::html(&format!(
-            "Slope ratios: {} for α, and 1/r = {} for 1 − α = {}.",
-            slope(&index),
-            conjugate.ratio(),
-            shown(&conjugate)
-        ))],
-        levels: vec![Level { degree: 0, lines }],
-    })
 }

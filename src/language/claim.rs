@@ -1,0 +1,130 @@
+//! A claim: a stanza with what it may name, and its sentences by their form.
+
+use std::fmt;
+
+use super::cause::Source;
+use super::file::{File, Said, Stanza};
+use super::paper::paper;
+use super::print::text;
+use super::syntax::{Binder, Definition, Sentence};
+
+/// Which sentence of a stanza.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Form {
+    /// As the paper prints it.
+    Printed,
+    /// As amended.
+    Amended,
+    /// What holds where the amended one does not apply.
+    Fails,
+    /// The printed one, for one degree only.
+    Degree(usize),
+}
+
+impl Form {
+    /// The name in those of certificates and windows: `printed`, `amended`, `degree-3`.
+    #[must_use]
+    pub fn name(self) -> String {
+        self.to_string().replace(' ', "-")
+    }
+}
+
+impl fmt::Display for Form {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Printed => f.write_str("printed"),
+            Self::Amended => f.write_str("amended"),
+            Self::Fails => f.write_str("fails"),
+            Self::Degree(k) => write!(f, "degree {k}"),
+        }
+    }
+}
+
+/// A stanza, with what it may name.
+#[derive(Debug, Clone, Copy)]
+pub struct Claim<'a> {
+    /// What is said.
+    pub stanza: &'a Stanza,
+    /// The definitions of its file.
+    pub definitions: &'a [Definition],
+    /// All files of claims.
+    pub library: &'a Vec<File>,
+}
+
+impl<'a> Claim<'a> {
+    /// The claims of some files, in their order; they may name each other.
+    pub fn of(files: &'a Vec<File>) -> impl Iterator<Item = Self> {
+        let of_file = |file: &'a File| file.claims.iter().map(move |stanza| (file, stanza));
+        let claim = move |(file, stanza): (&'a File, _)| Self {
+            stanza,
+            definitions: &file.definitions,
+            library: files,
+        };
+        files.iter().flat_map(of_file).map(claim)
+    }
+
+    /// Its identifier.
+    #[must_use]
+    pub fn id(&self) -> &'a str {
+        &self.stanza.id
+    }
+
+    /// Who says it.
+    #[must_use]
+    pub fn source(&self) -> Source {
+        if self.id().starts_with("X.") { Source::Question } else { Source::Paper }
+    }
+
+    /// One of its sentences; those for single degrees are the printed one.
+    #[must_use]
+    pub fn said(&self, form: Form) -> Option<&'a Said> {
+        match form {
+            Form::Printed | Form::Degree(_) => Some(&self.stanza.printed),
+            Form::Amended => self.stanza.amended.as_ref(),
+            Form::Fails => self.stanza.fails.as_ref(),
+        }
+    }
+
+    /// The sentence that is decided, if there is one.
+    #[must_use]
+    pub fn sentence(&self, form: Form) -> Option<&'a Sentence> {
+        self.said(form).and_then(Said::sentence)
+    }
+
+    /// It for people: empty, if there is none.
+    #[must_use]
+    pub fn text(&self, form: Form) -> String {
+        match self.said(form) {
+            Some(Said::Sentence(sentence)) => text(sentence),
+            Some(Said::Words { words, .. }) => words.clone(),
+            None => String::new(),
+        }
+    }
+
+    /// Can it be judged on any basis or index, not only on examples of the paper?
+    #[must_use]
+    pub fn is_general(&self) -> bool {
+        self.sentence(Form::Printed).is_some() && !self.binds(|binder| matches!(binder, Binder::Instances(_)))
+    }
+
+    /// Does it speak of knots, and not of weights alone?
+    #[must_use]
+    pub fn is_about_knots(&self) -> bool {
+        self.binds(|binder| {
+            matches!(
+                binder,
+                Binder::Degree { .. } | Binder::Knots(_) | Binder::Instances(_) | Binder::Gaps(_)
+            )
+        })
+    }
+
+    fn binds(&self, of: impl Fn(&Binder) -> bool) -> bool {
+        self.sentence(Form::Printed).is_some_and(|sentence| sentence.given.iter().any(of))
+    }
+}
+
+/// The claims of the paper, and then our questions.
+#[must_use]
+pub fn claims() -> Vec<Claim<'static>> {
+    Claim::of(&paper().files).collect()
+}

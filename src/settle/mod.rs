@@ -1,0 +1,161 @@
+//! Floor 6: the one order of things: judge as printed, as amended, and what holds where that does not apply; prove; check;
+//! say how bad a failure is. Reports and commands choose cases and how far to prove, and nothing of this order.
+
+mod grade;
+
+use knotproof_checker::Checked;
+use thiserror::Error;
+
+use crate::certificate::{Certificate, CertificateError, certify, certify_for_degree};
+use crate::judge::{Cases, Fault, Verdict, judge, judge_by_degree};
+use crate::language::{Claim, Form, Said};
+
+pub use grade::{Grade, grade};
+
+/// How far to prove.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Proving {
+    /// All that there are windows for.
+    Everything,
+    /// What is proved for this degree, and no refutations: those of a case of the user's own are none of the paper's.
+    ForDegree(Option<usize>),
+    /// Nothing.
+    Nothing,
+}
+
+/// What one sentence of a claim came to.
+#[derive(Debug, Clone)]
+pub struct Settled {
+    /// Which.
+    pub form: Form,
+    /// On the cases.
+    pub verdict: Verdict,
+    /// What proves it, or refutes it, for good; the checker has accepted it.
+    pub certificate: Option<Certificate>,
+    /// What the checker says of it.
+    pub checked: Option<Checked>,
+}
+
+/// What a claim came to.
+#[derive(Debug, Clone)]
+pub struct Outcome {
+    /// As printed.
+    pub printed: Settled,
+    /// As amended; only where the printed sentence is refuted.
+    pub amended: Option<Settled>,
+    /// What holds where the amended sentence does not apply: proved, if the amendment is sharp.
+    pub fails: Option<Settled>,
+    /// Degree by degree, where that is asked for.
+    pub by_degree: Vec<Settled>,
+}
+
+/// Two parts of this program disagree: a bug, and no verdict.
+#[derive(Debug, Error)]
+pub enum SettleError {
+    /// Two computations of the engine.
+    #[error(transparent)]
+    Fault(#[from] Fault),
+    /// The engine, the prover and the checker.
+    #[error(transparent)]
+    Certificate(#[from] CertificateError),
+}
+
+/// Settles a claim: as printed; where that is refuted, as amended and where that does not apply; degree by degree, if the
+/// stanza asks for that.
+///
+/// # Errors
+/// [`SettleError`]: there is no verdict.
+pub fn settle(claim: Claim<'_>, cases: &Cases, proving: Proving) -> Result<Outcome, SettleError> {
+    let (printed, by_degree) = match claim.sentence(Form::Printed) {
+        Some(sentence) if claim.stanza.each_degree && proving == Proving::Everything => {
+            judge_by_degree(sentence, claim.into(), &cases.of(sentence, claim.stanza.cases.as_deref()))?
+        }
+        _ => (verdict(claim, Form::Printed, cases)?, Vec::new()),
+    };
+    let refuted = matches!(printed, Verdict::Refuted(_));
+    let other = |form| match claim.said(form).filter(|_| refuted) {
+        Some(_) => Ok::<_, SettleError>(Some(certified(claim, form, verdict(claim, form, cases)?, proving)?)),
+        None => Ok(None),
+    };
+    let (amended, fails) = (other(Form::Amended)?, other(Form::Fails)?);
+    // A degree in which there is nothing to judge is left out.
+    let said = by_degree.into_iter().filter(|(_, verdict)| !matches!(verdict, Verdict::NotApplicable(_)));
+    let by_degree = said.map(|(k, verdict)| certified(claim, Form::Degree(k), verdict, proving));
+    let by_degree = by_degree.collect::<Result<_, _>>()?;
+    Ok(Outcome { printed: certified(claim, Form::Printed, printed, proving)?, amended, fails, by_degree })
+}
+
+/// Settles one sentence of a claim; `None` if there is none.
+///
+/// # Errors
+/// [`SettleError`]: there is no verdict.
+pub fn settle_form(
+    claim: Claim<'_>,
+    form: Form,
+    cases: &Cases,
+    proving: Proving,
+) -> Result<Option<Settled>, SettleError> {
+    match claim.said(form) {
+        Some(_) => Ok(Some(certified(claim, form, verdict(claim, form, cases)?, proving)?)),
+        None => Ok(None),
+    }
+}
+
+/// On the cases.
+fn verdict(claim: Claim<'_>, form: Form, cases: &Cases) -> Result<Verdict, Fault> {
+    match claim.said(form) {
+        Some(Said::Words { reason, core: None, .. }) => Ok(Verdict::NotFormal(reason.clone())),
+        said => match said.and_then(Said::sentence) {
+            Some(sentence) => {
+                judge(sentence, claim.into(), &cases.of(sentence, claim.stanza.cases.as_deref()))
+            }
+            None => Ok(Verdict::NotApplicable("there is nothing to judge".into())),
+        },
+    }
+}
+
+/// With the certificate, if there are windows for it, that the checker has accepted.
+fn certified(
+    claim: Claim<'_>,
+    form: Form,
+    verdict: Verdict,
+    proving: Proving,
+) -> Result<Settled, SettleError> {
+    let witness = if let Verdict::Refuted(witness) = &verdict { Some(&**witness) } else { None };
+    let open = match (&verdict, form) {
+        (Verdict::Proved { .. } | Verdict::Refuted(_), _) => true,
+        // What no finite number of cases decides may have a proof all the same.
+        (Verdict::Undecided(_), _) => proving != Proving::Everything || matches!(form, Form::Degree(_)),
+        _ => false,
+    };
+    let certificate = match proving {
+        Proving::Everything if open => certify(claim, form, witness)?,
+        Proving::ForDegree(k) if open && witness.is_none() => certify_for_degree(claim, form, k)?,
+        _ => None,
+    };
+    let checked = certificate.as_ref().map(Certificate::check).transpose()?;
+    Ok(Settled { form, verdict, certificate, checked })
+}
+
+impl Outcome {
+    /// All that was settled.
+    pub fn all(&self) -> impl Iterator<Item = &Settled> {
+        std::iter::once(&self.printed).chain(&self.amended).chain(&self.fails).chain(&self.by_degree)
+    }
+}
+
+/// Settles claims one after the other, each with its own work in parallel; `progress` hears the name of what comes next.
+///
+/// # Errors
+/// [`SettleError`]: there is no verdict.
+pub fn settle_all<'a>(
+    claims: &[Claim<'a>],
+    mut progress: impl FnMut(&str),
+) -> Result<Vec<(Claim<'a>, Outcome)>, SettleError> {
+    let cases = Cases::all();
+    let settled = claims.iter().map(|claim| {
+        progress(claim.id());
+        Ok((*claim, settle(*claim, &cases, Proving::Everything)?))
+    });
+    settled.collect()
+}
