@@ -215,7 +215,7 @@ impl Witness {
             Shows::Undefined(what) => what.clone(),
             Shows::Fails => "it is not so".into(),
             Shows::Counts(counts) => {
-                list(counts.iter().map(|Count { what, count }| format!("{what} = {count}")).collect())
+                list(counts.iter().map(|Count { what, count }| format!("{what} is {count}")).collect())
             }
             Shows::Values(terms) => {
                 let told = terms.iter().filter(|term| term.value.as_ref() != Some(&term.term));
