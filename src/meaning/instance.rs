@@ -23,11 +23,14 @@ pub struct Instance {
     pieces: Kept<(Index, usize), Pieces>,
     definition: OnceLock<Vec<Vec<Vec<Piece>>>>,
     derivatives: Kept<(Index, usize, usize, usize, usize), Piece>,
-    jets: Kept<(Index, usize, BigRational, bool, usize), Option<Active<Jet<BigRational>>>>,
+    jets: Kept<(Index, usize, BigRational, bool, usize), Option<Jets>>,
     fault: OnceLock<String>,
     /// Are values computed by the definition, word for word?
     reference: bool,
 }
+
+/// All functions of a degree that live at a point.
+type Jets = Active<Jet<BigRational>>;
 
 /// Computed when first asked for.
 #[derive(Debug)]

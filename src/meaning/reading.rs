@@ -105,11 +105,14 @@ pub struct Reading<'a> {
     pub(super) memo: Memo,
 }
 
+/// Arguments of a function and its values.
+pub(super) type Graph = Vec<(Value, Value)>;
+
 /// The values of definitions that depend on their indices, their argument and the index of the moment alone: these are found
 /// out while they are computed, by how far out the names lie that they look at.
 #[derive(Default)]
 pub(super) struct Memo {
-    pub(super) known: HashMap<(Name, Vec<i64>, Index), Vec<(Value, Value)>>,
+    pub(super) known: HashMap<(Name, Vec<i64>, Index), Graph>,
     /// The outermost integer and real looked at since it was set.
     pub(super) outermost: (usize, usize),
     /// Was another index or a control value looked at?
