@@ -66,6 +66,9 @@ words! {
     Minima "minima" (Function) -> Int "the number of local minima of {0}";
     /// Points at which the largest value is taken; 0 if it is only a limit.
     Maximisers "maximisers" (Function) -> Int "the number of x at which {0} takes its largest value";
+    /// Of two indices close by, for one the largest value is on one side of a lower point and for the other on the other side:
+    /// so there is one between for which it is taken on both.
+    Tied "tied" (Function) -> Truth "for an index close by, {0} takes its largest value at two points";
     /// Continuous on (t_0, t_m).
     Continuous "continuous" (Function) -> Truth "{0} is continuous on (t_0, t_m)";
     /// How often the values of an expression change their sign.
@@ -88,4 +91,8 @@ words! {
     Stop "stop" (Int) -> Real "the stop knot u_{0}";
     /// How many different knots there are.
     Stops "stops" () -> Int "the number of stop knots";
+    /// Is some point of a plane curve farther than a distance from all points of the curve for α = ∞?
+    Strays "strays" (Function, Function, Real) -> Truth "some point of the curve ({0}, {1}) is farther than {2} from all points of the curve for α = ∞";
+    /// The least degree of an algebraic curve that holds a plane curve on the span of an index.
+    ImplicitDegree "implicit_degree" (Function, Function, Int) -> Int "the least degree of an algebraic curve with the points of ({0}, {1}) on span {2}";
 }

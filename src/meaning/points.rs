@@ -109,7 +109,7 @@ impl Order<'_> {
             Formula::Within(x, Interval { from, to, .. }) => {
                 [x, from, to].into_iter().all(|t| self.real(t) == 0)
             }
-            Formula::Among(..) => true,
+            Formula::Among(..) | Formula::Instance(_) => true,
             Formula::Not(f) | Formula::Some(_, f) | Formula::One(_, f) => {
                 self.formula(f, &|_, order| order == 0)
             }
