@@ -11,6 +11,7 @@ mod points;
 mod reading;
 mod reals;
 mod sentence;
+mod tries;
 mod truth;
 mod value;
 mod words;

@@ -406,7 +406,8 @@ impl<'a> Reading<'a> {
 
     /// Of equalities every pair, so that a = c counts where b does not exist; otherwise neighbours.
     fn chain(&mut self, first: &Real, rest: &[(Relation, Real)]) -> Truth {
-        let special = self.chain_of_indices(first, rest).or_else(|| words::chain_of_suprema(self, first, rest));
+        let special =
+            self.chain_of_indices(first, rest).or_else(|| words::chain_of_suprema(self, first, rest));
         if let Some(truth) = special {
             return truth;
         }
