@@ -81,4 +81,18 @@ words! {
     Combination "combination" (Expression, Int) -> Truth "{0} is a combination of the functions of degree {1}";
     /// The supremum of an expression on its interval.
     Supremum "sup" (Expression) -> Real "the supremum of {0}";
+    /// Is there a value, or a limit, where an undefined one is a matter of course and no fault of the sentence?
+    Defined "defined" (Real) -> Truth "{0} exists";
+    /// A quotient of polynomials without a pole on its interval and at the ends of it.
+    Rational "rational" (Expression) -> Truth "{0} is a quotient of polynomials without a pole";
+    /// Derivatives of all orders on its interval.
+    Smooth "smooth" (Expression) -> Truth "{0} has derivatives of all orders";
+    /// A stop knot u_i: the i-th of the different knots, from 0.
+    Stop "stop" (Int) -> Real "the stop knot u_{0}";
+    /// How many different knots there are.
+    Stops "stops" () -> Int "the number of stop knots";
+    /// Is some point of a plane curve farther than a distance from all points of the curve for α = ∞?
+    Strays "strays" (Function, Function, Real) -> Truth "some point of the curve ({0}, {1}) is farther than {2} from all points of the curve for α = ∞";
+    /// The least degree of an algebraic curve that holds a plane curve on the span of an index.
+    ImplicitDegree "implicit_degree" (Function, Function, Int) -> Int "the least degree of an algebraic curve with the points of ({0}, {1}) on span {2}";
 }

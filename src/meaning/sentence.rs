@@ -117,8 +117,8 @@ impl Walk<'_> {
 /// Decides a sentence on an instance: for every x of its intervals, every integer of its ranges, and the free reals, other
 /// indices and control values of short lists.
 #[must_use]
-pub fn decide(sentence: &Sentence, on: &Instance, file: Names<'_>) -> Decided {
-    Reading::new(on, file).decide(sentence)
+pub fn decide(sentence: &Sentence, on: &Instance, names: Names<'_>) -> Decided {
+    Reading::new(on, names).decide(sentence)
 }
 
 /// Does the instance satisfy what `for` says of degree, knots, name and index? Sentences say nothing of others.
@@ -157,8 +157,8 @@ pub fn has(adjective: Adjective, knots: &KnotVector, k: usize) -> bool {
 impl<'a> Reading<'a> {
     /// With the names bound as at a failure.
     #[must_use]
-    pub fn with(on: &'a Instance, file: Names<'a>, given: &[(Name, Given)]) -> Self {
-        let mut reading = Self::new(on, file);
+    pub fn with(on: &'a Instance, names: Names<'a>, given: &[(Name, Given)]) -> Self {
+        let mut reading = Self::new(on, names);
         for (name, given) in given {
             match given {
                 Given::Integer(i) => reading.bound.integers.push((name.clone(), *i)),
@@ -174,11 +174,11 @@ impl<'a> Reading<'a> {
         reading
     }
 
-    pub(super) fn sentence(&mut self, sentence: &Sentence) -> Truth {
+    pub(super) fn sentence(&mut self, sentence: &Sentence, names: Names<'a>) -> Truth {
         if !concerns(sentence, self.on) {
             return Truth::True;
         }
-        let mut own = Reading { depth: self.depth + 1, ..Reading::new(self.on, self.file) };
+        let mut own = Reading { depth: self.depth + 1, ..Reading::new(self.on, names) };
         if own.depth > 8 {
             return Truth::Unknown("claims that name each other".into());
         }
@@ -187,7 +187,7 @@ impl<'a> Reading<'a> {
     }
 
     fn decide(&mut self, sentence: &Sentence) -> Decided {
-        let linear = points::decided_by_units(sentence, self.file.definitions);
+        let linear = points::decided_by_units(sentence, self.names.definitions);
         let mut walk = Walk { sentence, linear, decided: Decided::default() };
         if concerns(sentence, self.on) {
             self.binders(&sentence.given, &sentence.assume.iter().collect::<Vec<_>>(), &mut walk);

@@ -1,7 +1,10 @@
 //! The deciders of words, one file a family of them. They know no claim.
 
+mod curve;
 mod linear;
+mod regular;
 mod shape;
+mod supremum;
 mod trace;
 
 use crate::language::{Function, Int, Interval, Item, Member, Name, Real, Use, Word};
@@ -9,6 +12,8 @@ use crate::language::{Function, Int, Interval, Item, Member, Name, Real, Use, Wo
 use super::reading::Reading;
 use super::truth::{Stop, Truth};
 use super::value::Value;
+
+pub(super) use supremum::chain as chain_of_suprema;
 
 /// What a word gives.
 enum Said {
@@ -36,7 +41,14 @@ fn say(own: &mut Reading<'_>, of: &Use) -> Result<Said, Stop> {
         Word::PolygonChanges => Said::Count(trace::polygon_changes(own, said.coefficients(0)?)?),
         Word::Rank => Said::Count(linear::rank_of(own, said.int(0)?)?),
         Word::Combination => Said::Truth(linear::combination(own, said.expression(0)?, said.int(1)?)?),
-        Word::Supremum => Said::Measure(trace::supremum(own, said.expression(0)?)?),
+        Word::Defined => Said::Truth(regular::defined(own, said.real(0)?)?),
+        Word::Rational => Said::Truth(regular::rational(own, said.expression(0)?)?),
+        Word::Smooth => Said::Truth(regular::smooth(own, said.expression(0)?)?),
+        Word::Stop => Said::Measure(shape::stop(own, said.int(0)?)?.into()),
+        Word::Stops => Said::Count(own.knots()?.stop_knots().count()),
+        Word::Supremum => Said::Measure(supremum::supremum(own, said.expression(0)?)?),
+        Word::Strays => Said::Truth(curve::strays(own, said.plane()?, said.real(2)?)?),
+        Word::ImplicitDegree => Said::Count(curve::implicit_degree(own, said.plane()?, said.int(2)?)?),
     })
 }
 
@@ -53,6 +65,10 @@ impl<'a> Of<'a> {
             at,
             |item| if let Item::Function(f, member) = item { Some((f, member.as_ref())) } else { None },
         )
+    }
+    /// The coordinates of a plane curve.
+    fn plane(&self) -> Result<[OfMember<'a>; 2], Stop> {
+        Ok([self.function(0)?, self.function(1)?])
     }
     fn expression(&self, at: usize) -> Result<Expression<'a>, Stop> {
         self.item(at, |item| match item {

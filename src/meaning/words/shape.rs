@@ -1,9 +1,9 @@
-//! Words about the graph of a basis function: maxima, minima, continuity.
+//! Words about knots, and about the graph of a basis function: multiplicity, maxima, minima, continuity.
 
 use num_traits::ToPrimitive;
 
 use crate::analysis::{Attained, Crossing, LocalKnots, Shape};
-use crate::language::{Function, Real};
+use crate::language::{Function, Int, Real};
 use crate::scalar::BigRational;
 use crate::spline::Side;
 
@@ -19,6 +19,14 @@ pub(super) fn multiplicity(own: &mut Reading<'_>, x: &Real) -> Result<usize, Sto
         Where::Knot(t) => own.knots()?.multiplicity(&t),
         Where::Span(_) | Where::Outside => 0,
     })
+}
+
+/// The i-th of the different knots.
+pub(super) fn stop(own: &mut Reading<'_>, i: &Int) -> Result<BigRational, Stop> {
+    let (i, mut stops) = (own.int(i)?, own.knots()?.stop_knots());
+    let missing = || Stop::Undefined(format!("there is no stop knot u_{i}"));
+    let at = usize::try_from(i).map_err(|_| missing())?;
+    stops.nth(at).map(|(t, _)| t.clone()).ok_or_else(missing)
 }
 
 /// Reads something of a basis function, with the index of a member.
