@@ -7,7 +7,7 @@ use num_rational::BigRational;
 use crate::scalar::integer;
 
 use super::algebraic::{Algebraic, Enclosed};
-use super::pieces::Piece;
+use super::piece::Piece;
 use super::roots::{count_positive_roots, positive_roots};
 
 /// The greatest of several real numbers. Those that are found to be smaller are dropped.

@@ -14,7 +14,7 @@ use rayon::prelude::*;
 use crate::language::Sentence;
 use crate::meaning::{Decided, Names, decide};
 
-pub use cases::{Case, Cases};
+pub use cases::{Case, Cases, NoCase};
 pub use verdict::{Origin, Reach, Scope, Verdict};
 pub use witness::{Shows, Side, Witness};
 

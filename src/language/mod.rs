@@ -7,6 +7,7 @@ mod cause;
 mod complaint;
 mod definitions;
 mod file;
+mod found;
 mod known;
 mod raw;
 mod resolve;
@@ -18,6 +19,7 @@ mod words;
 pub use cause::{Cause, Severity, Source};
 pub use complaint::Complaint;
 pub use file::{File, RestsOn, Said, Stanza, stanzas};
+pub use found::{Found, found};
 pub use known::Known;
 pub use sentence::{one_line, sentence};
 pub use syntax::{
