@@ -3,12 +3,14 @@
 //! It knows rationals and no spline: what a formula means is said in `meaning`. The language for its users is described in
 //! `docs/language.md`.
 
+mod canonical;
 mod cause;
 mod complaint;
 mod definitions;
 mod file;
 mod found;
 mod known;
+mod print;
 mod raw;
 mod resolve;
 mod sentence;
@@ -21,6 +23,7 @@ pub use complaint::Complaint;
 pub use file::{File, RestsOn, Said, Stanza, stanzas};
 pub use found::{Found, found};
 pub use known::Known;
+pub use print::{Print, latex, mathml, source, text};
 pub use sentence::{one_line, sentence};
 pub use syntax::{
     Adjective, Argument, Binder, Definition, Fold, Formula, Function, Gap, Int, Interval, Item, Member, Name,

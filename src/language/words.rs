@@ -79,6 +79,18 @@ words! {
     Rank "rank" (Int) -> Int "the dimension of the span of the functions of degree {0}";
     /// Is the expression, on its interval, a combination of the functions of the degree that live there?
     Combination "combination" (Expression, Int) -> Truth "{0} is a combination of the functions of degree {1}";
+    /// How often an expression falls on its interval and then rises again; an interval of constancy counts once.
+    Valleys "valleys" (Expression) -> Int "the number of local minima of {0}";
+    /// No minor of a matrix (G_i(x_j)), x_1 < x_2 < …, is negative.
+    TotallyPositive "totally_positive" (Int) -> Truth "the functions of degree {0} have no negative minors at increasing points";
+    /// Is every function a combination of those for the knots with one more?
+    Nested "nested" (Real) -> Truth "every function is a combination of those for U with one more knot at {0}";
+    /// Is every function a combination of those of the next degree on the knots of which each occurs once more?
+    Elevated "elevated" (Int) -> Truth "every function of degree {0} is a combination of those of the next degree on U with every knot once more";
+    /// The least degree in which the functions on the span of an index are rational Bézier curves with positive weights.
+    NurbsDegree "nurbs_degree" (Int) -> Int "the least degree of the curve on span {0} as a rational Bézier curve with positive weights";
+    /// Whatever the weights, if they and their complements are positive inside of their intervals.
+    FreeWeights "free_weights" (Int) -> Truth "with an index of its own for every weight the functions of degree {0} are positive inside of their supports, 0 outside, and their sum on [t_k, t_{n+1}] is 1";
     /// The supremum of an expression on its interval.
     Supremum "sup" (Expression) -> Real "the supremum of {0}";
     /// Is there a value, or a limit, where an undefined one is a matter of course and no fault of the sentence?

@@ -1,9 +1,11 @@
 //! The deciders of words, one file a family of them. They know no claim.
 
 mod curve;
+mod free_weights;
 mod linear;
 mod regular;
 mod shape;
+mod spaces;
 mod supremum;
 mod trace;
 
@@ -49,6 +51,12 @@ fn say(own: &mut Reading<'_>, of: &Use) -> Result<Said, Stop> {
         Word::Supremum => Said::Measure(supremum::supremum(own, said.expression(0)?)?),
         Word::Strays => Said::Truth(curve::strays(own, said.plane()?, said.real(2)?)?),
         Word::ImplicitDegree => Said::Count(curve::implicit_degree(own, said.plane()?, said.int(2)?)?),
+        Word::Valleys => Said::Count(trace::valleys(own, said.expression(0)?)?),
+        Word::TotallyPositive => Said::Truth(spaces::totally_positive(own, said.int(0)?)?),
+        Word::Nested => Said::Truth(spaces::nested(own, said.real(0)?)?),
+        Word::Elevated => Said::Truth(spaces::elevated(own, said.int(0)?)?),
+        Word::NurbsDegree => Said::Count(spaces::nurbs_degree(own, said.int(0)?)?),
+        Word::FreeWeights => Said::Truth(free_weights::holds(own, said.int(0)?)?),
     })
 }
 

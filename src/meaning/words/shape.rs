@@ -2,7 +2,7 @@
 
 use num_traits::ToPrimitive;
 
-use crate::analysis::{Attained, Crossing, LocalKnots, Shape};
+use crate::analysis::{Attained, Crossing, LocalKnots, Monotonicity, Shape};
 use crate::language::{Function, Int, Real};
 use crate::scalar::BigRational;
 use crate::spline::Side;
@@ -53,7 +53,11 @@ fn shape(own: &mut Reading<'_>, (f, member): OfMember<'_>) -> Result<Shape, Stop
 
 /// Local maxima; an interval of constancy counts once.
 pub(super) fn maxima(own: &mut Reading<'_>, (f, member): OfMember<'_>) -> Result<usize, Stop> {
-    Ok(shape(own, (f, member))?.local_maxima().count())
+    of_basis(own, (f, member), |own, (i, d)| {
+        let continuous = LocalKnots::of(&own.on.basis_of(&own.index, d)?, i);
+        let fast = continuous.and_then(|knots| Monotonicity::of(&knots).local_maxima());
+        fast.or_else(|| Some(Shape::of(&*own.on.pieces(&own.index, d)?, i).local_maxima().count()))
+    })
 }
 
 /// Local minima inside the support.
@@ -86,7 +90,8 @@ pub(super) fn tied(own: &mut Reading<'_>, of: OfMember<'_>) -> Result<bool, Stop
         }
         Some(Crossing::near(&gaps, (p.min(q), p.max(q))).is_some())
     })?;
-    let unknown = || Stop::Unknown("two local maxima of which none overtakes the other for an index close by".into());
+    let unknown =
+        || Stop::Unknown("two local maxima of which none overtakes the other for an index close by".into());
     crossing.then_some(true).ok_or_else(unknown)
 }
 
