@@ -76,6 +76,6 @@ mod tests {
         assert!(all.iter().any(|case| case.degree == 8) && all.iter().all(|case| case.alpha.is_some()));
         let wrong = found("wrong.toml", &text.replacen("0 0 3 5", "0 0 3 x", 1)).unwrap_err();
         assert_eq!(wrong.len(), 1);
-        assert_eq!(wrong[0].place(), (8, 5));
+        assert_eq!(wrong[0].place(), (7, 5));
     }
 }

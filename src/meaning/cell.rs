@@ -5,6 +5,7 @@ use num_traits::Signed;
 use crate::analysis::{Algebraic, Enclosed, IsolatedRoot, Piece, Sign, coordinate_between, sign_pattern};
 use crate::language::Name;
 use crate::scalar::{BigRational, Polynomial, RationalAlgebra, RationalFunction, Ring, integer};
+use crate::spline::Index;
 
 use super::truth::Stop;
 use super::value::{Plain, Value};
@@ -67,6 +68,8 @@ pub struct Frame {
     pub cuts: Vec<Polynomial<BigRational>>,
     /// Whether a polynomial has one sign on the whole cell: no root is isolated twice.
     signs: Vec<(Polynomial<BigRational>, Signs)>,
+    /// What definitions are on the part that is looked at, by name, indices and α: a recursion meets them often.
+    pub known: Vec<(Name, Vec<i64>, Index, Value)>,
 }
 
 /// The signs that a function takes on a part of the line.
@@ -109,8 +112,8 @@ impl Frame {
     /// A frame for an open cell, which may be a span.
     #[must_use]
     pub fn new(id: usize, name: Name, cell: Cell, span: Option<usize>) -> Self {
-        let (cuts, signs, focus) = (Vec::new(), Vec::new(), Focus::Whole);
-        Self { id, name, coordinate: cell.coordinate(), cell, span, focus, cuts, signs }
+        let (cuts, signs, known, focus) = (Vec::new(), Vec::new(), Vec::new(), Focus::Whole);
+        Self { id, name, coordinate: cell.coordinate(), cell, span, focus, cuts, signs, known }
     }
 
     /// Asks for the cell to be cut where the function changes its sign.
@@ -176,6 +179,12 @@ impl Frame {
                 Sign::Negative => b,
             },
         })
+    }
+
+    /// Is the value the variable of the cell itself?
+    #[must_use]
+    pub fn is_variable(&self, x: &Value) -> bool {
+        x.root.is_none() && matches!(&x.plain, Plain::Piece(piece) if *piece == self.coordinate)
     }
 
     /// The x of a u.

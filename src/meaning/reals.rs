@@ -155,6 +155,7 @@ impl Reading<'_> {
     pub(super) fn focus(&mut self, focus: Focus) {
         if let Some(frame) = &mut self.frame {
             frame.focus = focus;
+            frame.known.clear();
         }
     }
 
