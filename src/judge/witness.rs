@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::analysis::{Algebraic, settled};
-use crate::language::{Formula, Int, Name, Over, Real, Sentence};
+use crate::language::{Formula, Int, Name, Over, Real, Sentence, text};
 use crate::meaning::{Failure, Focus, Given, Instance, Look, Names, Plain, Reading, Truth, Value};
 use crate::scalar::BigRational;
 use crate::spline::{Basis, Side};
@@ -362,9 +362,4 @@ fn digits(own: &Reading<'_>, value: &Value) -> Option<(String, bool)> {
         (Value { plain: Plain::Piece(_), .. }, _) => None,
         _ => Some((value.to_string(), false)),
     }
-}
-
-// The printer of the language takes this place.
-fn text(of: &impl fmt::Debug) -> String {
-    format!("{of:?}")
 }
