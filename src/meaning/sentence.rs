@@ -280,6 +280,7 @@ impl<'a> Reading<'a> {
                 let more = if walk.linear { Vec::new() } else { tries::control_values(&pieces) };
                 for values in points::units(pieces.basis().n() + 1).chain(more) {
                     self.bound.points.push((name.clone(), values));
+                    // Definitions may speak of them.
                     self.binders(others, &pending, walk);
                     self.bound.points.pop();
                 }
