@@ -90,3 +90,50 @@ pub(super) fn implicit_degree(
     }
     Ok(degree)
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::claims::instances_named;
+    use crate::language::{Known, sentence};
+    use crate::meaning::{Decided, Instance, Names, decide};
+    use crate::spline::Basis;
+
+    /// What is found of a conclusion on the instance of a name with the degree.
+    fn decided(name: &str, degree: usize, alpha: &str, conclusion: &str) -> Decided {
+        let known = Known::defining(&[("C[c](x)", "sum(i in 0..n: P[i,c]*G[i](x))")]).unwrap();
+        let read = sentence(&format!("U in {{{name}}}"), &[], &[conclusion], &known).unwrap();
+        let shown = instances_named(name).into_iter().find(|one| one.degree == degree).unwrap();
+        let basis = Basis::new(shown.knots, degree, alpha.parse().unwrap()).unwrap();
+        let on = Instance::of(basis).named(name, shown.points);
+        decide(&read, &on, Names { definitions: known.definitions(), ..Names::empty() })
+    }
+
+    #[test]
+    fn curves_stray_where_their_trace_is_another_one() {
+        for (name, degree, conclusion, facts) in [
+            ("C6a", 2, "strays(C[1], C[2], 0)", 1),
+            ("C6a", 3, "not strays(C[1], C[2], 0)", 1),
+            ("S3", 3, "not strays(C[1], C[2], 1/20)", 1),
+            ("S1", 3, "strays(C[1], C[2], 1/20)", 1),
+            // Farther than any point: that is neither found nor refuted.
+            ("S1", 3, "strays(C[1], C[2], 100)", 0),
+            ("S1", 3, "strays(C[1], C[2], -1)", 0),
+        ] {
+            let decided = decided(name, degree, "-1/2", conclusion);
+            assert_eq!((decided.facts, decided.unknown.is_some()), (facts, facts == 0), "{name}: {conclusion}");
+        }
+    }
+
+    #[test]
+    fn the_degree_of_the_trace_is_the_least_one() {
+        for (alpha, conclusion) in [
+            ("inf", "implicit_degree(G[0], G[2], 2) = 2"),
+            ("-1", "implicit_degree(G[0], G[2], 2) > 2"),
+            ("2", "implicit_degree(G[0], G[0], 2) = 1"),
+        ] {
+            assert_eq!(decided("U4", 2, alpha, conclusion).facts, 1, "{alpha}: {conclusion}");
+        }
+        let beyond = decided("U4", 2, "2", "implicit_degree(G[0], G[2], 0) = 2");
+        assert!(beyond.failure.is_some_and(|failure| failure.undefined.is_some()), "an empty span");
+    }
+}
