@@ -93,34 +93,47 @@ pub(super) fn implicit_degree(
 
 #[cfg(test)]
 mod tests {
-    use crate::claims::instances_named;
     use crate::language::{Known, sentence};
     use crate::meaning::{Decided, Instance, Names, decide};
-    use crate::spline::Basis;
+    use crate::scalar::integer;
+    use crate::spline::{Basis, KnotVector, Point};
 
-    /// What is found of a conclusion on the instance of a name with the degree.
-    fn decided(name: &str, degree: usize, alpha: &str, conclusion: &str) -> Decided {
+    /// Knots, degree, control points.
+    type Curve = (&'static [i64], usize, &'static [[i64; 2]]);
+
+    const POINTS: &[[i64; 2]] = &[[0, 0], [3, 9], [6, 3], [9, 6]];
+    const QUADRATIC: Curve = (&[0, 0, 0, 1, 2, 2, 2], 2, POINTS);
+    const BEZIER: Curve = (&[0, 0, 0, 0, 1, 1, 1, 1], 3, POINTS);
+    /// S3, of which the trace does not depend on α.
+    const DOUBLE: Curve = (
+        &[0, 0, 0, 0, 1, 1, 2, 2, 2, 2],
+        3,
+        &[[4, 0], [0, 11], [8, 14], [8, 14], [16, 11], [12, 0]],
+    );
+
+    fn decided((knots, degree, points): Curve, alpha: &str, conclusion: &str) -> Decided {
         let known = Known::defining(&[("C[c](x)", "sum(i in 0..n: P[i,c]*G[i](x))")]).unwrap();
-        let read = sentence(&format!("U in {{{name}}}"), &[], &[conclusion], &known).unwrap();
-        let shown = instances_named(name).into_iter().find(|one| one.degree == degree).unwrap();
-        let basis = Basis::new(shown.knots, degree, alpha.parse().unwrap()).unwrap();
-        let on = Instance::of(basis).named(name, shown.points);
+        let read = sentence("U in {C}", &[], &[conclusion], &known).unwrap();
+        let knots = KnotVector::new(knots.iter().map(|t| integer(*t)).collect()).unwrap();
+        let points = points.iter().map(|point| point.map(integer).to_vec());
+        let on = Instance::of(Basis::new(knots, degree, alpha.parse().unwrap()).unwrap());
+        let on = on.named("C", Some(points.collect::<Vec<Point>>()));
         decide(&read, &on, Names { definitions: known.definitions(), ..Names::empty() })
     }
 
     #[test]
     fn curves_stray_where_their_trace_is_another_one() {
-        for (name, degree, conclusion, facts) in [
-            ("C6a", 2, "strays(C[1], C[2], 0)", 1),
-            ("C6a", 3, "not strays(C[1], C[2], 0)", 1),
-            ("S3", 3, "not strays(C[1], C[2], 1/20)", 1),
-            ("S1", 3, "strays(C[1], C[2], 1/20)", 1),
+        for (curve, conclusion, found) in [
+            (QUADRATIC, "strays(C[1], C[2], 0)", true),
+            (BEZIER, "not strays(C[1], C[2], 0)", true),
+            (DOUBLE, "not strays(C[1], C[2], 1/20)", true),
+            (QUADRATIC, "strays(C[1], C[2], 1/20)", true),
             // Farther than any point: that is neither found nor refuted.
-            ("S1", 3, "strays(C[1], C[2], 100)", 0),
-            ("S1", 3, "strays(C[1], C[2], -1)", 0),
+            (QUADRATIC, "strays(C[1], C[2], 100)", false),
+            (QUADRATIC, "strays(C[1], C[2], -1)", false),
         ] {
-            let decided = decided(name, degree, "-1/2", conclusion);
-            assert_eq!((decided.facts, decided.unknown.is_some()), (facts, facts == 0), "{name}: {conclusion}");
+            let decided = decided(curve, "-1/2", conclusion);
+            assert_eq!((decided.facts == 1, decided.unknown.is_none()), (found, found), "{conclusion}");
         }
     }
 
@@ -131,9 +144,9 @@ mod tests {
             ("-1", "implicit_degree(G[0], G[2], 2) > 2"),
             ("2", "implicit_degree(G[0], G[0], 2) = 1"),
         ] {
-            assert_eq!(decided("U4", 2, alpha, conclusion).facts, 1, "{alpha}: {conclusion}");
+            assert_eq!(decided(QUADRATIC, alpha, conclusion).facts, 1, "{alpha}: {conclusion}");
         }
-        let beyond = decided("U4", 2, "2", "implicit_degree(G[0], G[2], 0) = 2");
+        let beyond = decided(QUADRATIC, "2", "implicit_degree(G[0], G[2], 0) = 2");
         assert!(beyond.failure.is_some_and(|failure| failure.undefined.is_some()), "an empty span");
     }
 }

@@ -109,7 +109,7 @@ mod tests {
 
     /// Is the conclusion true of k = 1 on (0, 0, 1, 1)? `None`, if that is not found out.
     fn holds(alpha: &str, conclusion: &str) -> Option<bool> {
-        let read = one_line(&format!("k = 1; U; beta index : {conclusion}")).unwrap();
+        let read = one_line(&format!("k = 1; U : {conclusion}")).unwrap();
         let knots = KnotVector::new([0, 0, 1, 1].map(integer).to_vec()).unwrap();
         let on = Instance::of(Basis::new(knots, 1, alpha.parse().unwrap()).unwrap());
         let decided = decide(&read, &on, Names::empty());
@@ -129,7 +129,8 @@ mod tests {
             ("-1", format!("{OFF} = 17157/100000"), Some(false)),
             ("-1", format!("{OFF} = {conjugate}"), None),
             ("-1", "sup(G[1](x), x in [0, 1)) = 1".to_owned(), Some(true)),
-            ("-1", "sup(1/x, x in [0, 1]) > 0".to_owned(), None),
+            // There is none.
+            ("-1", "sup(1/x, x in (0, 1]) > 0".to_owned(), Some(false)),
         ] {
             let found = holds(alpha, &conclusion);
             assert!(found == expected, "α = {alpha}, {conclusion}: {found:?}");
