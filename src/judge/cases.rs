@@ -59,6 +59,7 @@ impl Cases {
         let binders = &sentence.given;
         let named = binders.iter().any(|binder| matches!(binder, Binder::Instances(_)));
         let knots = binders.iter().any(|binder| matches!(binder, Binder::Degree { .. } | Binder::Knots(_)));
+        let own_knots = binders.iter().any(|binder| matches!(binder, Binder::Gaps(_)));
         let mut cases: Vec<_> = if named {
             self.paper.clone()
         } else if knots {
@@ -73,6 +74,11 @@ impl Cases {
         } else {
             self.indices.clone()
         };
+        if own_knots {
+            // Of a case that brings no knots a degree and an index are left.
+            let mut seen = HashSet::new();
+            cases.retain(|case| seen.insert((case.on.degree(), case.on.index.clone())));
+        }
         let listed = binders
             .iter()
             .find_map(|binder| if let Binder::Indices(list) = binder { Some(list) } else { None });

@@ -3,6 +3,7 @@
 use crate::analysis::{Algebraic, settled};
 use crate::language::{Formula, Int, Name, Over, Real, Sentence};
 use crate::meaning::{Failure, Focus, Given, Instance, Names, Plain, Reading, Truth, Value};
+use crate::spline::Basis;
 
 use super::Fault;
 
@@ -12,7 +13,7 @@ pub struct Witness {
     /// The name of the instance, if it has one.
     pub name: Option<Name>,
     /// The basis, where the sentence is about one.
-    pub basis: Option<crate::spline::Basis>,
+    pub basis: Option<Basis>,
     /// α.
     pub index: crate::spline::Index,
     /// What is bound, in reading order: by `for`, then by `all` inside of the conclusion.
@@ -60,6 +61,10 @@ impl Witness {
         on: &Instance,
         failure: Failure,
     ) -> Result<Self, Fault> {
+        let own_knots = failure.knots.as_ref().zip(on.degree());
+        let basis = own_knots.and_then(|(knots, k)| Basis::new(knots.clone(), k, on.index.clone()).ok());
+        let own = basis.map(Instance::of);
+        let on = own.as_ref().unwrap_or(on);
         let reference = on.by_definition();
         let mut reading = Reading::with(&reference, names, &failure.given);
         let (mut given, mut part) = (failure.given, None);

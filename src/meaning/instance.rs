@@ -110,6 +110,13 @@ impl Instance {
         self.fault.get().map(String::as_str)
     }
 
+    /// What is found wrong with another one is wrong here.
+    pub(super) fn share_fault(&self, other: &Self) {
+        if let Some(fault) = other.fault() {
+            _ = self.fault.set(fault.to_owned());
+        }
+    }
+
     /// The basis of a degree ≤ k and an index on the same knots.
     #[must_use]
     pub fn basis_of(&self, index: &Index, degree: usize) -> Option<Basis> {

@@ -11,13 +11,14 @@ mod points;
 mod reading;
 mod reals;
 mod sentence;
+mod tries;
 mod truth;
 mod value;
 mod words;
 
 pub use cell::{Cell, Focus, Frame, Signs};
 pub use instance::Instance;
-pub use reading::{Bound, Names, Reading};
+pub use reading::{Bound, Library, Names, Reading};
 pub use reals::Part;
 pub use sentence::{Decided, Failure, Given, concerns, decide, has};
 pub use truth::{Stop, Truth};

@@ -109,7 +109,7 @@ impl Order<'_> {
             Formula::Within(x, Interval { from, to, .. }) => {
                 [x, from, to].into_iter().all(|t| self.real(t) == 0)
             }
-            Formula::Among(..) => true,
+            Formula::Among(..) | Formula::Instance(_) => true,
             Formula::Not(f) | Formula::Some(_, f) | Formula::One(_, f) => {
                 self.formula(f, &|_, order| order == 0)
             }
@@ -173,18 +173,8 @@ fn walk_function<'t>(f: &'t Function, see: &mut dyn FnMut(&'t Name)) {
     }
 }
 
-/// Lists of control values: unit vectors and 0, and where these do not decide a few others on top.
-pub(super) fn tries(count: usize, linear: bool) -> Vec<Vec<BigRational>> {
-    let list = |value: &dyn Fn(usize) -> i64| (0..count).map(|i| integer(value(i))).collect::<Vec<_>>();
-    let mut all = vec![list(&|_| 0)];
-    all.extend((0..count).map(|unit| list(&|i| i64::from(i == unit))));
-    if !linear {
-        let signed = |n: usize| i64::try_from(n).unwrap_or(i64::MAX);
-        all.push(list(&|_| 1));
-        all.push(list(&signed));
-        all.push(list(&|i| if i % 2 == 0 { 1 } else { -1 }));
-        all.push(list(&|i| signed(i * i)));
-        all.extend((1..count).map(|step| list(&|i| i64::from(i >= step))));
-    }
-    all
+/// 0 and the unit vectors.
+pub(super) fn units(count: usize) -> impl Iterator<Item = Vec<BigRational>> {
+    let unit = move |unit: usize| (0..count).map(|i| integer(usize::from(i == unit))).collect();
+    std::iter::once(count).chain(0..count).map(unit)
 }

@@ -3,15 +3,16 @@
 use num_traits::{One, Signed, Zero};
 
 use crate::analysis::IsolatedRoot;
-use crate::language::{Adjective, Binder, Formula, Name, Relation, Sentence};
+use crate::language::{Adjective, Binder, Formula, Gap, Int, Name, Range, Relation, Sentence};
 use crate::scalar::{BigRational, integer, rational, rationals_between};
-use crate::spline::{Index, KnotVector};
+use crate::spline::{Basis, Index, KnotVector};
 
 use super::cell::{Cell, Focus};
 use super::instance::Instance;
 use super::points;
 use super::reading::{Names, Reading};
 use super::reals::Part;
+use super::tries;
 use super::truth::{Stop, Truth};
 use super::value::{Plain, Value};
 
@@ -39,6 +40,8 @@ pub struct Failure {
     pub conclusion: Option<usize>,
     /// What does not exist; otherwise the conclusion is false.
     pub undefined: Option<String>,
+    /// The knots that the sentence itself describes, in the place of the instance's.
+    pub knots: Option<KnotVector>,
 }
 
 /// What a sentence comes to on an instance.
@@ -100,7 +103,8 @@ impl Walk<'_> {
     fn stopped(&mut self, stop: Stop, given: Vec<(Name, Given)>) {
         match stop {
             Stop::Undefined(what) if self.decided.failure.is_none() => {
-                self.decided.failure = Some(Failure { given, conclusion: None, undefined: Some(what) });
+                self.decided.failure =
+                    Some(Failure { given, conclusion: None, undefined: Some(what), knots: None });
             }
             Stop::Undefined(_) => {}
             Stop::Cut => self.unknown("a range that changes inside a cell".into()),
@@ -117,8 +121,8 @@ impl Walk<'_> {
 /// Decides a sentence on an instance: for every x of its intervals, every integer of its ranges, and the free reals, other
 /// indices and control values of short lists.
 #[must_use]
-pub fn decide(sentence: &Sentence, on: &Instance, file: Names<'_>) -> Decided {
-    Reading::new(on, file).decide(sentence)
+pub fn decide(sentence: &Sentence, on: &Instance, names: Names<'_>) -> Decided {
+    Reading::new(on, names).decide(sentence)
 }
 
 /// Does the instance satisfy what `for` says of degree, knots, name and index? Sentences say nothing of others.
@@ -157,8 +161,8 @@ pub fn has(adjective: Adjective, knots: &KnotVector, k: usize) -> bool {
 impl<'a> Reading<'a> {
     /// With the names bound as at a failure.
     #[must_use]
-    pub fn with(on: &'a Instance, file: Names<'a>, given: &[(Name, Given)]) -> Self {
-        let mut reading = Self::new(on, file);
+    pub fn with(on: &'a Instance, names: Names<'a>, given: &[(Name, Given)]) -> Self {
+        let mut reading = Self::new(on, names);
         for (name, given) in given {
             match given {
                 Given::Integer(i) => reading.bound.integers.push((name.clone(), *i)),
@@ -174,11 +178,11 @@ impl<'a> Reading<'a> {
         reading
     }
 
-    pub(super) fn sentence(&mut self, sentence: &Sentence) -> Truth {
+    pub(super) fn sentence(&mut self, sentence: &Sentence, names: Names<'a>) -> Truth {
         if !concerns(sentence, self.on) {
             return Truth::True;
         }
-        let mut own = Reading { depth: self.depth + 1, ..Reading::new(self.on, self.file) };
+        let mut own = Reading { depth: self.depth + 1, ..Reading::new(self.on, names) };
         if own.depth > 8 {
             return Truth::Unknown("claims that name each other".into());
         }
@@ -187,7 +191,7 @@ impl<'a> Reading<'a> {
     }
 
     fn decide(&mut self, sentence: &Sentence) -> Decided {
-        let linear = points::decided_by_units(sentence, self.file.definitions);
+        let linear = points::decided_by_units(sentence, self.names.definitions);
         let mut walk = Walk { sentence, linear, decided: Decided::default() };
         if concerns(sentence, self.on) {
             self.binders(&sentence.given, &sentence.assume.iter().collect::<Vec<_>>(), &mut walk);
@@ -214,6 +218,18 @@ impl<'a> Reading<'a> {
             Binder::Degree { .. } | Binder::Knots(_) | Binder::Instances(_) | Binder::Indices(_) => {
                 self.binders(others, &pending, walk);
             }
+            Binder::Gaps(gaps) => match self.on_gaps(gaps) {
+                Ok(on) => {
+                    let known = walk.decided.failure.is_some();
+                    let mut own = Reading { bound: self.bound.clone(), ..Reading::new(&on, self.names) };
+                    own.binders(others, &pending, walk);
+                    if let (false, Some(failure)) = (known, &mut walk.decided.failure) {
+                        failure.knots = on.knots().cloned();
+                    }
+                    self.on.share_fault(&on);
+                }
+                Err(stop) => walk.stopped(stop, self.given(&walk.sentence.given, None)),
+            },
             Binder::Index(name) => {
                 for index in other_indices().filter(|index| *index != self.index).collect::<Vec<_>>() {
                     self.bound.indices.push((name.clone(), index));
@@ -240,7 +256,14 @@ impl<'a> Reading<'a> {
             Binder::Real { .. } => {
                 let free: Vec<_> = rest.iter().map_while(free).collect();
                 let others = &rest[free.len()..];
-                for values in by_size(&free, self.on.basis.is_some()) {
+                // One number beside knots: first those that have to do with them.
+                let beside = match (free.as_slice(), self.on.knots()) {
+                    ([(_, None)], Some(knots)) => {
+                        tries::numbers(knots).into_iter().map(|x| vec![x]).collect()
+                    }
+                    _ => Vec::new(),
+                };
+                for values in beside.into_iter().chain(by_size(&free, self.on.basis.is_some())) {
                     let before = self.bound.reals.len();
                     let named =
                         free.iter().zip(values).map(|((name, _), value)| ((*name).clone(), value.into(), 0));
@@ -250,17 +273,37 @@ impl<'a> Reading<'a> {
                 }
             }
             Binder::Points(name) => {
-                let Some(count) = self.on.basis.as_ref().map(|basis| basis.n() + 1) else {
+                let Some(pieces) = self.on.degree().and_then(|k| self.on.pieces(&self.index, k)) else {
                     return walk.unknown("control values without a basis".into());
                 };
                 walk.decided.tried |= !walk.linear;
-                for values in points::tries(count, walk.linear) {
+                let more = if walk.linear { Vec::new() } else { tries::control_values(&pieces) };
+                for values in points::units(pieces.basis().n() + 1).chain(more) {
                     self.bound.points.push((name.clone(), values));
                     self.binders(others, &pending, walk);
                     self.bound.points.pop();
                 }
             }
         }
+    }
+
+    /// The degree and the index on the knots with t_0 = 0 and these gaps.
+    fn on_gaps(&mut self, gaps: &[Gap]) -> Result<Instance, Stop> {
+        let mut knots = vec![integer(0)];
+        for Gap { each, size } in gaps {
+            let once = Range { name: "".into(), from: Int::Number(0), to: Int::Number(0) };
+            let each = each.as_ref().unwrap_or(&once);
+            for i in self.range(each)? {
+                let size = self.with_integer(&each.name, i, |own| own.real(size))?;
+                let size = size.number().filter(|size| !size.is_negative());
+                let size =
+                    size.ok_or_else(|| Stop::Undefined("a gap that is no rational number ≥ 0".into()))?;
+                knots.push(&knots[knots.len() - 1] + size);
+            }
+        }
+        let knots = KnotVector::new(knots).map_err(|error| Stop::Undefined(error.to_string()))?;
+        let basis = Basis::new(knots, self.degree()?, self.index.clone());
+        basis.map(Instance::of).map_err(|error| Stop::Undefined(error.to_string()))
     }
 
     fn each_cell(
@@ -372,7 +415,7 @@ impl<'a> Reading<'a> {
             Here::Undefined(at, what) => (*at, Some(what.clone())),
             Here::Nothing | Here::Holds | Here::Unknown(_) | Here::Mixed => (None, None),
         };
-        Failure { given: self.given(&sentence.given, at), conclusion, undefined }
+        Failure { given: self.given(&sentence.given, at), conclusion, undefined, knots: None }
     }
 
     /// What the names of `for` are bound to; the variable of the frame to what is given for it.
@@ -407,7 +450,11 @@ impl<'a> Reading<'a> {
 
 fn name_of(binder: &Binder) -> Option<&Name> {
     match binder {
-        Binder::Degree { .. } | Binder::Knots(_) | Binder::Instances(_) | Binder::Indices(_) => None,
+        Binder::Degree { .. }
+        | Binder::Knots(_)
+        | Binder::Gaps(_)
+        | Binder::Instances(_)
+        | Binder::Indices(_) => None,
         Binder::Integer(range) => Some(&range.name),
         Binder::Index(name) | Binder::Point(name, _) | Binder::Real { name, .. } | Binder::Points(name) => {
             Some(name)

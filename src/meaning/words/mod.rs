@@ -1,8 +1,11 @@
 //! The deciders of words, one file a family of them. They know no claim.
 
 mod curve;
+mod free_weights;
 mod linear;
+mod regular;
 mod shape;
+mod spaces;
 mod supremum;
 mod trace;
 
@@ -34,14 +37,26 @@ fn say(own: &mut Reading<'_>, of: &Use) -> Result<Said, Stop> {
         Word::Maxima => Said::Count(shape::maxima(own, said.function(0)?)?),
         Word::Minima => Said::Count(shape::minima(own, said.function(0)?)?),
         Word::Maximisers => Said::Count(shape::maximisers(own, said.function(0)?)?),
+        Word::Tied => Said::Truth(shape::tied(own, said.function(0)?)?),
         Word::Continuous => Said::Truth(shape::continuous(own, said.function(0)?)?),
         Word::Changes => Said::Count(trace::changes(own, said.expression(0)?)?),
         Word::PolygonChanges => Said::Count(trace::polygon_changes(own, said.coefficients(0)?)?),
         Word::Rank => Said::Count(linear::rank_of(own, said.int(0)?)?),
         Word::Combination => Said::Truth(linear::combination(own, said.expression(0)?, said.int(1)?)?),
+        Word::Defined => Said::Truth(regular::defined(own, said.real(0)?)?),
+        Word::Rational => Said::Truth(regular::rational(own, said.expression(0)?)?),
+        Word::Smooth => Said::Truth(regular::smooth(own, said.expression(0)?)?),
+        Word::Stop => Said::Measure(shape::stop(own, said.int(0)?)?.into()),
+        Word::Stops => Said::Count(own.knots()?.stop_knots().count()),
         Word::Supremum => Said::Measure(supremum::supremum(own, said.expression(0)?)?),
         Word::Strays => Said::Truth(curve::strays(own, said.plane()?, said.real(2)?)?),
         Word::ImplicitDegree => Said::Count(curve::implicit_degree(own, said.plane()?, said.int(2)?)?),
+        Word::Valleys => Said::Count(trace::valleys(own, said.expression(0)?)?),
+        Word::TotallyPositive => Said::Truth(spaces::totally_positive(own, said.int(0)?)?),
+        Word::Nested => Said::Truth(spaces::nested(own, said.real(0)?)?),
+        Word::Elevated => Said::Truth(spaces::elevated(own, said.int(0)?)?),
+        Word::NurbsDegree => Said::Count(spaces::nurbs_degree(own, said.int(0)?)?),
+        Word::FreeWeights => Said::Truth(free_weights::holds(own, said.int(0)?)?),
     })
 }
 

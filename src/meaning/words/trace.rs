@@ -1,7 +1,8 @@
 //! Words about an expression along an interval: its changes of sign.
 
-use crate::analysis::{Piece, Sign};
+use crate::analysis::{Piece, Sign, sign_pattern};
 use crate::language::{Interval, Name};
+use crate::scalar::Ring;
 
 use super::super::cell::Cell;
 use super::super::reading::{Reading, find};
@@ -65,6 +66,21 @@ pub(super) fn changes(own: &mut Reading<'_>, (t, name, interval): Expression<'_>
         }
     }
     Ok(changes_of(signs))
+}
+
+/// How often an expression falls inside a cell of its interval and then rises again.
+pub(super) fn valleys(own: &mut Reading<'_>, of: Expression<'_>) -> Result<usize, Stop> {
+    let cells = on_cells(own, of)?;
+    let turns = |f: &Piece| {
+        let slope = f.derivative();
+        let pattern = sign_pattern(&slope.numerator().times(slope.denominator()));
+        pattern.changes().filter(|(before, ..)| *before == Sign::Negative).count()
+    };
+    match cells.as_slice() {
+        [(_, piece)] => Ok(turns(piece)),
+        [] => Ok(0),
+        _ => Err(Stop::Unknown("an interval with knots inside".into())),
+    }
 }
 
 /// Sign changes of control values, zeros left out.
