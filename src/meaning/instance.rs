@@ -20,6 +20,8 @@ pub struct Instance {
     pub name: Option<Name>,
     /// Control points, if it has some.
     pub points: Option<Vec<Point>>,
+    /// The indices that it is shown for.
+    pub shown: Vec<Index>,
     pieces: Kept<(Index, usize), Pieces>,
     definitions: Kept<Index, Vec<Vec<Vec<Piece>>>>,
     derivatives: Kept<(Index, usize, usize, usize, usize), Piece>,
@@ -58,6 +60,7 @@ impl Instance {
             basis: None,
             name: None,
             points: None,
+            shown: Vec::new(),
             pieces: Kept::new(),
             definitions: Kept::new(),
             derivatives: Kept::new(),
@@ -83,7 +86,8 @@ impl Instance {
     #[must_use]
     pub fn with_index(&self, index: Index) -> Self {
         let basis = self.basis.as_ref().map(|basis| basis.with_index(index.clone()));
-        Self { basis, name: self.name.clone(), points: self.points.clone(), ..Self::index(index) }
+        let (name, points, shown) = (self.name.clone(), self.points.clone(), self.shown.clone());
+        Self { basis, name, points, shown, ..Self::index(index) }
     }
 
     /// The same with values by the definition: the slow reference, which a witness is read on once more.

@@ -20,6 +20,6 @@ pub use cell::{Cell, Focus, Frame, Signs};
 pub use instance::Instance;
 pub use reading::{Bound, Library, Names, Reading};
 pub use reals::Part;
-pub use sentence::{Decided, Failure, Given, concerns, decide, has};
+pub use sentence::{Decided, Failure, Given, concerns, decide, has, listed};
 pub use truth::{Stop, Truth};
 pub use value::{Plain, Value};
