@@ -19,7 +19,7 @@ mod words;
 
 pub use cause::{Cause, Severity, Source};
 pub use complaint::Complaint;
-pub use file::{File, RestsOn, Said, Stanza, stanzas};
+pub use file::{File, RestsOn, Said, Stanza, schema, stanzas};
 pub use known::Known;
 pub use print::{Print, latex, mathml, source, text};
 pub use sentence::{one_line, sentence};

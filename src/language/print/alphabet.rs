@@ -120,7 +120,10 @@ fn latex(form: &Form, out: &mut String) {
             let _ = write!(out, r"\right{}", brace(close));
         }
         Form::Script(base, below, above) => {
-            group("", base, out);
+            match **base {
+                Form::Atom(_) => latex(base, out),
+                _ => group("", base, out),
+            }
             below.iter().for_each(|form| group("_", form, out));
             above.iter().for_each(|form| group("^", form, out));
         }
