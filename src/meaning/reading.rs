@@ -1,6 +1,6 @@
 //! The one walk over the trees: what terms and formulas are on an instance.
 
-use crate::analysis::Sign;
+use crate::analysis::{Greatest, Sign};
 use crate::language::{
     Definition, File, Fold, Formula, Int, Member, Name, Over, Range, Real, Relation, Sentence,
 };
@@ -84,6 +84,19 @@ pub struct Look {
     pub index: Index,
 }
 
+/// A supremum on the way.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Found {
+    /// The term.
+    pub term: Real,
+    /// The integers that were bound.
+    pub integers: Vec<(Name, i64)>,
+    /// The indices.
+    pub indices: Vec<(Name, Index)>,
+    /// What it is.
+    pub value: Greatest,
+}
+
 /// An instance with the names that are bound: terms have values on it, formulas truths.
 pub struct Reading<'a> {
     /// What is read on.
@@ -98,6 +111,8 @@ pub struct Reading<'a> {
     pub frame: Option<Frame>,
     /// The values of basis functions at numbers that were asked for, if that is recorded.
     pub looked: Option<Vec<Look>>,
+    /// The suprema that were compared.
+    pub(super) found: Vec<Found>,
     pub(super) frames: usize,
     pub(super) depth: usize,
 }
@@ -121,7 +136,7 @@ impl<'a> Reading<'a> {
     #[must_use]
     pub fn new(on: &'a Instance, names: Names<'a>) -> Self {
         let (index, bound) = (on.index.clone(), Bound::default());
-        Self { on, names, index, bound, frame: None, looked: None, frames: 0, depth: 0 }
+        Self { on, names, index, bound, frame: None, looked: None, found: Vec::new(), frames: 0, depth: 0 }
     }
 
     pub(super) fn knots(&self) -> Result<&'a KnotVector, Stop> {

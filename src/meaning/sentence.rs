@@ -10,7 +10,7 @@ use crate::spline::{Basis, Index, KnotVector};
 use super::cell::{Cell, Focus};
 use super::instance::Instance;
 use super::points;
-use super::reading::{Names, Reading};
+use super::reading::{Found, Names, Reading};
 use super::reals::Part;
 use super::tries;
 use super::truth::{Stop, Truth};
@@ -55,6 +55,8 @@ pub struct Decided {
     pub unknown: Option<String>,
     /// Were control values only tried, not decided for all?
     pub tried: bool,
+    /// The suprema that were compared.
+    pub found: Vec<Found>,
 }
 
 impl From<Decided> for Truth {
@@ -196,6 +198,7 @@ impl<'a> Reading<'a> {
         if concerns(sentence, self.on) {
             self.binders(&sentence.given, &sentence.assume.iter().collect::<Vec<_>>(), &mut walk);
         }
+        walk.decided.found = std::mem::take(&mut self.found);
         walk.decided
     }
 

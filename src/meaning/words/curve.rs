@@ -105,11 +105,8 @@ mod tests {
     const QUADRATIC: Curve = (&[0, 0, 0, 1, 2, 2, 2], 2, POINTS);
     const BEZIER: Curve = (&[0, 0, 0, 0, 1, 1, 1, 1], 3, POINTS);
     /// S3, of which the trace does not depend on α.
-    const DOUBLE: Curve = (
-        &[0, 0, 0, 0, 1, 1, 2, 2, 2, 2],
-        3,
-        &[[4, 0], [0, 11], [8, 14], [8, 14], [16, 11], [12, 0]],
-    );
+    const DOUBLE: Curve =
+        (&[0, 0, 0, 0, 1, 1, 2, 2, 2, 2], 3, &[[4, 0], [0, 11], [8, 14], [8, 14], [16, 11], [12, 0]]);
 
     fn decided((knots, degree, points): Curve, alpha: &str, conclusion: &str) -> Decided {
         let known = Known::defining(&[("C[c](x)", "sum(i in 0..n: P[i,c]*G[i](x))")]).unwrap();

@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use crate::analysis::{Enclosed, Greatest, compare};
 use crate::language::{Real, Relation, Use, Word};
 
-use super::super::reading::Reading;
+use super::super::reading::{Found, Reading};
 use super::super::truth::{Stop, Truth};
 use super::super::value::{Plain, Value};
 use super::{Expression, Of};
@@ -22,6 +22,10 @@ pub(in super::super) fn chain(
         Ok(values) => values,
         Err(stop) => return Some(stop.into()),
     };
+    for (term, value) in terms().zip(&values).filter(|(term, _)| supremum_in(term).is_some()) {
+        let (integers, indices) = (own.bound.integers.clone(), own.bound.indices.clone());
+        own.found.push(Found { term: term.clone(), integers, indices, value: value.clone() });
+    }
     let mut all = Truth::True;
     for (at, (relation, _)) in rest.iter().enumerate() {
         let [a, b] = &mut values[at..=at + 1] else { continue };
@@ -37,6 +41,14 @@ fn supremum_in(term: &Real) -> Option<&Use> {
     match term {
         Real::Word(of) if of.word == Word::Supremum => Some(of),
         _ => None,
+    }
+}
+
+impl Reading<'_> {
+    /// The supremum that a term is, rational or not; `None`, if it is another term or has no value.
+    pub fn supremum(&mut self, term: &Real) -> Option<Greatest> {
+        supremum_in(term)?;
+        number(self, term).ok()
     }
 }
 
