@@ -109,6 +109,8 @@ pub mod certificate;
 pub mod claims;
 pub mod cli;
 pub mod float;
+#[cfg(test)]
+mod guard;
 pub mod json;
 pub mod judge;
 pub mod language;

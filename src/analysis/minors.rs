@@ -1,7 +1,9 @@
 //! Minors of the matrices (G_i(x_j)), x_1 < x_2 < …: a total positivity that fails, fails close to a knot.
 
-use crate::scalar::{BigRational, ExactField, integer, rational};
+use crate::scalar::{BigRational, integer, rational};
 use crate::spline::{Basis, Side};
+
+use super::linear::determinant;
 
 /// Three consecutive functions and three points with a negative minor.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -27,7 +29,7 @@ pub fn negative_minor(basis: &Basis) -> Option<NegativeMinor> {
         let column = |i: usize| [&right[i].coefficients()[0], &left[i].coefficients()[1], &right[i].coefficients()[1]];
         let negative = |first: &usize| {
             let corner: Vec<Vec<_>> = (*first..first + 3).map(|i| column(i).map(Clone::clone).to_vec()).collect();
-            determinant(&corner) < integer(0)
+            determinant(&corner, &integer(1)) < integer(0)
         };
         (0..basis.n().saturating_sub(1)).find(negative).and_then(|first| near(basis, x, first))
     })
@@ -42,36 +44,15 @@ fn near(basis: &Basis, x: &BigRational, first: usize) -> Option<NegativeMinor> {
         let points = [x - &epsilon, x.clone(), x + &epsilon];
         let row = |x: &BigRational| basis.values(x, Side::Right)[first..first + 3].to_vec();
         let rows: Vec<_> = points.iter().map(row).collect();
-        let value = determinant(&rows);
+        let value = determinant(&rows, &integer(1));
         (value < integer(0)).then_some(NegativeMinor { first, points, rows, value })
     })
-}
-
-/// The determinant of a square matrix, by Laplace's expansion: for small orders.
-#[must_use]
-pub fn determinant<S: ExactField>(rows: &[Vec<S>]) -> S {
-    let [first, rest @ ..] = rows else { unreachable!("a matrix has a row") };
-    if rest.is_empty() {
-        return first[0].clone();
-    }
-    let without = |row: &Vec<S>, column: usize| [&row[..column], &row[column + 1..]].concat();
-    let term = |(column, entry): (usize, &S)| {
-        let term = entry.times(&determinant(&rest.iter().map(|row| without(row, column)).collect::<Vec<_>>()));
-        if column % 2 == 0 { term } else { term.negate() }
-    };
-    first.iter().enumerate().map(term).fold(first[0].zero(), |sum, term| sum.plus(&term))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::spline::KnotVector;
-
-    #[test]
-    fn determinants() {
-        let matrix = [[1, 2, 3], [0, 1, 4], [5, 6, 0]].map(|row| row.map(integer).to_vec());
-        assert_eq!(determinant(&matrix), integer(1));
-    }
 
     #[test]
     fn polynomial_b_splines_are_totally_positive_and_others_are_not() {

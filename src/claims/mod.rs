@@ -60,6 +60,8 @@ pub use paper::{ARXIV, PaperNumber};
 pub(crate) use reflection::Reflection;
 pub use register::claims;
 pub use small_cases::Cases;
+#[cfg(test)]
+pub(crate) use statement::Outcome;
 pub use statement::{Conclusion, Fault, Sharpness, Statement, judge, judge_by_degree, sharpness};
 pub use uses::{USES, Use};
 pub use verdict::{Judgement, Ledger, Reach, Scope, Stop, Verdict, Witness};

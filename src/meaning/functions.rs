@@ -246,7 +246,7 @@ impl Reading<'_> {
                 && definition.indices.len() == of.len()
                 && indices.all(|(pattern, i)| !matches!(pattern, Pattern::Number(n) if n != i))
         };
-        let found = self.file.definitions.iter().find(fits);
+        let found = self.names.definitions.iter().find(fits);
         let definition = found.ok_or_else(|| Stop::Unbound(name.to_string()))?;
         if self.depth > DEEPEST {
             return Err(Stop::Unknown(format!("{name} calls itself without an end")));

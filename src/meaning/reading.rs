@@ -1,7 +1,9 @@
 //! The one walk over the trees: what terms and formulas are on an instance.
 
 use crate::analysis::Sign;
-use crate::language::{Definition, Fold, Formula, Int, Member, Name, Over, Range, Real, Relation, Sentence};
+use crate::language::{
+    Definition, File, Fold, Formula, Int, Member, Name, Over, Range, Real, Relation, Sentence,
+};
 use crate::scalar::BigRational;
 use crate::spline::{Index, KnotVector};
 
@@ -11,20 +13,44 @@ use super::truth::{Stop, Truth};
 use super::value::{Plain, Value};
 use super::words;
 
-/// What the names of a file stand for.
+/// What the names in a file stand for.
 #[derive(Clone, Copy)]
 pub struct Names<'a> {
     /// Its definitions.
     pub definitions: &'a [Definition],
-    /// The sentence of a stanza, printed or, where it has one, amended.
-    pub sentence: &'a (dyn Fn(&Name, bool) -> Option<Sentence> + Sync),
+    /// All stanzas.
+    pub library: &'a (dyn Library + Sync),
+}
+
+/// Where the sentences of stanzas are.
+pub trait Library {
+    /// The sentence of a stanza, as printed or, where that fails, as amended, with the definitions of its own file.
+    fn claim(&self, id: &str, printed: bool) -> Option<(&Sentence, &[Definition])>;
+}
+
+/// No stanzas.
+impl Library for () {
+    fn claim(&self, _: &str, _: bool) -> Option<(&Sentence, &[Definition])> {
+        None
+    }
+}
+
+/// Of a stanza that has an amended sentence, the printed one fails.
+impl Library for Vec<File> {
+    fn claim(&self, id: &str, printed: bool) -> Option<(&Sentence, &[Definition])> {
+        let (stanza, file) = self
+            .iter()
+            .find_map(|file| Some((file.claims.iter().find(|stanza| &*stanza.id == id)?, file)))?;
+        let said = stanza.amended.as_ref().filter(|_| !printed).unwrap_or(&stanza.printed);
+        Some((said.sentence()?, &file.definitions))
+    }
 }
 
 impl Names<'static> {
     /// Without definitions and other stanzas.
     #[must_use]
     pub fn empty() -> Self {
-        Self { definitions: &[], sentence: &|_, _| None }
+        Self { definitions: &[], library: &() }
     }
 }
 
@@ -46,7 +72,7 @@ pub struct Reading<'a> {
     /// What is read on.
     pub on: &'a Instance,
     /// Whose names are known.
-    pub file: Names<'a>,
+    pub names: Names<'a>,
     /// The index of the moment: α, but in `(x; alpha = …)`.
     pub index: Index,
     /// What is bound.
@@ -74,9 +100,9 @@ fn too_large() -> Stop {
 impl<'a> Reading<'a> {
     /// With nothing bound.
     #[must_use]
-    pub fn new(on: &'a Instance, file: Names<'a>) -> Self {
+    pub fn new(on: &'a Instance, names: Names<'a>) -> Self {
         let (index, bound) = (on.index.clone(), Bound::default());
-        Self { on, file, index, bound, frame: None, frames: 0, depth: 0 }
+        Self { on, names, index, bound, frame: None, frames: 0, depth: 0 }
     }
 
     pub(super) fn knots(&self) -> Result<&'a KnotVector, Stop> {
@@ -305,6 +331,7 @@ impl<'a> Reading<'a> {
                 let ends = self.int(j).and_then(|j| Ok((j, self.int(from)?, self.int(to)?)));
                 ends.map(|(j, from, to)| (from..=to).contains(&j)).into()
             }
+            Formula::Instance(names) => self.on.name.as_ref().is_some_and(|name| names.contains(name)).into(),
             Formula::Not(f) => self.truth(f).negated(),
             Formula::And(all) => self.fold(true, all.iter(), |own, f| own.truth(f)),
             Formula::Or(all) => self.fold(false, all.iter(), |own, f| own.truth(f)),
@@ -342,12 +369,9 @@ impl<'a> Reading<'a> {
                 let each = self.over_reals(name, interval, |own| own.truth(body), &Truth::Mixed);
                 each.map_or_else(Truth::from, exactly_one)
             }
-            Formula::Instance(names) => {
-                self.on.name.as_ref().is_some_and(|name| names.contains(name)).into()
-            }
             Formula::Word(of) => words::holds(self, of),
-            Formula::Claim { id, printed } => match (self.file.sentence)(id, *printed) {
-                Some(sentence) => self.sentence(&sentence),
+            Formula::Claim { id, printed } => match self.names.library.claim(id, *printed) {
+                Some((sentence, definitions)) => self.sentence(sentence, Names { definitions, ..self.names }),
                 None => Truth::Unknown(format!("there is no claim {id}")),
             },
         }
@@ -382,7 +406,8 @@ impl<'a> Reading<'a> {
 
     /// Of equalities every pair, so that a = c counts where b does not exist; otherwise neighbours.
     fn chain(&mut self, first: &Real, rest: &[(Relation, Real)]) -> Truth {
-        if let Some(truth) = self.chain_of_indices(first, rest) {
+        let special = self.chain_of_indices(first, rest).or_else(|| words::chain_of_suprema(self, first, rest));
+        if let Some(truth) = special {
             return truth;
         }
         let terms = std::iter::once(first).chain(rest.iter().map(|(_, t)| t));

@@ -55,16 +55,12 @@ impl Reading<'_> {
 
     /// The cells of an open interval, or of the whole line.
     pub(super) fn line(&self, from: Option<&BigRational>, to: Option<&BigRational>) -> Vec<Cell> {
-        let mut stops: Vec<_> = match self.on.knots() {
-            Some(knots) => knots.stop_knots().map(|(t, _)| t.clone()).collect(),
-            None => self.bound.reals.iter().filter_map(|(_, value, _)| value.number().cloned()).collect(),
-        };
+        let knots = self.on.knots().into_iter().flat_map(|knots| knots.stop_knots());
+        let mut stops: Vec<_> = knots.map(|(t, _)| t.clone()).collect();
         stops.retain(|t| from.is_none_or(|from| from < t) && to.is_none_or(|to| t < to));
         if stops.is_empty() && from.is_none() && to.is_none() {
             stops.push(integer(0));
         }
-        stops.sort();
-        stops.dedup();
         let mut cells = Vec::new();
         let mut before = from.cloned();
         for t in stops {

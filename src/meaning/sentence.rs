@@ -120,8 +120,8 @@ impl Walk<'_> {
 /// Decides a sentence on an instance: for every x of its intervals, every integer of its ranges, and the free reals, other
 /// indices and control values of short lists.
 #[must_use]
-pub fn decide(sentence: &Sentence, on: &Instance, file: Names<'_>) -> Decided {
-    Reading::new(on, file).decide(sentence)
+pub fn decide(sentence: &Sentence, on: &Instance, names: Names<'_>) -> Decided {
+    Reading::new(on, names).decide(sentence)
 }
 
 /// Does the instance satisfy what `for` says of degree, knots, name and index? Sentences say nothing of others.
@@ -160,8 +160,8 @@ pub fn has(adjective: Adjective, knots: &KnotVector, k: usize) -> bool {
 impl<'a> Reading<'a> {
     /// With the names bound as at a failure.
     #[must_use]
-    pub fn with(on: &'a Instance, file: Names<'a>, given: &[(Name, Given)]) -> Self {
-        let mut reading = Self::new(on, file);
+    pub fn with(on: &'a Instance, names: Names<'a>, given: &[(Name, Given)]) -> Self {
+        let mut reading = Self::new(on, names);
         for (name, given) in given {
             match given {
                 Given::Integer(i) => reading.bound.integers.push((name.clone(), *i)),
@@ -177,11 +177,11 @@ impl<'a> Reading<'a> {
         reading
     }
 
-    pub(super) fn sentence(&mut self, sentence: &Sentence) -> Truth {
+    pub(super) fn sentence(&mut self, sentence: &Sentence, names: Names<'a>) -> Truth {
         if !concerns(sentence, self.on) {
             return Truth::True;
         }
-        let mut own = Reading { depth: self.depth + 1, ..Reading::new(self.on, self.file) };
+        let mut own = Reading { depth: self.depth + 1, ..Reading::new(self.on, names) };
         if own.depth > 8 {
             return Truth::Unknown("claims that name each other".into());
         }
@@ -190,7 +190,7 @@ impl<'a> Reading<'a> {
     }
 
     fn decide(&mut self, sentence: &Sentence) -> Decided {
-        let linear = points::decided_by_units(sentence, self.file.definitions);
+        let linear = points::decided_by_units(sentence, self.names.definitions);
         let mut walk = Walk { sentence, linear, decided: Decided::default() };
         if concerns(sentence, self.on) {
             self.binders(&sentence.given, &sentence.assume.iter().collect::<Vec<_>>(), &mut walk);
@@ -220,7 +220,7 @@ impl<'a> Reading<'a> {
             Binder::Gaps(gaps) => match self.on_gaps(gaps) {
                 Ok(on) => {
                     let known = walk.decided.failure.is_some();
-                    let mut own = Reading { bound: self.bound.clone(), ..Reading::new(&on, self.file) };
+                    let mut own = Reading { bound: self.bound.clone(), ..Reading::new(&on, self.names) };
                     own.binders(others, &pending, walk);
                     if let (false, Some(failure)) = (known, &mut walk.decided.failure) {
                         failure.knots = on.knots().cloned();
@@ -446,11 +446,7 @@ impl<'a> Reading<'a> {
 
 fn name_of(binder: &Binder) -> Option<&Name> {
     match binder {
-        Binder::Degree { .. }
-        | Binder::Knots(_)
-        | Binder::Gaps(_)
-        | Binder::Instances(_)
-        | Binder::Indices(_) => None,
+        Binder::Degree { .. } | Binder::Knots(_) | Binder::Gaps(_) | Binder::Instances(_) | Binder::Indices(_) => None,
         Binder::Integer(range) => Some(&range.name),
         Binder::Index(name) | Binder::Point(name, _) | Binder::Real { name, .. } | Binder::Points(name) => {
             Some(name)

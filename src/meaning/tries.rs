@@ -90,7 +90,7 @@ fn from_negative_minor(basis: &Basis) -> Option<Vec<BigRational>> {
         // Cramer's rule.
         let mut replaced = rows.clone();
         replaced.iter_mut().enumerate().for_each(|(row, entries)| entries[column] = signed(row, integer(1)));
-        c[first + column] = (determinant(&replaced) / &value).round();
+        c[first + column] = (determinant(&replaced, &integer(1)) / &value).round();
     }
     Some(c)
 }

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use crate::claims::Source;
-use crate::float::FormulaRecord;
+use crate::float::MethodRecord;
 
 use super::again::again;
 use super::baseline::{Baseline, Entry};
@@ -120,7 +120,7 @@ fn section(record: &Record) -> String {
 }
 
 fn drift_table(drifts: &[Drift]) -> String {
-    let cells = |of: &FormulaRecord| {
+    let cells = |of: &MethodRecord| {
         let place = of.worst.as_ref().map(|worst| format!("G_{} at {}", worst.index, worst.float.x));
         let bound = of.proved();
         let bound = if bound.is_empty() { bound } else { format!(" {bound} |") };

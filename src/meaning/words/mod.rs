@@ -1,9 +1,12 @@
 //! The deciders of words, one file a family of them. They know no claim.
 
+mod curve;
 mod free_weights;
 mod linear;
+mod regular;
 mod shape;
 mod spaces;
+mod supremum;
 mod trace;
 
 use crate::language::{Function, Int, Interval, Item, Member, Name, Real, Use, Word};
@@ -11,6 +14,8 @@ use crate::language::{Function, Int, Interval, Item, Member, Name, Real, Use, Wo
 use super::reading::Reading;
 use super::truth::{Stop, Truth};
 use super::value::Value;
+
+pub(super) use supremum::chain as chain_of_suprema;
 
 /// What a word gives.
 enum Said {
@@ -32,6 +37,7 @@ fn say(own: &mut Reading<'_>, of: &Use) -> Result<Said, Stop> {
         Word::Maxima => Said::Count(shape::maxima(own, said.function(0)?)?),
         Word::Minima => Said::Count(shape::minima(own, said.function(0)?)?),
         Word::Maximisers => Said::Count(shape::maximisers(own, said.function(0)?)?),
+        Word::Tied => Said::Truth(shape::tied(own, said.function(0)?)?),
         Word::Continuous => Said::Truth(shape::continuous(own, said.function(0)?)?),
         Word::Changes => Said::Count(trace::changes(own, said.expression(0)?)?),
         Word::PolygonChanges => Said::Count(trace::polygon_changes(own, said.coefficients(0)?)?),
@@ -43,7 +49,14 @@ fn say(own: &mut Reading<'_>, of: &Use) -> Result<Said, Stop> {
         Word::Elevated => Said::Truth(spaces::elevated(own, said.int(0)?)?),
         Word::NurbsDegree => Said::Count(spaces::nurbs_degree(own, said.int(0)?)?),
         Word::FreeWeights => Said::Truth(free_weights::holds(own, said.int(0)?)?),
-        Word::Supremum => Said::Measure(trace::supremum(own, said.expression(0)?)?),
+        Word::Defined => Said::Truth(regular::defined(own, said.real(0)?)?),
+        Word::Rational => Said::Truth(regular::rational(own, said.expression(0)?)?),
+        Word::Smooth => Said::Truth(regular::smooth(own, said.expression(0)?)?),
+        Word::Stop => Said::Measure(shape::stop(own, said.int(0)?)?.into()),
+        Word::Stops => Said::Count(own.knots()?.stop_knots().count()),
+        Word::Supremum => Said::Measure(supremum::supremum(own, said.expression(0)?)?),
+        Word::Strays => Said::Truth(curve::strays(own, said.plane()?, said.real(2)?)?),
+        Word::ImplicitDegree => Said::Count(curve::implicit_degree(own, said.plane()?, said.int(2)?)?),
     })
 }
 
@@ -60,6 +73,10 @@ impl<'a> Of<'a> {
             at,
             |item| if let Item::Function(f, member) = item { Some((f, member.as_ref())) } else { None },
         )
+    }
+    /// The coordinates of a plane curve.
+    fn plane(&self) -> Result<[OfMember<'a>; 2], Stop> {
+        Ok([self.function(0)?, self.function(1)?])
     }
     fn expression(&self, at: usize) -> Result<Expression<'a>, Stop> {
         self.item(at, |item| match item {

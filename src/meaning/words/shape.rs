@@ -1,7 +1,9 @@
-//! Words about the graph of a basis function: maxima, minima, continuity.
+//! Words about knots, and about the graph of a basis function: multiplicity, maxima, minima, continuity.
 
-use crate::analysis::{LocalKnots, Monotonicity, Shape};
-use crate::language::{Function, Real};
+use num_traits::ToPrimitive;
+
+use crate::analysis::{Attained, Crossing, LocalKnots, Monotonicity, Shape};
+use crate::language::{Function, Int, Real};
 use crate::scalar::BigRational;
 use crate::spline::Side;
 
@@ -17,6 +19,14 @@ pub(super) fn multiplicity(own: &mut Reading<'_>, x: &Real) -> Result<usize, Sto
         Where::Knot(t) => own.knots()?.multiplicity(&t),
         Where::Span(_) | Where::Outside => 0,
     })
+}
+
+/// The i-th of the different knots.
+pub(super) fn stop(own: &mut Reading<'_>, i: &Int) -> Result<BigRational, Stop> {
+    let (i, mut stops) = (own.int(i)?, own.knots()?.stop_knots());
+    let missing = || Stop::Undefined(format!("there is no stop knot u_{i}"));
+    let at = usize::try_from(i).map_err(|_| missing())?;
+    stops.nth(at).map(|(t, _)| t.clone()).ok_or_else(missing)
 }
 
 /// Reads something of a basis function, with the index of a member.
@@ -55,15 +65,33 @@ pub(super) fn minima(own: &mut Reading<'_>, (f, member): OfMember<'_>) -> Result
     Ok(shape(own, (f, member))?.local_minima().count())
 }
 
-/// Points at which the largest value is taken: 1, or as many maxima as share it; 0 where it is only a limit.
-pub(super) fn maximisers(own: &mut Reading<'_>, (f, member): OfMember<'_>) -> Result<usize, Stop> {
-    let shape = shape(own, (f, member))?;
-    match shape.weak() {
-        Some(true) => Ok(1),
-        Some(false) if shape.local_maxima().count() > 1 => Ok(2),
-        Some(false) => Ok(0),
+/// Points at which the largest value is taken; 0 where it is only a limit.
+pub(super) fn maximisers(own: &mut Reading<'_>, of: OfMember<'_>) -> Result<usize, Stop> {
+    match shape(own, of)?.maximisers() {
+        Some(Attained::Times(count)) => Ok(count),
+        Some(Attained::Throughout) => Err(Stop::Undefined("the number of points of an interval".into())),
         None => Err(Stop::Unknown("two local maxima that lie too close to be told apart".into())),
     }
+}
+
+/// For an index close by, is the largest value taken at two points? Not where there is one maximum at this index.
+pub(super) fn tied(own: &mut Reading<'_>, of: OfMember<'_>) -> Result<bool, Stop> {
+    if shape(own, of)?.local_maxima().count() < 2 {
+        return Ok(false);
+    }
+    let crossing = of_basis(own, of, |own, (i, d)| {
+        let knots = LocalKnots::of(&own.on.basis_of(&own.index, d)?, i)?;
+        let mut gaps: Vec<_> = knots.gaps().iter().map(ToPrimitive::to_u64).collect::<Option<_>>()?;
+        let (p, q) = knots.ratio();
+        let (p, q) = (p.to_u64()?, q.to_u64()?);
+        // The mirror image, if it has the r < 1 that is looked at.
+        if p > q {
+            gaps.reverse();
+        }
+        Some(Crossing::near(&gaps, (p.min(q), p.max(q))).is_some())
+    })?;
+    let unknown = || Stop::Unknown("two local maxima of which none overtakes the other for an index close by".into());
+    crossing.then_some(true).ok_or_else(unknown)
 }
 
 /// Value and limit from the left agree at every knot inside (t_0, t_m).

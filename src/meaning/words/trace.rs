@@ -1,8 +1,8 @@
-//! Words about an expression along an interval: its changes of sign, its supremum.
+//! Words about an expression along an interval: its changes of sign.
 
-use crate::analysis::{Piece, Sign, sign_pattern, supremum as enclosure};
+use crate::analysis::{Piece, Sign, sign_pattern};
 use crate::language::{Interval, Name};
-use crate::scalar::{Ring, rational};
+use crate::scalar::Ring;
 
 use super::super::cell::Cell;
 use super::super::reading::{Reading, find};
@@ -86,16 +86,4 @@ pub(super) fn valleys(own: &mut Reading<'_>, of: Expression<'_>) -> Result<usize
 /// Sign changes of control values, zeros left out.
 pub(super) fn polygon_changes(own: &mut Reading<'_>, name: &Name) -> Result<usize, Stop> {
     Ok(changes_of(find(&own.bound.points, name)?.iter().map(Sign::of)))
-}
-
-/// The supremum of an expression on its interval, where it is taken, or approached, at a rational place.
-pub(super) fn supremum(own: &mut Reading<'_>, (t, name, interval): Expression<'_>) -> Result<Value, Stop> {
-    let pieces: Vec<_> = on_cells(own, (t, name, interval))?.into_iter().map(|(_, piece)| piece).collect();
-    let found =
-        enclosure(&pieces, &rational(1, 1 << 20)).map_err(|error| Stop::Unknown(error.to_string()))?;
-    if found.lo == found.hi {
-        Ok(found.lo.into())
-    } else {
-        Err(Stop::Unknown(format!("a supremum between {} and {}", found.lo, found.hi)))
-    }
 }

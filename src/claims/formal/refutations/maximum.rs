@@ -67,7 +67,7 @@ fn two_maxima(found: &Found<'_>, i: usize) -> Refuted {
 }
 
 /// A simple point close to an extremum.
-fn close_to(place: &crate::analysis::Place) -> BigRational {
+fn close_to(place: &crate::analysis::Location) -> BigRational {
     let (lo, hi) = place.interval();
     rationals_between(lo, hi).next().unwrap_or_else(|| lo.clone())
 }

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 /// Where an input stands: an option, a field of an instance file, or an instance of the paper, and the
 /// position in a list there, from 0.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Place {
+pub struct Provenance {
     source: Source,
     /// The position in the list; then the coordinate, in a list of points.
     positions: Vec<usize>,
@@ -19,7 +19,7 @@ enum Source {
     Paper { name: &'static str, what: &'static str },
 }
 
-impl Place {
+impl Provenance {
     /// The value of an option, such as `--knots`.
     #[must_use]
     pub fn option(name: &'static str) -> Self {
@@ -56,7 +56,7 @@ impl Place {
 }
 
 /// `--points, position 1, coordinate 0`, or ``file.json, `points[1][0]` ``.
-impl fmt::Display for Place {
+impl fmt::Display for Provenance {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.source {
             Source::Field { path, field } => {

@@ -8,7 +8,7 @@ use crate::spline::{Side, Span};
 
 /// A point of a span of a basis in `f64`. Limits are taken in the span.
 #[derive(Debug, Clone)]
-pub struct Case {
+pub struct Probe {
     /// The basis.
     pub basis: FloatBasis<f64>,
     /// A span of it.
@@ -17,7 +17,7 @@ pub struct Case {
     pub x: f64,
 }
 
-impl Case {
+impl Probe {
     /// The case of the limit from a side at x; `None` outside of [t_0, t_m].
     #[must_use]
     pub fn at(basis: FloatBasis<f64>, x: f64, side: Side) -> Option<Self> {
@@ -68,7 +68,7 @@ impl Source {
     }
 
     /// 2k + 2 knots around one span, and a point of it. A gap is 0 one time in eight, but that of the span never.
-    pub(super) fn case(&mut self, degree: usize) -> Case {
+    pub(super) fn case(&mut self, degree: usize) -> Probe {
         loop {
             let mut knots = vec![self.spread() - self.spread()];
             for i in 1..2 * degree + 2 {
@@ -83,7 +83,7 @@ impl Source {
     }
 
     /// A basis evenly, a span of it evenly, and a point evenly in the span.
-    pub(super) fn point(&mut self, bases: &[FloatBasis<f64>]) -> Option<Case> {
+    pub(super) fn point(&mut self, bases: &[FloatBasis<f64>]) -> Option<Probe> {
         let basis = bases.get(self.place(bases.len()))?;
         let knots = basis.knots();
         let starts: Vec<usize> = (1..knots.len()).filter(|&i| knots[i - 1] < knots[i]).collect();
@@ -91,7 +91,7 @@ impl Source {
         let (a, b, part) = (knots[end - 1], knots[end], self.part());
         let width = b - a;
         let x = if width.is_finite() { a + part * width } else { (1.0 - part) * a + part * b };
-        Case::at(basis.clone(), x.min(b), Side::Right)
+        Probe::at(basis.clone(), x.min(b), Side::Right)
     }
 
     /// A place in a list, evenly.
@@ -99,17 +99,17 @@ impl Source {
         usize::try_from(self.below(u64::try_from(length).unwrap_or(0))).unwrap_or(0)
     }
 
-    fn checked(knots: Vec<f64>, degree: usize, alpha: f64, x: f64) -> Option<Case> {
+    fn checked(knots: Vec<f64>, degree: usize, alpha: f64, x: f64) -> Option<Probe> {
         let basis = FloatBasis::new(knots, degree, alpha).ok()?;
-        Case::at(basis, x, Side::Right)
+        Probe::at(basis, x, Side::Right)
     }
 
     /// The case with one number changed: by a few units in the last place, by a factor, or drawn anew. With `fixed`, only x
     /// changes. `None` if nothing valid came out.
-    pub(super) fn changed(&mut self, case: &Case, fixed: bool) -> Option<Case> {
+    pub(super) fn changed(&mut self, case: &Probe, fixed: bool) -> Option<Probe> {
         if fixed {
             let x = self.moved(case);
-            return Case::at(case.basis.clone(), x, Side::Right);
+            return Probe::at(case.basis.clone(), x, Side::Right);
         }
         let mut knots = case.basis.knots().to_vec();
         let (mut alpha, mut x) = (case.basis.alpha(), case.x);
@@ -138,7 +138,7 @@ impl Source {
         Self::checked(knots, case.basis.degree(), alpha, x)
     }
 
-    fn moved(&mut self, case: &Case) -> f64 {
+    fn moved(&mut self, case: &Probe) -> f64 {
         let anew = if self.below(4) == 0 { self.point(std::slice::from_ref(&case.basis)) } else { None };
         anew.map_or_else(|| self.nudged(case.x), |case| case.x)
     }

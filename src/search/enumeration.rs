@@ -9,24 +9,24 @@ use super::space::{HIGHEST_DEGREE, Search, Space, SpaceError};
 
 /// The cases of a search, in their order. Each stands at a position; shards are ranges of positions.
 #[derive(Debug, Clone)]
-pub enum Cases {
+pub enum Enumeration {
     /// In order of size.
     Exhaustive(Exhaustive),
     /// In the order of their numbers.
     Random(Random),
 }
 
-impl Cases {
+impl Enumeration {
     /// The cases of the search.
     ///
     /// # Errors
     /// [`SpaceError`], if there is none, or if there are too many.
     ///
     /// ```
-    /// use knotproof::search::{Cases, Goal, Limits, Search, Space};
+    /// use knotproof::search::{Enumeration, Goal, Limits, Search, Space};
     ///
     /// let space = Space::Exhaustive(Limits { size: 4, gap: None, height: None });
-    /// let cases = Cases::of(&Search { degree: 2, find: Goal::Several, space })?;
+    /// let cases = Enumeration::of(&Search { degree: 2, find: Goal::Several, space })?;
     /// let (_, first) = cases.between(0..cases.positions()).next().unwrap();
     /// assert_eq!((first.gaps(), first.index().to_string()), (&[0, 1, 0][..], "-1".to_owned()));
     /// assert_eq!(cases.count(), cases.between(0..cases.positions()).count() as u64);

@@ -2,16 +2,18 @@
 
 use std::cmp::Ordering;
 
+use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-use crate::analysis::{ExtremumKind, LocalKnots, always_positive};
-use crate::scalar::{Polynomial, RationalFunction, Ring, height, integer, rationals_between};
+use crate::scalar::{Polynomial, RationalFunction, Ring, height, integer, rationals_between, spend};
 
-use super::candidate::Candidate;
-use super::decide::local_maxima;
-use super::extrema::{Turn, turns};
+use super::decision::always_positive;
+use super::extremum::{Extremum, ExtremumKind};
+use super::local_knots::{LocalKnots, is_continuous};
+use super::monotonicity::Monotonicity;
+use super::shape::Shape;
 
 /// A proof that for some r in an open interval (r₀, r₁), 0 < r₀ < r₁ ≤ 1, a function takes its largest value at two points.
 ///
@@ -28,21 +30,21 @@ pub struct Crossing {
     /// c and d, with t_i = 0.
     points: [BigRational; 2],
     /// The side that is higher at r₀.
-    higher: Side,
+    higher: Flank,
     /// Values between L and R at r₀ and at r₁.
     between: [BigRational; 2],
 }
 
 /// Left or right of c.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Side {
+pub enum Flank {
     /// x < c.
     Left,
     /// x > c.
     Right,
 }
 
-impl Side {
+impl Flank {
     fn other(self) -> Self {
         match self {
             Self::Left => Self::Right,
@@ -53,7 +55,7 @@ impl Side {
 
 /// The two highest maxima of a function.
 struct Lead {
-    higher: Side,
+    higher: Flank,
     /// Where the left one ends and the right one begins.
     gap: (BigRational, BigRational),
     /// The place of the minimum between them.
@@ -75,18 +77,16 @@ const ROOM: usize = 4;
 const BISECTIONS: usize = 16;
 
 impl Crossing {
-    /// Looks for one near a candidate with at least two local maxima: r moves to where the lower of its two highest
+    /// Looks for one near a function with at least two local maxima, by its gaps and r = p/q: r moves to where the lower of its two highest
     /// maxima gains (mass goes left as r grows) for as long as there are two.
     #[must_use]
-    pub fn near(candidate: &Candidate) -> Option<Self> {
-        let gaps = candidate.gaps();
-        let start = lead(gaps, candidate.ratio())?;
-        let (mut near, mut bits) = (candidate.ratio(), 2);
+    pub fn near(gaps: &[u64], ratio: (u64, u64)) -> Option<Self> {
+        let start = lead(gaps, ratio)?;
+        let (mut near, mut bits) = (ratio, 2);
         let mut far = None;
         for _ in 0..STEPS {
             let next = stepped(near, start.higher, bits)?;
-            let maxima = Candidate::new(gaps.to_vec(), next).ok().map_or(0, |new| local_maxima(&new).maxima);
-            match (maxima > 1).then(|| lead(gaps, next)).flatten() {
+            match has_several_maxima(gaps, next).then(|| lead(gaps, next)).flatten() {
                 Some(lead) if lead.higher == start.higher => near = next,
                 Some(_) => {
                     far = Some(next);
@@ -100,7 +100,7 @@ impl Crossing {
         // Further out on both sides, for as long as the leads stay: room for simpler indices.
         let other = start.higher.other();
         let outer = [
-            further(gaps, candidate.ratio(), (other, start.higher), bits),
+            further(gaps, ratio, (other, start.higher), bits),
             further(gaps, inner[1], (start.higher, other), bits),
         ];
         for round in 0..BISECTIONS {
@@ -152,7 +152,7 @@ impl Crossing {
                 choices.sort_by_key(height);
                 let found = choices.iter().find_map(|choice| {
                     let mut ends = self.ends;
-                    ends[end] = ratio(choice)?;
+                    ends[end] = Self::ratio(choice)?;
                     Self::new(&self.gaps, ends, self.points.clone())
                 });
                 if let Some(found) = found {
@@ -165,10 +165,10 @@ impl Crossing {
         self
     }
 
-    /// The function at r₁, that is at the smaller α: what this is a finding about.
+    /// The gaps between the knots of the function.
     #[must_use]
-    pub fn candidate(&self) -> Candidate {
-        Candidate::assumed(self.gaps.clone(), self.ends[1])
+    pub fn gaps(&self) -> &[u64] {
+        &self.gaps
     }
 
     /// (p, q) for r₀ < r₁.
@@ -178,7 +178,7 @@ impl Crossing {
     }
 
     /// A simple ratio between r₀ and r₁.
-    pub(super) fn middle(&self) -> (u64, u64) {
+    pub(crate) fn middle(&self) -> (u64, u64) {
         between(self.ends[0], self.ends[1]).unwrap_or(self.ends[1])
     }
 
@@ -186,6 +186,12 @@ impl Crossing {
     #[must_use]
     pub fn indices(&self) -> [BigRational; 2] {
         [alpha(self.ends[1]), alpha(self.ends[0])]
+    }
+
+    /// (p, q) for an α < 0; `None` if they are too large.
+    pub(crate) fn ratio(alpha: &BigRational) -> Option<(u64, u64)> {
+        let (a, b) = ((-alpha.numer()).to_u64()?, alpha.denom().to_u64()?);
+        Some((a, a.checked_add(b)?))
     }
 
     /// c and d.
@@ -196,20 +202,14 @@ impl Crossing {
 
     /// The side of c that is higher at the indices, and a value between the largest values on both sides.
     #[must_use]
-    pub fn at_ends(&self) -> [(Side, &BigRational); 2] {
+    pub fn at_ends(&self) -> [(Flank, &BigRational); 2] {
         [(self.higher.other(), &self.between[1]), (self.higher, &self.between[0])]
     }
 }
 
 /// α = r/(r − 1) for r < 1.
 fn alpha((p, q): (u64, u64)) -> BigRational {
-    BigRational::new(p.into(), num_bigint::BigInt::from(p) - q)
-}
-
-/// (p, q) for an α < 0.
-pub(super) fn ratio(alpha: &BigRational) -> Option<(u64, u64)> {
-    let (a, b) = ((-alpha.numer()).to_u64()?, alpha.denom().to_u64()?);
-    Some((a, a.checked_add(b)?))
+    BigRational::new(p.into(), BigInt::from(p) - q)
 }
 
 fn sorted(ends: [(u64, u64); 2]) -> [(u64, u64); 2] {
@@ -218,7 +218,7 @@ fn sorted(ends: [(u64, u64); 2]) -> [(u64, u64); 2] {
 }
 
 /// Some steps on, as if `towards` were higher, for as long as there are two maxima and `lead_of` leads.
-fn further(gaps: &[u64], mut ratio: (u64, u64), (towards, lead_of): (Side, Side), bits: u32) -> (u64, u64) {
+fn further(gaps: &[u64], mut ratio: (u64, u64), (towards, lead_of): (Flank, Flank), bits: u32) -> (u64, u64) {
     for _ in 0..ROOM {
         match stepped(ratio, towards, bits) {
             Some(next) if lead(gaps, next).is_some_and(|lead| lead.higher == lead_of) => ratio = next,
@@ -229,9 +229,9 @@ fn further(gaps: &[u64], mut ratio: (u64, u64), (towards, lead_of): (Side, Side)
 }
 
 /// r·(1 − 2^−bits) to give the right side more, r/(1 − 2^−bits) to give the left one more, to 20 bits; `None` at r ≥ 1.
-fn stepped((p, q): (u64, u64), higher: Side, bits: u32) -> Option<(u64, u64)> {
+fn stepped((p, q): (u64, u64), higher: Flank, bits: u32) -> Option<(u64, u64)> {
     let factor = ((1_u128 << bits) - 1, 1_u128 << bits);
-    let (up, down) = if higher == Side::Left { factor } else { (factor.1, factor.0) };
+    let (up, down) = if higher == Flank::Left { factor } else { (factor.1, factor.0) };
     // 2^36 is more than enough for any r that a search meets; r is kept above 2^-36.
     let scaled = ((u128::from(p) * up) << 36) / (u128::from(q) * down);
     let spare = (128 - scaled.leading_zeros()).saturating_sub(20);
@@ -253,10 +253,21 @@ fn reduced(p: u64, q: u64) -> Option<(u64, u64)> {
     (0 < p && p < q).then(|| (p / common, q / common))
 }
 
+/// The continuous function with these gaps.
+fn function(gaps: &[u64], (p, q): (u64, u64)) -> Option<LocalKnots<BigInt>> {
+    let integral = gaps.iter().map(|&gap| gap.into()).collect();
+    LocalKnots::new(integral, (p.into(), q.into())).ok().filter(|_| is_continuous(gaps))
+}
+
+fn has_several_maxima(gaps: &[u64], ratio: (u64, u64)) -> bool {
+    spend();
+    let maxima = function(gaps, ratio).and_then(|function| Monotonicity::of(&function).local_maxima());
+    maxima.is_some_and(|maxima| maxima > 1)
+}
+
 /// The two highest maxima and what lies between; `None` if there are no two, or two could not be told apart.
 fn lead(gaps: &[u64], ratio: (u64, u64)) -> Option<Lead> {
-    let candidate = Candidate::new(gaps.to_vec(), ratio).ok()?;
-    let mut turns = turns(&candidate);
+    let mut turns = Shape::of_local(&function(gaps, ratio)?).into_extrema();
     let maxima: Vec<usize> = (0..turns.len()).filter(|&at| turns[at].kind == ExtremumKind::Maximum).collect();
     let (mut first, mut second) = (*maxima.first()?, None);
     for &next in &maxima[1..] {
@@ -271,30 +282,30 @@ fn lead(gaps: &[u64], ratio: (u64, u64)) -> Option<Lead> {
     }
     let second = second?;
     let (left, right) = (first.min(second), first.max(second));
-    let middle = |turn: &Turn| {
-        let (lo, hi) = turn.interval();
-        if lo == hi { Some(lo) } else { rationals_between(&lo, &hi).next() }
+    let middle = |turn: &Extremum| {
+        let (lo, hi) = turn.place.interval();
+        if lo == hi { Some(lo.clone()) } else { rationals_between(lo, hi).next() }
     };
     Some(Lead {
-        higher: if first == left { Side::Left } else { Side::Right },
-        gap: (turns[left].interval().1, turns[right].interval().0),
+        higher: if first == left { Flank::Left } else { Flank::Right },
+        gap: (turns[left].place.interval().1.clone(), turns[right].place.interval().0.clone()),
         valley: middle(&turns[left + 1])?,
         peak: middle(&turns[first])?,
     })
 }
 
 /// Compares the values of two turns; `None` if they could not be told apart.
-fn compare(turns: &mut [Turn], one: usize, other: usize) -> Option<Ordering> {
+fn compare(turns: &mut [Extremum], one: usize, other: usize) -> Option<Ordering> {
     for _ in 0..LOOKS {
-        let ((lo, hi), (low, high)) = (turns[one].value(), turns[other].value());
+        let ((lo, hi), (low, high)) = (&turns[one].value, &turns[other].value);
         if hi < low {
             return Some(Ordering::Less);
         }
         if high < lo {
             return Some(Ordering::Greater);
         }
-        turns[one].refine();
-        turns[other].refine();
+        turns[one].narrow();
+        turns[other].narrow();
     }
     None
 }
@@ -303,25 +314,23 @@ fn compare(turns: &mut [Turn], one: usize, other: usize) -> Option<Ordering> {
 ///
 /// Both sides must have a maximum, and none may be at c: if then the highest one on a side is higher than all of the other
 /// side, it is the largest value of its side, and larger than the value at c and so than all values of the other side.
-fn sides(gaps: &[u64], ratio: (u64, u64), c: &BigRational) -> Option<(Side, BigRational)> {
-    let candidate = Candidate::new(gaps.to_vec(), ratio).ok()?;
-    let mut turns = turns(&candidate);
+fn sides(gaps: &[u64], ratio: (u64, u64), c: &BigRational) -> Option<(Flank, BigRational)> {
+    let mut turns = Shape::of_local(&function(gaps, ratio)?).into_extrema();
     turns.retain(|turn| turn.kind == ExtremumKind::Maximum);
     let mut on_left = 0;
     for turn in &mut turns {
         let mut looks = 0;
         on_left += loop {
-            let (lo, hi) = turn.interval();
-            if hi < *c {
+            let (lo, hi) = turn.place.interval();
+            if hi < c {
                 break 1;
             }
-            if *c < lo {
+            if c < lo {
                 break 0;
             }
-            if looks == LOOKS || turn.is_exact() {
+            if looks == LOOKS || !turn.narrow() {
                 return None;
             }
-            turn.refine();
             looks += 1;
         };
     }
@@ -329,20 +338,21 @@ fn sides(gaps: &[u64], ratio: (u64, u64), c: &BigRational) -> Option<(Side, BigR
         return None;
     }
     for _ in 0..LOOKS {
-        let values: Vec<_> = turns.iter().map(Turn::value).collect();
-        let (left, right) = values.split_at(on_left);
-        let largest = |side: &[(BigRational, BigRational)]| {
-            let lo = side.iter().map(|(lo, _)| lo).max()?;
-            Some((lo.clone(), side.iter().map(|(_, hi)| hi).max()?.clone()))
+        let (left, right) = turns.split_at(on_left);
+        let largest = |side: &[Extremum]| {
+            let lo = side.iter().map(|turn| &turn.value.0).max()?;
+            Some((lo.clone(), side.iter().map(|turn| &turn.value.1).max()?.clone()))
         };
         let ((l_lo, l_hi), (r_lo, r_hi)) = (largest(left)?, largest(right)?);
         if l_lo > r_hi {
-            return Some((Side::Left, rationals_between(&r_hi, &l_lo).next()?));
+            return Some((Flank::Left, rationals_between(&r_hi, &l_lo).next()?));
         }
         if r_lo > l_hi {
-            return Some((Side::Right, rationals_between(&l_hi, &r_lo).next()?));
+            return Some((Flank::Right, rationals_between(&l_hi, &r_lo).next()?));
         }
-        turns.iter_mut().for_each(Turn::refine);
+        for turn in &mut turns {
+            turn.narrow();
+        }
     }
     None
 }
@@ -385,8 +395,7 @@ mod tests {
     /// The two maxima of gaps 0, 5, 2, 1 are equal for some α between −53/47 and −12/13.
     #[test]
     fn a_crossing_is_found_and_checked() {
-        let candidate = Candidate::new(vec![0, 5, 2, 1], (1, 2)).unwrap();
-        let crossing = Crossing::near(&candidate).unwrap();
+        let crossing = Crossing::near(&[0, 5, 2, 1], (1, 2)).unwrap();
         let [low, high] = crossing.indices();
         assert!(rational(-2, 1) < low && low < high && high < rational(-1, 2), "{low} {high}");
         let new = |ends, points: [BigRational; 2]| Crossing::new(&[0, 5, 2, 1], ends, points);
@@ -405,6 +414,6 @@ mod tests {
 
     #[test]
     fn one_maximum_has_no_crossing() {
-        assert_eq!(Crossing::near(&Candidate::new(vec![1, 1, 1, 1], (1, 2)).unwrap()), None);
+        assert_eq!(Crossing::near(&[1, 1, 1, 1], (1, 2)), None);
     }
 }

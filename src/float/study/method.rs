@@ -1,14 +1,13 @@
 //! The ways to compute the basis in `f64` that are compared.
 
-use super::super::basis::HIGHEST_DEGREE;
 use super::super::batch::Precision;
-use super::super::point;
+use super::super::error::HIGHEST_DEGREE;
 use super::super::power::power;
-use super::case::Case;
+use super::probe::Probe;
 
 /// One way to compute.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Formula {
+pub enum Method {
     /// The recursion of D3.3 with the weight as the paper prints it, α(x − a)/(x + (α − 1)b − αa), and 1 − w by
     /// subtraction.
     Paper,
@@ -22,7 +21,7 @@ pub enum Formula {
     Accurate,
 }
 
-impl Formula {
+impl Method {
     /// All of them.
     pub const ALL: [Self; 5] = [Self::Paper, Self::Ratio, Self::Triangle, Self::Fast, Self::Accurate];
 
@@ -40,7 +39,7 @@ impl Formula {
 
     /// G_{j−k}, …, G_j of the case.
     #[must_use]
-    pub fn values(self, case: &Case) -> Vec<f64> {
+    pub fn values(self, case: &Probe) -> Vec<f64> {
         let (alpha, x) = (case.basis.alpha(), case.x);
         let r = ratio(case);
         let mut values = match self {
@@ -57,7 +56,7 @@ impl Formula {
             }
             Self::Accurate => {
                 let mut values = vec![0.0; case.basis.degree() + 1];
-                point::values(&case.basis, case.span, x, &mut values);
+                case.basis.at_point(case.span, x, &mut values);
                 values
             }
         };
@@ -83,7 +82,7 @@ impl Formula {
     /// triangle needs all its sums r(x − a) + (b − x) between 2⁻¹⁰⁰ and 2¹⁰⁰: then nothing overflows, and no underflow
     /// matters.
     #[must_use]
-    pub fn bound_applies(self, case: &Case) -> bool {
+    pub fn bound_applies(self, case: &Probe) -> bool {
         match self {
             Self::Paper | Self::Ratio => false,
             Self::Fast | Self::Accurate => true,
@@ -106,13 +105,13 @@ impl Formula {
 }
 
 /// r = α/(α − 1), rounded.
-fn ratio(case: &Case) -> f64 {
+fn ratio(case: &Probe) -> f64 {
     let alpha = case.basis.alpha();
     if alpha.is_infinite() { 1.0 } else { alpha / (alpha - 1.0) }
 }
 
 /// G_i^d = w_i^d G_i^{d−1} + (1 − w_{i+1}^d) G_{i+1}^{d−1} on the span, for w_i^d = `weight`(t_i, t_{i+d}).
-fn recursion(case: &Case, weight: impl Fn(f64, f64) -> f64) -> Vec<f64> {
+fn recursion(case: &Probe, weight: impl Fn(f64, f64) -> f64) -> Vec<f64> {
     let (degree, knots) = (case.basis.degree(), case.basis.local(case.span));
     let mut values = vec![1.0];
     for d in 1..=degree {
@@ -132,7 +131,7 @@ fn recursion(case: &Case, weight: impl Fn(f64, f64) -> f64) -> Vec<f64> {
     values
 }
 
-fn triangle(case: &Case, r: f64) -> Vec<f64> {
+fn triangle(case: &Probe, r: f64) -> Vec<f64> {
     let (degree, knots) = (case.basis.degree(), case.basis.local(case.span));
     let mut values = [1.0; HIGHEST_DEGREE + 1];
     for d in 1..=degree {

@@ -6,8 +6,8 @@ use std::time::{Duration, Instant};
 use rayon::prelude::*;
 
 use super::block::{Block, Blocks};
-use super::cases::Cases;
-use super::decide::local_maxima;
+use super::decide::{Decided, local_maxima};
+use super::enumeration::Enumeration;
 use super::finding::{Bar, Finding, Findings};
 use super::shard::{Shard, ShardError};
 use super::space::{Search, SpaceError};
@@ -17,27 +17,16 @@ use super::space::{Search, SpaceError};
 /// It is worked off in units of positions, in parallel, and put together in their order. What comes out depends on
 /// the search and the shard only: not on threads, nor on how often the work was interrupted.
 #[derive(Debug, Clone)]
-pub struct Part {
+pub struct Portion {
     pub(super) search: Search,
     pub(super) shard: Shard,
-    pub(super) cases: Cases,
+    pub(super) cases: Enumeration,
     pub(super) range: Range<u64>,
     /// The positions from the start of the range up to this one are done.
     pub(super) done: u64,
-    pub(super) tally: Tally,
+    pub(super) decided: Decided,
     pub(super) blocks: Blocks,
     pub(super) findings: Findings,
-}
-
-/// Numbers of cases.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Tally {
-    /// Those decided by intervals.
-    pub by_intervals: u64,
-    /// Those decided in exact arithmetic.
-    pub exactly: u64,
-    /// Those with more than one local maximum.
-    pub several: u64,
 }
 
 /// The most positions between two looks at what has been done, and the units of work into which they are cut.
@@ -46,23 +35,9 @@ const UNITS: u64 = 64;
 /// How long a batch should take: where cases are slow it is made shorter, down to one case for each thread.
 const PAUSE: Duration = Duration::from_millis(200);
 
-impl Tally {
-    /// All of them.
-    #[must_use]
-    pub fn cases(&self) -> u64 {
-        self.by_intervals + self.exactly
-    }
-
-    pub(super) fn add(&mut self, other: Self) {
-        self.by_intervals += other.by_intervals;
-        self.exactly += other.exactly;
-        self.several += other.several;
-    }
-}
-
 /// Why a search cannot begin.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-pub enum PartError {
+pub enum PortionError {
     /// There is nothing to search, or too much.
     #[error(transparent)]
     Space(#[from] SpaceError),
@@ -71,19 +46,19 @@ pub enum PartError {
     Shard(#[from] ShardError),
 }
 
-impl Part {
+impl Portion {
     /// A shard of the search, with nothing done.
     ///
     /// # Errors
-    /// [`PartError`], if the search is empty or too large, or the shard is empty.
-    pub fn new(search: Search, shard: Shard) -> Result<Self, PartError> {
-        let cases = Cases::of(&search)?;
+    /// [`PortionError`], if the search is empty or too large, or the shard is empty.
+    pub fn new(search: Search, shard: Shard) -> Result<Self, PortionError> {
+        let cases = Enumeration::of(&search)?;
         let range = shard.range(cases.positions())?;
         Ok(Self::of_range(search, shard, cases, range))
     }
 
     /// Any positions of a search, with nothing done.
-    pub(super) fn of_range(search: Search, shard: Shard, cases: Cases, range: Range<u64>) -> Self {
+    pub(super) fn of_range(search: Search, shard: Shard, cases: Enumeration, range: Range<u64>) -> Self {
         let (done, blocks) = (range.start, Blocks::new(cases.positions()));
         Self {
             search,
@@ -91,7 +66,7 @@ impl Part {
             cases,
             range,
             done,
-            tally: Tally::default(),
+            decided: Decided::default(),
             blocks,
             findings: Findings::default(),
         }
@@ -111,7 +86,7 @@ impl Part {
 
     /// All cases of the search.
     #[must_use]
-    pub fn cases(&self) -> &Cases {
+    pub fn cases(&self) -> &Enumeration {
         &self.cases
     }
 
@@ -135,8 +110,8 @@ impl Part {
 
     /// The numbers of cases so far.
     #[must_use]
-    pub fn tally(&self) -> Tally {
-        self.tally
+    pub fn decided(&self) -> Decided {
+        self.decided
     }
 
     /// The findings so far.
@@ -151,11 +126,11 @@ impl Part {
     /// What the look-in returns, which stops the work; the part can be continued.
     ///
     /// ```
-    /// use knotproof::search::{Goal, Limits, Part, Search, Shard, Space};
+    /// use knotproof::search::{Goal, Limits, Portion, Search, Shard, Space};
     ///
     /// let space = Space::Exhaustive(Limits { size: 7, gap: None, height: None });
     /// let search = Search { degree: 3, find: Goal::Several, space };
-    /// let mut part = Part::new(search, Shard::WHOLE)?;
+    /// let mut part = Portion::new(search, Shard::WHOLE)?;
     /// part.run(|_| Ok::<(), knotproof::search::PartError>(()))?;
     /// assert!(part.is_complete());
     /// assert_eq!(part.tally().cases(), part.cases().count());
@@ -171,7 +146,7 @@ impl Part {
             let pieces = self.blocks.pieces(self.done..end, batch / UNITS);
             let units: Vec<Unit> = pieces.into_par_iter().map(|range| self.unit(range, &bar)).collect();
             for unit in units {
-                self.tally.add(unit.block.tally);
+                self.decided.add(unit.block.decided);
                 self.blocks.add(unit.number, unit.block);
                 for (position, finding) in &unit.findings {
                     self.findings.add(finding, *position);
@@ -222,9 +197,9 @@ mod tests {
     fn the_last_position_of_all_is_searched() {
         let space = Space::Random(Sample { count: u64::MAX, seed: 0, spread: 9 });
         let shard: Shard = format!("{}/{}", u64::MAX - 1, u64::MAX).parse().unwrap();
-        let mut part = Part::new(Search { degree: 1, find: Goal::Several, space }, shard).unwrap();
+        let mut part = Portion::new(Search { degree: 1, find: Goal::Several, space }, shard).unwrap();
         part.run(|_| Ok::<(), ()>(())).unwrap();
-        assert_eq!((part.range(), part.tally().cases()), (u64::MAX - 1..u64::MAX, 1));
+        assert_eq!((part.range(), part.decided().cases()), (u64::MAX - 1..u64::MAX, 1));
     }
 
     /// Against all dips of all cases, in order.
@@ -232,7 +207,7 @@ mod tests {
     fn the_deepest_are_the_deepest_of_all() {
         let space = Space::Random(Sample { count: 4000, seed: 1, spread: 9 });
         let search = Search { degree: 3, find: Goal::Deepest, space };
-        let mut part = Part::new(search, Shard::WHOLE).unwrap();
+        let mut part = Portion::new(search, Shard::WHOLE).unwrap();
         part.run(|_| Ok::<(), ()>(())).unwrap();
         let cases = part.cases.between(0..part.cases.positions());
         let mut dips: Vec<_> = cases.filter_map(|(_, case)| Some((Dip::of(&case)?, case))).collect();
