@@ -65,7 +65,8 @@ impl From<BigRational> for Greatest {
 impl Enclosed for Greatest {
     fn bounds(&mut self) -> (BigRational, BigRational) {
         let bounds: Vec<_> = self.0.iter_mut().map(Algebraic::bounds).collect();
-        let greatest = |ends: &mut dyn Iterator<Item = &BigRational>| ends.max().cloned().unwrap_or_else(|| integer(0));
+        let greatest =
+            |ends: &mut dyn Iterator<Item = &BigRational>| ends.max().cloned().unwrap_or_else(|| integer(0));
         let lo = greatest(&mut bounds.iter().map(|(lo, _)| lo));
         let mut keep = bounds.iter().map(|(_, hi)| *hi >= lo);
         self.0.retain(|_| keep.next().unwrap_or(true));

@@ -26,9 +26,11 @@ pub fn negative_minor(basis: &Basis) -> Option<NegativeMinor> {
     close.map(|(x, _)| x).find_map(|x| {
         let jets = |side| basis.jets(x, side, 1);
         let (left, right) = (jets(Side::Left), jets(Side::Right));
-        let column = |i: usize| [&right[i].coefficients()[0], &left[i].coefficients()[1], &right[i].coefficients()[1]];
+        let column =
+            |i: usize| [&right[i].coefficients()[0], &left[i].coefficients()[1], &right[i].coefficients()[1]];
         let negative = |first: &usize| {
-            let corner: Vec<Vec<_>> = (*first..first + 3).map(|i| column(i).map(Clone::clone).to_vec()).collect();
+            let corner: Vec<Vec<_>> =
+                (*first..first + 3).map(|i| column(i).map(Clone::clone).to_vec()).collect();
             determinant(&corner, &integer(1)) < integer(0)
         };
         (0..basis.n().saturating_sub(1)).find(negative).and_then(|first| near(basis, x, first))

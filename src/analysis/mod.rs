@@ -33,9 +33,9 @@ pub use decision::{
 };
 pub use extremum::{Extremum, ExtremumKind, Jump, Location};
 pub use formal::{Factored, FormalBasis, FormalFunction, FormalPiece};
+pub use greatest::{Greatest, compare};
 pub use linear::{coefficient_rows, common_numerators, determinant, in_span, is_combination, rank};
 pub(crate) use local_knots::is_continuous;
-pub use greatest::{Greatest, compare};
 pub use local_knots::{LocalKnots, LocalKnotsError, SpanQuotient};
 pub use minors::{NegativeMinor, negative_minor};
 pub use monotonicity::{Monotonicity, Route, SpanMonotonicity};

@@ -2,6 +2,7 @@
 //! and holds somewhere is proved at scope `instance` on those, every decision being about every x.
 
 mod cases;
+mod instantiated;
 mod verdict;
 mod witness;
 
@@ -16,7 +17,7 @@ use crate::meaning::{Decided, Names, decide};
 
 pub use cases::{Case, Cases};
 pub use verdict::{Origin, Reach, Scope, Verdict};
-pub use witness::{Shows, Side, Witness};
+pub use witness::{Bind, Bound, Count, Looked, Shows, Term, Witness};
 
 /// A bug of this program, found by computing the same thing in two ways. No verdict is given.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]

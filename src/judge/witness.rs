@@ -1,38 +1,91 @@
-//! A typed counterexample. Sentence, JSON and command are printed from it; nothing reads its text again.
+//! A counterexample as plain data: nothing reads its text again.
+
+use std::fmt;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 
 use crate::analysis::{Algebraic, settled};
-use crate::language::{Formula, Int, Name, Over, Real, Sentence};
-use crate::spline::Basis;
-use crate::meaning::{Failure, Focus, Given, Instance, Names, Plain, Reading, Truth, Value};
+use crate::language::{Formula, Int, Name, Over, Real, Sentence, text};
+use crate::meaning::{Failure, Focus, Given, Instance, Look, Names, Plain, Reading, Truth, Value};
+use crate::scalar::BigRational;
+use crate::spline::{Basis, Side};
 
 use super::Fault;
+use super::instantiated::{formula, real, words};
 
 /// An exact counterexample that a reader can check by hand.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct Witness {
-    /// The name of the instance, if it has one.
-    pub name: Option<Name>,
-    /// The basis, where the sentence is about one.
-    pub basis: Option<Basis>,
-    /// α.
-    pub index: crate::spline::Index,
+    /// The paper's name of the instance.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub instance: Option<String>,
+    /// k, where the sentence is about a basis.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub k: Option<usize>,
+    /// U; none where the sentence is about weights.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub knots: Vec<String>,
+    /// α, or `inf`.
+    pub alpha: String,
     /// What is bound, in reading order: by `for`, then by `all` inside of the conclusion.
-    pub given: Vec<(Name, Given)>,
-    /// The conclusion that fails by its place; `None` is a hypothesis that is not defined.
+    pub given: Vec<Bound>,
+    /// The conclusion that fails, by its place; without it a hypothesis is not defined.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
     pub conclusion: Option<usize>,
-    /// The part of it that fails.
-    pub part: Option<Formula>,
+    /// What the sentence says there, with numbers in the place of names.
+    pub claimed: String,
     /// What is so.
     pub shows: Shows,
+    /// The values of basis functions that this rests on.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub looked: Vec<Looked>,
+    /// The words of the part that fails.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub words: Vec<String>,
+}
+
+/// A name and what it is.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Bound {
+    /// The name.
+    pub name: String,
+    /// Its value.
+    pub value: Bind,
+}
+
+/// The value of a name.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum Bind {
+    /// An integer.
+    Integer(i64),
+    /// An exact number.
+    Number(String),
+    /// An irrational number between two rational ones.
+    Between {
+        /// The lower one.
+        lo: String,
+        /// The higher one.
+        hi: String,
+    },
+    /// An index.
+    Index {
+        /// α, or `inf`.
+        alpha: String,
+    },
+    /// Control values.
+    List(Vec<String>),
 }
 
 /// What is so at a witness.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
 pub enum Shows {
-    /// The sides of the chain that fails.
-    Values(Vec<Side>),
-    /// Counts, by what is counted.
-    Counts(Vec<(Int, i64)>),
+    /// The sides of the relation that fails.
+    Values(Vec<Term>),
+    /// Counts.
+    Counts(Vec<Count>),
     /// What does not exist.
     Undefined(String),
     /// The formula is false, and has no sides.
@@ -40,14 +93,48 @@ pub enum Shows {
 }
 
 /// A side of a relation.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Side {
-    /// The term.
-    pub term: Real,
-    /// Its value in exact terms, or its first digits; `None`, if it has none.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Term {
+    /// The term, with numbers in the place of names.
+    pub term: String,
+    /// Its exact value, or its first digits; none, if it does not exist.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
     pub value: Option<String>,
-    /// Are these only its first digits?
+    /// Are these its first digits only?
+    #[serde(skip_serializing_if = "std::ops::Not::not", default)]
     pub rounded: bool,
+}
+
+/// What is counted.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Count {
+    /// Of what.
+    pub what: String,
+    /// How many.
+    pub count: i64,
+}
+
+/// A value of a basis function that was looked at.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Looked {
+    /// i.
+    pub i: usize,
+    /// d.
+    pub degree: usize,
+    /// The order of the derivative.
+    pub order: usize,
+    /// x.
+    pub x: String,
+    /// Was the limit from the left taken?
+    pub left: bool,
+    /// α, or `inf`.
+    pub alpha: String,
+}
+
+impl From<Look> for Looked {
+    fn from(Look { i, degree, order, x, side, index }: Look) -> Self {
+        Self { i, degree, order, x: x.to_string(), left: side == Side::Left, alpha: index.to_string() }
+    }
 }
 
 impl Witness {
@@ -67,62 +154,60 @@ impl Witness {
         let on = own.as_ref().unwrap_or(on);
         let reference = on.by_definition();
         let mut reading = Reading::with(&reference, names, &failure.given);
-        let (mut given, mut part) = (failure.given, None);
-        let shows = match (&failure.undefined, failure.conclusion) {
-            (Some(what), _) => Shows::Undefined(what.clone()),
-            (None, Some(at)) => {
-                let conclusion = &sentence.then[at];
+        let mut given = failure.given;
+        let (mut claimed, mut kinds) = ("what is assumed is defined".to_owned(), Vec::new());
+        let mut shows = failure.undefined.map_or(Shows::Fails, Shows::Undefined);
+        if let Some(at) = failure.conclusion {
+            let conclusion = &sentence.then[at];
+            if shows == Shows::Fails {
                 if reading.truth(conclusion) != Truth::False {
                     let (basis, index) = (&on.basis, &on.index);
                     return Err(Fault(format!(
-                        "{conclusion:?} fails on {basis:?}, α = {index}, {given:?}, but not by the definition"
+                        "{} fails on {basis:?}, α = {index}, {given:?}, but not by the definition",
+                        text(conclusion)
                     )));
                 }
-                let failing = failing(&mut reading, conclusion, &mut given);
-                let shows = sides(&mut reading, &failing);
-                part = Some(failing);
-                shows
+                let part = failing(&mut reading, conclusion, &mut given);
+                reading.looked = Some(Vec::new());
+                _ = reading.truth(&part);
+                shows = sides(&mut reading, &part);
+                claimed = text(&formula(&mut reading, &part));
+                kinds = words(&part);
+            } else {
+                claimed = text(&formula(&mut reading, conclusion));
             }
-            (None, None) => Shows::Fails,
-        };
+        }
+        let bound = |(name, given): (Name, Given)| Bound { name: name.to_string(), value: given.into() };
         Ok(Self {
-            name: on.name.clone(),
-            basis: on.basis.clone(),
-            index: on.index.clone(),
-            given,
+            instance: on.name.as_ref().map(ToString::to_string),
+            k: on.degree(),
+            knots: on.knots().into_iter().flat_map(|knots| knots.knots()).map(ToString::to_string).collect(),
+            alpha: on.index.to_string(),
+            given: given.into_iter().map(bound).collect(),
             conclusion: failure.conclusion,
-            part,
+            claimed,
             shows,
+            looked: reading.looked.take().unwrap_or_default().into_iter().map(Looked::from).collect(),
+            words: kinds,
         })
     }
 
     /// Names and exact values in reading order: `k`, `U`, `α`, `i`, `x`.
     #[must_use]
     pub fn given(&self) -> Vec<(String, String)> {
-        let mut all = Vec::new();
-        let mut add = |name: &str, value: String| all.push((name.to_owned(), value));
-        if let Some(name) = &self.name {
-            add("instance", name.to_string());
+        let named = |name: &str, value: String| (name.to_owned(), value);
+        let mut all: Vec<_> = self.instance.iter().map(|name| named("instance", name.clone())).collect();
+        all.extend(self.k.map(|k| named("k", k.to_string())));
+        if !self.knots.is_empty() {
+            all.push(named("U", format!("({})", self.knots.join(", "))));
         }
-        if let Some(basis) = &self.basis {
-            add("k", basis.degree().to_string());
-            add("U", basis.knots().to_string());
-        }
-        add("α", self.index.to_string());
-        for (name, given) in &self.given {
-            let name = if &**name == "beta" { "β" } else { name };
-            add(name, shown(given));
-        }
+        all.push(named("α", self.alpha.clone()));
+        let greek = |name: &str| if name == "beta" { "β".to_owned() } else { name.to_owned() };
+        all.extend(self.given.iter().map(|bound| (greek(&bound.name), bound.value.to_string())));
         all
     }
 
-    /// What the sentence says there.
-    #[must_use]
-    pub fn claimed(&self) -> String {
-        self.part.as_ref().map_or_else(|| "that it is defined".to_owned(), text)
-    }
-
-    /// What is so.
+    /// What is so, in words.
     #[must_use]
     pub fn found(&self) -> String {
         let list = |all: Vec<String>| all.join(", ");
@@ -130,54 +215,91 @@ impl Witness {
             Shows::Undefined(what) => what.clone(),
             Shows::Fails => "it is not so".into(),
             Shows::Counts(counts) => {
-                let count = |(what, n): &(Int, i64)| format!("{} = {n}", text(what));
-                list(counts.iter().filter(|(what, _)| !matches!(what, Int::Number(_))).map(count).collect())
+                list(counts.iter().map(|Count { what, count }| format!("{what} = {count}")).collect())
             }
-            Shows::Values(sides) => {
-                let side = |side: &Side| {
-                    let (term, relation) = (text(&side.term), if side.rounded { "≈" } else { "=" });
-                    match &side.value {
-                        Some(value) => format!("{term} {relation} {value}"),
-                        None => format!("{term} does not exist"),
-                    }
-                };
-                let told = sides
-                    .iter()
-                    .filter(|side| !matches!(side.term, Real::Number(_) | Real::Whole(Int::Number(_))));
-                list(told.map(side).collect())
+            Shows::Values(terms) => {
+                let told = terms.iter().filter(|term| term.value.as_ref() != Some(&term.term));
+                list(told.map(ToString::to_string).collect())
             }
         }
     }
 
-    /// The shortest command that shows it, where one does.
+    /// The shortest command that shows it: `shape` where it is about maxima, `eval` where it is about values at one place;
+    /// elsewhere the claim is judged on the witness's knots, or with all its cases.
     #[must_use]
-    pub fn again(&self) -> Option<String> {
-        let basis = self.basis.as_ref()?;
-        let x = self.given.iter().find_map(|(name, given)| match given {
-            Given::Real(x) if &**name == "x" => Some(x),
-            _ => None,
-        })?;
-        let knots: Vec<_> = basis.knots().knots().iter().map(ToString::to_string).collect();
-        let (degree, knots, alpha) = (basis.degree(), knots.join(","), basis.index());
-        Some(format!(
-            "knotproof eval --degree {degree} --knots {knots} --alpha {alpha} --x {x} --derivatives 1"
-        ))
+    pub fn again(&self, claim: &str) -> String {
+        const SHAPES: [&str; 4] = ["maxima", "minima", "maximisers", "tied"];
+        let basis =
+            self.k.map(|k| format!("--degree {k} --knots {} --alpha {}", self.knots.join(","), self.alpha));
+        let i = self.given.iter().find(|bound| bound.name == "i").map(|bound| &bound.value);
+        let one = |read: fn(&Looked) -> &str| {
+            let (first, rest) = self.looked.split_first()?;
+            rest.iter().all(|look| read(look) == read(first)).then(|| read(first))
+        };
+        let place = one(|look| &look.x).filter(|_| one(|look| &look.alpha) == Some(&self.alpha));
+        match (basis, i, place) {
+            (Some(basis), Some(Bind::Integer(i)), _)
+                if self.words.iter().any(|word| SHAPES.contains(&&**word)) =>
+            {
+                format!("knotproof shape {basis} --index {i}")
+            }
+            (Some(basis), _, Some(x)) => {
+                let order = self.looked.iter().map(|look| look.order).max().unwrap_or(0);
+                let derivatives = if order > 0 { format!(" --derivatives {order}") } else { String::new() };
+                let side = if self.looked.iter().all(|look| look.left) { " --side left" } else { "" };
+                format!("knotproof eval {basis} --x {x}{derivatives}{side}")
+            }
+            (Some(basis), ..) if self.instance.is_none() => {
+                format!("knotproof check {basis} --property {claim}")
+            }
+            _ => format!("knotproof report --claim {claim}"),
+        }
     }
 }
 
-fn shown(given: &Given) -> String {
-    match given {
-        Given::Integer(i) => i.to_string(),
-        Given::Real(x) => x.to_string(),
-        Given::Index(index) => index.to_string(),
-        Given::Points(points) => {
-            let points: Vec<_> = points.iter().map(ToString::to_string).collect();
-            format!("({})", points.join(", "))
+/// `k = 1, U = (0, 0, 1, 1), …: the claim says …, but …`
+impl fmt::Display for Witness {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let given: Vec<_> = self.given().iter().map(|(name, value)| format!("{name} = {value}")).collect();
+        write!(f, "{}: the claim says {}, but {}", given.join(", "), self.claimed, self.found())
+    }
+}
+
+impl fmt::Display for Term {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { term, value, rounded } = self;
+        match value {
+            Some(value) => write!(f, "{term} {} {value}", if *rounded { "≈" } else { "=" }),
+            None => write!(f, "{term} does not exist"),
         }
-        Given::Root(cell, root) => {
-            let (lo, hi) = root.interval();
-            let x = |u| cell.coordinate().evaluate(&u).map_or_else(String::new, |x| x.to_string());
-            format!("an irrational number in ({}, {})", x(lo), x(hi))
+    }
+}
+
+impl fmt::Display for Bind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Integer(i) => write!(f, "{i}"),
+            Self::Number(text) | Self::Index { alpha: text } => f.write_str(text),
+            Self::Between { lo, hi } => write!(f, "an irrational number in ({lo}, {hi})"),
+            Self::List(all) => write!(f, "({})", all.join(", ")),
+        }
+    }
+}
+
+impl From<Given> for Bind {
+    fn from(given: Given) -> Self {
+        match given {
+            Given::Integer(i) => Self::Integer(i),
+            Given::Real(x) => Self::Number(x.to_string()),
+            Given::Index(index) => Self::Index { alpha: index.to_string() },
+            Given::Points(points) => Self::List(points.iter().map(ToString::to_string).collect()),
+            Given::Root(cell, root) => {
+                let (lo, hi) = root.interval();
+                let x = |u: BigRational| {
+                    cell.coordinate().evaluate(&u).map_or_else(String::new, |x| x.to_string())
+                };
+                Self::Between { lo: x(lo), hi: x(hi) }
+            }
         }
     }
 }
@@ -212,34 +334,32 @@ fn sides(own: &mut Reading<'_>, f: &Formula) -> Shows {
         Formula::Within(x, _) => vec![x],
         _ => return Shows::Fails,
     };
-    let words = terms.iter().any(|t| matches!(t, Real::Whole(Int::Word(_))));
-    if words {
-        let count =
-            |t: &Real| if let Real::Whole(i) = t { own.int(i).ok().map(|n| (i.clone(), n)) } else { None };
-        return Shows::Counts(terms.into_iter().filter_map(count).collect());
+    if terms.iter().any(|t| matches!(t, Real::Whole(Int::Word(_)))) {
+        let words = terms.into_iter().filter_map(|t| match t {
+            Real::Whole(i @ Int::Word(_)) => {
+                own.int(i).ok().map(|count| Count { what: text(&real(own, t)), count })
+            }
+            _ => None,
+        });
+        return Shows::Counts(words.collect());
     }
     let side = |term: &Real| {
-        let value = own.real(term).ok().and_then(|value| digits(own, value));
+        let value = own.real(term).ok().and_then(|value| digits(own, &value));
         let (value, rounded) = value.map_or((None, false), |(value, rounded)| (Some(value), rounded));
-        Side { term: term.clone(), value, rounded }
+        Term { term: text(&real(own, term)), value, rounded }
     };
     Shows::Values(terms.into_iter().map(side).collect())
 }
 
 /// A value in exact terms, or its first digits at an irrational place.
-fn digits(own: &Reading<'_>, value: Value) -> Option<(String, bool)> {
+fn digits(own: &Reading<'_>, value: &Value) -> Option<(String, bool)> {
     /// As many as a reader can look at.
     const DIGITS: usize = 12;
-    match (&value, own.frame.as_ref().map(|frame| &frame.focus)) {
+    match (value, own.frame.as_ref().map(|frame| &frame.focus)) {
         (Value { plain: Plain::Piece(piece), root: None }, Some(Focus::At(root))) => {
             Some((settled(&mut Algebraic::at(piece.clone(), root.clone()), DIGITS), true))
         }
         (Value { plain: Plain::Piece(_), .. }, _) => None,
         _ => Some((value.to_string(), false)),
     }
-}
-
-// The printer of the language takes this place.
-fn text(of: &impl std::fmt::Debug) -> String {
-    format!("{of:?}")
 }

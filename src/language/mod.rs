@@ -3,11 +3,13 @@
 //! It knows rationals and no spline: what a formula means is said in `meaning`. The language for its users is described in
 //! `docs/language.md`.
 
+mod canonical;
 mod cause;
 mod complaint;
 mod definitions;
 mod file;
 mod known;
+mod print;
 mod raw;
 mod resolve;
 mod sentence;
@@ -19,6 +21,7 @@ pub use cause::{Cause, Severity, Source};
 pub use complaint::Complaint;
 pub use file::{File, RestsOn, Said, Stanza, stanzas};
 pub use known::Known;
+pub use print::{Print, latex, mathml, source, text};
 pub use sentence::{one_line, sentence};
 pub use syntax::{
     Adjective, Argument, Binder, Definition, Fold, Formula, Function, Gap, Int, Interval, Item, Member, Name,

@@ -124,17 +124,26 @@ pub(super) struct Head {
     pub(super) variable: Option<(String, Place)>,
 }
 
-// How tight an operator binds its sides.
-const IFF: u8 = 1;
-const IMPLIES: u8 = 2;
-const OR: u8 = 3;
-const AND: u8 = 4;
-const NOT: u8 = 5;
-const RELATION: u8 = 6;
-const SUM: u8 = 7;
-const PRODUCT: u8 = 8;
-const SIGN: u8 = 9;
-const POWER: u8 = 10;
+/// How tight an operator binds its sides, for the parser and for what is printed.
+pub(super) mod level {
+    pub(in super::super) const TOP: u8 = 0;
+    pub(in super::super) const IFF: u8 = 1;
+    pub(in super::super) const IMPLIES: u8 = 2;
+    pub(in super::super) const OR: u8 = 3;
+    pub(in super::super) const AND: u8 = 4;
+    pub(in super::super) const NOT: u8 = 5;
+    pub(in super::super) const RELATION: u8 = 6;
+    pub(in super::super) const SUM: u8 = 7;
+    /// What is on the right of + and −.
+    pub(in super::super) const TERM: u8 = 8;
+    pub(in super::super) const PRODUCT: u8 = 9;
+    /// What is on the right of · and /.
+    pub(in super::super) const FACTOR: u8 = 10;
+    pub(in super::super) const POWER: u8 = 11;
+    pub(in super::super) const ATOM: u8 = 12;
+}
+
+use level::{AND, FACTOR, IFF, IMPLIES, NOT, OR, POWER, PRODUCT, RELATION, SUM, TERM};
 
 pub(super) struct Parser<'a> {
     tokens: Vec<(Token<'a>, Place)>,
@@ -251,19 +260,20 @@ impl<'a> Parser<'a> {
     /// An expression whose operators bind at least as tight.
     fn binding(&mut self, least: u8) -> Parsed<Node> {
         self.nested(|parser| {
-            let first = parser.prefix()?;
+            let first = parser.prefix(least)?;
             parser.infix(first, least)
         })
     }
 
-    fn prefix(&mut self) -> Parsed<Node> {
+    /// A sign takes a product, −a·b, but behind an operator a factor only, a·−b·c.
+    fn prefix(&mut self, least: u8) -> Parsed<Node> {
         let at = self.here();
         if self.word("not") {
             let of = self.binding(NOT)?;
             return self.node(at.start, Raw::Not(Box::new(of)));
         }
         if self.sign("-") {
-            let of = self.binding(SIGN)?;
+            let of = self.binding(least.max(PRODUCT))?;
             return self.node(at.start, Raw::Negated(Box::new(of)));
         }
         let atom = self.atom()?;
@@ -611,8 +621,8 @@ impl Operator {
             Self::Or => (OR, AND),
             Self::And => (AND, NOT),
             Self::Relation(_) | Self::In => (RELATION, SUM),
-            Self::Infix(Infix::Plus | Infix::Minus) => (SUM, PRODUCT),
-            Self::Infix(Infix::Times | Infix::Over) => (PRODUCT, SIGN),
+            Self::Infix(Infix::Plus | Infix::Minus) => (SUM, TERM),
+            Self::Infix(Infix::Times | Infix::Over) => (PRODUCT, FACTOR),
             // A sign may stand in an exponent, x^-1, which is read as a prefix.
             Self::Infix(Infix::Power) => (POWER, POWER),
         }

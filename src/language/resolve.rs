@@ -2,10 +2,6 @@
 
 use std::sync::Arc;
 
-use num_bigint::BigInt;
-use num_rational::BigRational;
-use num_traits::{ToPrimitive, Zero};
-
 use super::complaint::{Fault, Place, fault};
 use super::known::{Kind, Known, Subjects, nearest};
 use super::raw::{Domain, DomainKind, Given, Infix, Node, Quantity, Raw};
@@ -58,6 +54,13 @@ impl Typed {
             Self::Formula(_) => "a formula",
             Self::Function(_) => "a function",
             Self::Coefficients(_) => "the name of control values",
+        }
+    }
+
+    fn of(real: Real) -> Self {
+        match real {
+            Real::Whole(int) => Self::Int(int),
+            real => Self::Real(real),
         }
     }
 
@@ -115,10 +118,7 @@ impl Scope<'_> {
             Raw::Name { name, primes } => self.name(name, *primes, &node.at)?,
             Raw::Index { of, by } => self.indexed(of, by, &node.at)?,
             Raw::Call { of, with } => self.call(of, with, &node.at)?,
-            Raw::Negated(of) => match self.typed(of)? {
-                Typed::Int(int) => Typed::Int(int.negated()),
-                other => Typed::Real(other.real(&of.at)?.negated()),
-            },
+            Raw::Negated(of) => Typed::of(self.real(of)?.negated()),
             Raw::Infix(infix @ (Infix::Implies | Infix::Iff), left, right) => {
                 let (left, right) = (Box::new(self.formula(left)?), Box::new(self.formula(right)?));
                 Typed::Formula(match infix {
@@ -324,7 +324,7 @@ impl Scope<'_> {
                 several(1, 2, "G[i]` or `G[i,d]")?;
                 Function::Basis {
                     i: self.place(&by[0])?,
-                    degree: by.get(1).map(|d| self.place(d)).transpose()?,
+                    degree: by.get(1).map(|d| self.place(d)).transpose()?.filter(|d| *d != Int::Degree),
                 }
             }
             "w" => {
@@ -452,6 +452,7 @@ impl Scope<'_> {
         Ok(Some(match name.as_str() {
             "alpha" => Member::Index(match self.typed(value)? {
                 Typed::Infinity => Real::Infinity,
+                Typed::Real(Real::Index(name)) if *name == *"alpha" => return Ok(None),
                 other => other.real(&value.at)?,
             }),
             "r" => Member::Ratio(self.real(value)?),
@@ -507,15 +508,8 @@ impl Scope<'_> {
     }
 
     fn extreme(&mut self, least: bool, a: &Node, b: &Node) -> Resolved<Typed> {
-        Ok(match (self.typed(a)?, self.typed(b)?) {
-            (Typed::Int(a), Typed::Int(b)) => {
-                Typed::Int(if least { Int::Least } else { Int::Greatest }(Box::new(a), Box::new(b)))
-            }
-            (left, right) => {
-                let (a, b) = (Box::new(left.real(&a.at)?), Box::new(right.real(&b.at)?));
-                Typed::Real(if least { Real::Least } else { Real::Greatest }(a, b))
-            }
-        })
+        let (a, b) = (self.real(a)?, self.real(b)?);
+        Ok(Typed::of(if least { a.least(b) } else { a.greatest(b) }))
     }
 
     fn word(&mut self, word: Word, with: &[Given], at: &Place) -> Resolved<Typed> {
@@ -617,27 +611,17 @@ impl Scope<'_> {
             bounded(&exponent, &right.at)?;
             return Ok(Typed::Real(Real::Power(Box::new(base), exponent)));
         }
-        let (a, b) = (self.typed(left)?, self.typed(right)?);
-        if let (Typed::Int(a), Typed::Int(b)) = (&a, &b)
-            && infix != Infix::Over
-        {
-            let (a, b) = (Box::new(a.clone()), Box::new(b.clone()));
-            return Ok(Typed::Int(match infix {
-                Infix::Plus => Int::Plus(a, b),
-                Infix::Minus => Int::Minus(a, b),
-                _ => Int::Times(a, b),
-            }));
-        }
-        let (a, b) = (a.real(&left.at)?, b.real(&right.at)?);
-        Ok(Typed::Real(match infix {
-            Infix::Plus => Real::Plus(Box::new(a), Box::new(b)),
-            Infix::Minus => Real::Minus(Box::new(a), Box::new(b)),
-            Infix::Times => Real::Times(Box::new(a), Box::new(b)),
+        let (a, b) = (self.real(left)?, self.real(right)?);
+        let value = match infix {
+            Infix::Plus => a.plus(b),
+            Infix::Minus => a.minus(b),
+            Infix::Times => a.times(b),
             _ if b == Real::Whole(Int::Number(0)) => {
                 return fault(&right.at, "nothing is divided by 0", "check the denominator");
             }
             _ => a.over(b),
-        }))
+        };
+        Ok(Typed::of(value))
     }
 
     /// Infinity is compared with indices only.
@@ -808,6 +792,7 @@ fn is_reserved(name: &str) -> bool {
 pub(super) fn not_reserved(name: &str, at: &Place) -> Resolved<()> {
     match is_reserved(name) {
         true => fault(at, format!("`{name}` has a meaning already"), "take another name"),
+        false if name.contains('_') => fault(at, "a name has letters and digits only", "leave the `_` out"),
         false => Ok(()),
     }
 }
@@ -887,57 +872,5 @@ fn meant<'a>(name: &str, among: impl Iterator<Item = &'a str>) -> String {
     match nearest(name, among) {
         Some(close) => format!("did you mean `{close}`?"),
         None => "give one that is registered".to_owned(),
-    }
-}
-
-/// One tree for one meaning of what is made of literals: a number is reduced, and whole wherever it can be.
-impl Real {
-    /// A literal.
-    #[must_use]
-    pub fn number(value: BigRational) -> Self {
-        match value.is_integer().then(|| value.to_integer().to_i64()).flatten() {
-            Some(whole) => Self::Whole(Int::Number(whole)),
-            None => Self::Number(value),
-        }
-    }
-
-    /// The number, if it is a literal.
-    #[must_use]
-    pub fn literal(&self) -> Option<BigRational> {
-        match self {
-            Self::Number(value) => Some(value.clone()),
-            Self::Whole(Int::Number(whole)) => Some(BigRational::from_integer(BigInt::from(*whole))),
-            _ => None,
-        }
-    }
-
-    /// −a.
-    #[must_use]
-    pub fn negated(self) -> Self {
-        match (self.literal(), self) {
-            (Some(value), _) => Self::number(-value),
-            (None, Self::Whole(int)) => Self::Whole(int.negated()),
-            (None, other) => Self::Negated(Box::new(other)),
-        }
-    }
-
-    /// a/b.
-    #[must_use]
-    pub fn over(self, other: Self) -> Self {
-        match (self.literal(), other.literal()) {
-            (Some(a), Some(b)) if !b.is_zero() => Self::number(a / b),
-            _ => Self::Over(Box::new(self), Box::new(other)),
-        }
-    }
-}
-
-impl Int {
-    /// −a, as 0 − a.
-    #[must_use]
-    pub fn negated(self) -> Self {
-        match self {
-            Self::Number(value) if value != i64::MIN => Self::Number(-value),
-            other => Self::Minus(Box::new(Self::Number(0)), Box::new(other)),
-        }
     }
 }

@@ -239,6 +239,7 @@ impl<'a> Reader<'a> {
                         }
                     }
                 }
+                adjectives.sort_unstable();
                 Ok(Binder::Knots(adjectives))
             }
             Says::In(domain) => fault(

@@ -269,7 +269,7 @@ pub enum Item {
 }
 
 /// A property of knots.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[allow(missing_docs)] // docs/language.md has the formulas
 pub enum Adjective {
     Open,

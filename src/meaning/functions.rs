@@ -6,7 +6,7 @@ use crate::scalar::{BigRational, Polynomial, RationalAlgebra, RationalFunction, 
 use crate::spline;
 
 use super::cell::Cell;
-use super::reading::{Reading, place};
+use super::reading::{Look, Reading, place};
 use super::truth::Stop;
 use super::value::{Plain, Value};
 
@@ -103,8 +103,14 @@ impl Reading<'_> {
     ) -> Result<Value, Stop> {
         match (f, order, side) {
             (Function::Basis { i, degree }, ..) => {
-                let id = self.existing(i, degree.as_ref())?;
-                Ok(self.on.value(&self.index, id, x, of(side), order).into())
+                let (i, degree) = self.existing(i, degree.as_ref())?;
+                let (side, index) = (of(side), self.index.clone());
+                let value = self.on.value(&index, (i, degree), x, side, order);
+                let look = Look { i, degree, order, x: x.clone(), side, index };
+                if let Some(looked) = self.looked.as_mut().filter(|looked| !looked.contains(&look)) {
+                    looked.push(look);
+                }
+                Ok(value.into())
             }
             (Function::Weight { i, degree }, 0, _) => {
                 let span = self.knots()?.span_at(x, of(side)).map(spline::Span::index);

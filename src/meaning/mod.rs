@@ -18,7 +18,7 @@ mod words;
 
 pub use cell::{Cell, Focus, Frame, Signs};
 pub use instance::Instance;
-pub use reading::{Bound, Library, Names, Reading};
+pub use reading::{Bound, Library, Look, Names, Reading};
 pub use reals::Part;
 pub use sentence::{Decided, Failure, Given, concerns, decide, has};
 pub use truth::{Stop, Truth};

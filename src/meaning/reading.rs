@@ -5,7 +5,7 @@ use crate::language::{
     Definition, File, Fold, Formula, Int, Member, Name, Over, Range, Real, Relation, Sentence,
 };
 use crate::scalar::BigRational;
-use crate::spline::{Index, KnotVector};
+use crate::spline::{Index, KnotVector, Side};
 
 use super::cell::Frame;
 use super::instance::Instance;
@@ -67,6 +67,23 @@ pub struct Bound {
     pub indices: Vec<(Name, Index)>,
 }
 
+/// A value of a basis function: of which one, where, from which side.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Look {
+    /// i.
+    pub i: usize,
+    /// d.
+    pub degree: usize,
+    /// The order of the derivative.
+    pub order: usize,
+    /// x.
+    pub x: BigRational,
+    /// From which side the limit is taken.
+    pub side: Side,
+    /// α.
+    pub index: Index,
+}
+
 /// An instance with the names that are bound: terms have values on it, formulas truths.
 pub struct Reading<'a> {
     /// What is read on.
@@ -79,6 +96,8 @@ pub struct Reading<'a> {
     pub bound: Bound,
     /// The cell that the variable of the moment runs over, if it is an open one.
     pub frame: Option<Frame>,
+    /// The values of basis functions at numbers that were asked for, if that is recorded.
+    pub looked: Option<Vec<Look>>,
     pub(super) frames: usize,
     pub(super) depth: usize,
 }
@@ -102,7 +121,7 @@ impl<'a> Reading<'a> {
     #[must_use]
     pub fn new(on: &'a Instance, names: Names<'a>) -> Self {
         let (index, bound) = (on.index.clone(), Bound::default());
-        Self { on, names, index, bound, frame: None, frames: 0, depth: 0 }
+        Self { on, names, index, bound, frame: None, looked: None, frames: 0, depth: 0 }
     }
 
     pub(super) fn knots(&self) -> Result<&'a KnotVector, Stop> {
@@ -406,7 +425,8 @@ impl<'a> Reading<'a> {
 
     /// Of equalities every pair, so that a = c counts where b does not exist; otherwise neighbours.
     fn chain(&mut self, first: &Real, rest: &[(Relation, Real)]) -> Truth {
-        let special = self.chain_of_indices(first, rest).or_else(|| words::chain_of_suprema(self, first, rest));
+        let special =
+            self.chain_of_indices(first, rest).or_else(|| words::chain_of_suprema(self, first, rest));
         if let Some(truth) = special {
             return truth;
         }

@@ -103,7 +103,8 @@ impl Walk<'_> {
     fn stopped(&mut self, stop: Stop, given: Vec<(Name, Given)>) {
         match stop {
             Stop::Undefined(what) if self.decided.failure.is_none() => {
-                self.decided.failure = Some(Failure { given, conclusion: None, undefined: Some(what), knots: None });
+                self.decided.failure =
+                    Some(Failure { given, conclusion: None, undefined: Some(what), knots: None });
             }
             Stop::Undefined(_) => {}
             Stop::Cut => self.unknown("a range that changes inside a cell".into()),
@@ -257,7 +258,9 @@ impl<'a> Reading<'a> {
                 let others = &rest[free.len()..];
                 // One number beside knots: first those that have to do with them.
                 let beside = match (free.as_slice(), self.on.knots()) {
-                    ([(_, None)], Some(knots)) => tries::numbers(knots).into_iter().map(|x| vec![x]).collect(),
+                    ([(_, None)], Some(knots)) => {
+                        tries::numbers(knots).into_iter().map(|x| vec![x]).collect()
+                    }
                     _ => Vec::new(),
                 };
                 for values in beside.into_iter().chain(by_size(&free, self.on.basis.is_some())) {
@@ -293,7 +296,8 @@ impl<'a> Reading<'a> {
             for i in self.range(each)? {
                 let size = self.with_integer(&each.name, i, |own| own.real(size))?;
                 let size = size.number().filter(|size| !size.is_negative());
-                let size = size.ok_or_else(|| Stop::Undefined("a gap that is no rational number ≥ 0".into()))?;
+                let size =
+                    size.ok_or_else(|| Stop::Undefined("a gap that is no rational number ≥ 0".into()))?;
                 knots.push(&knots[knots.len() - 1] + size);
             }
         }
@@ -446,7 +450,11 @@ impl<'a> Reading<'a> {
 
 fn name_of(binder: &Binder) -> Option<&Name> {
     match binder {
-        Binder::Degree { .. } | Binder::Knots(_) | Binder::Gaps(_) | Binder::Instances(_) | Binder::Indices(_) => None,
+        Binder::Degree { .. }
+        | Binder::Knots(_)
+        | Binder::Gaps(_)
+        | Binder::Instances(_)
+        | Binder::Indices(_) => None,
         Binder::Integer(range) => Some(&range.name),
         Binder::Index(name) | Binder::Point(name, _) | Binder::Real { name, .. } | Binder::Points(name) => {
             Some(name)

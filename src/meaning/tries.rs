@@ -1,7 +1,9 @@
 //! What is tried where a sentence speaks of any numbers: control values, and numbers beside knots. It knows functions, and no
 //! sentence; what is tried can refute, and proves nothing.
 
-use crate::analysis::{ExtremumKind, LocalKnots, Monotonicity, NegativeMinor, Pieces, Shape, determinant, negative_minor};
+use crate::analysis::{
+    ExtremumKind, LocalKnots, Monotonicity, NegativeMinor, Pieces, Shape, determinant, negative_minor,
+};
 use crate::scalar::{BigRational, integer};
 use crate::spline::{Basis, KnotVector, binomial};
 

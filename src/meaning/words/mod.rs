@@ -43,12 +43,6 @@ fn say(own: &mut Reading<'_>, of: &Use) -> Result<Said, Stop> {
         Word::PolygonChanges => Said::Count(trace::polygon_changes(own, said.coefficients(0)?)?),
         Word::Rank => Said::Count(linear::rank_of(own, said.int(0)?)?),
         Word::Combination => Said::Truth(linear::combination(own, said.expression(0)?, said.int(1)?)?),
-        Word::Valleys => Said::Count(trace::valleys(own, said.expression(0)?)?),
-        Word::TotallyPositive => Said::Truth(spaces::totally_positive(own, said.int(0)?)?),
-        Word::Nested => Said::Truth(spaces::nested(own, said.real(0)?)?),
-        Word::Elevated => Said::Truth(spaces::elevated(own, said.int(0)?)?),
-        Word::NurbsDegree => Said::Count(spaces::nurbs_degree(own, said.int(0)?)?),
-        Word::FreeWeights => Said::Truth(free_weights::holds(own, said.int(0)?)?),
         Word::Defined => Said::Truth(regular::defined(own, said.real(0)?)?),
         Word::Rational => Said::Truth(regular::rational(own, said.expression(0)?)?),
         Word::Smooth => Said::Truth(regular::smooth(own, said.expression(0)?)?),
@@ -57,6 +51,12 @@ fn say(own: &mut Reading<'_>, of: &Use) -> Result<Said, Stop> {
         Word::Supremum => Said::Measure(supremum::supremum(own, said.expression(0)?)?),
         Word::Strays => Said::Truth(curve::strays(own, said.plane()?, said.real(2)?)?),
         Word::ImplicitDegree => Said::Count(curve::implicit_degree(own, said.plane()?, said.int(2)?)?),
+        Word::Valleys => Said::Count(trace::valleys(own, said.expression(0)?)?),
+        Word::TotallyPositive => Said::Truth(spaces::totally_positive(own, said.int(0)?)?),
+        Word::Nested => Said::Truth(spaces::nested(own, said.real(0)?)?),
+        Word::Elevated => Said::Truth(spaces::elevated(own, said.int(0)?)?),
+        Word::NurbsDegree => Said::Count(spaces::nurbs_degree(own, said.int(0)?)?),
+        Word::FreeWeights => Said::Truth(free_weights::holds(own, said.int(0)?)?),
     })
 }
 

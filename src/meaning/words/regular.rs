@@ -33,7 +33,11 @@ pub(super) fn smooth(own: &mut Reading<'_>, of: Expression<'_>) -> Result<bool, 
 fn piece(own: &mut Reading<'_>, of: Expression<'_>) -> Result<Option<Piece>, Stop> {
     let mut pieces = on_cells(own, of)?;
     let last = pieces.pop();
-    if pieces.is_empty() { Ok(last.map(|(_, f)| f)) } else { Err(Stop::Unknown("an interval with knots inside".into())) }
+    if pieces.is_empty() {
+        Ok(last.map(|(_, f)| f))
+    } else {
+        Err(Stop::Unknown("an interval with knots inside".into()))
+    }
 }
 
 fn has_pole(f: &Piece) -> bool {

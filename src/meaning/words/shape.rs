@@ -90,7 +90,8 @@ pub(super) fn tied(own: &mut Reading<'_>, of: OfMember<'_>) -> Result<bool, Stop
         }
         Some(Crossing::near(&gaps, (p.min(q), p.max(q))).is_some())
     })?;
-    let unknown = || Stop::Unknown("two local maxima of which none overtakes the other for an index close by".into());
+    let unknown =
+        || Stop::Unknown("two local maxima of which none overtakes the other for an index close by".into());
     crossing.then_some(true).ok_or_else(unknown)
 }
 

@@ -30,7 +30,8 @@ fn contains(fine: &Basis, coarse: &Basis) -> bool {
     let rows = coefficient_rows(Pieces::of(fine).spans().iter().map(|on| {
         let span = coarse.knots().span_at(on.ends().0, Side::Right);
         let active = span.and_then(|span| coarse.active(span, &on.x).ok());
-        let other = |i| active.as_ref().and_then(|active| active.get(i)).cloned().unwrap_or_else(|| on.x.zero());
+        let other =
+            |i| active.as_ref().and_then(|active| active.get(i)).cloned().unwrap_or_else(|| on.x.zero());
         (0..=fine.n()).map(|i| on.function(i)).chain((0..=coarse.n()).map(other)).collect()
     }));
     rank(&rows[..=fine.n()]) == rank(&rows)
@@ -78,7 +79,8 @@ fn bezier_degree(on: &SpanPieces) -> Option<usize> {
     let linear = Polynomial::new(integer(1), [integer(1)]);
     // In degree N the coefficients in u are the weights times binomial coefficients; one degree more is a factor 1 + u.
     (least..least + ELEVATIONS).find(|degree| {
-        let positive = denominator.degree() == *degree && denominator.coefficients().iter().all(Signed::is_positive);
+        let positive =
+            denominator.degree() == *degree && denominator.coefficients().iter().all(Signed::is_positive);
         denominator = denominator.times(&linear);
         positive
     })
