@@ -133,7 +133,7 @@ impl Portion {
     /// let mut part = Portion::new(search, Shard::WHOLE)?;
     /// part.run(|_| Ok::<(), knotproof::search::PortionError>(()))?;
     /// assert!(part.is_complete());
-    /// assert_eq!(part.tally().cases(), part.cases().count());
+    /// assert_eq!(part.decided().cases(), part.cases().count());
     /// # Ok::<(), knotproof::search::PortionError>(())
     /// ```
     pub fn run<E>(&mut self, mut look_in: impl FnMut(&Self) -> Result<(), E>) -> Result<(), E> {
