@@ -303,7 +303,7 @@ impl fmt::Display for Comparison {
             "left out",
             "proved to be at most",
         ];
-        let mut table = plain(headings.map(str::to_owned).to_vec());
+        let mut table = plain(headings);
         for of in &self.formulas {
             table.add_row([
                 of.name.to_owned(),

@@ -2,7 +2,6 @@
 
 use std::fmt;
 
-use anstyle::Style;
 use clap::CommandFactory;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -11,6 +10,7 @@ use super::Program;
 use super::error::CliError;
 use super::exit::Exit;
 use super::output::Output;
+use super::table::HEADING;
 
 /// Worked examples by task, or all about one command.
 #[derive(Debug, clap::Args)]
@@ -24,8 +24,6 @@ pub(super) struct Args {
 const EXAMPLE: &str = "Examples:
   knotproof help
   knotproof help check";
-
-const HEADING: Style = Style::new().bold();
 
 /// What somebody wants to do.
 #[derive(Debug, Serialize, JsonSchema)]

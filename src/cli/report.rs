@@ -249,7 +249,7 @@ fn unwritable(argument: &'static str, path: &Path, error: std::io::Error) -> Cli
 /// A row for each claim, the worst refutations first.
 fn table(records: &[&Record]) -> comfy_table::Table {
     let header = ["claim", "where", "as printed", "as amended", "statement"];
-    let mut table = plain(header.map(str::to_owned).to_vec());
+    let mut table = plain(header);
     for record in records {
         let amended = record.amended.as_ref().map(|stated| styled(&stated.finding)).unwrap_or_default();
         table.add_row([

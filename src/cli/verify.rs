@@ -70,8 +70,7 @@ pub(super) struct Row {
 impl Row {
     /// One row each, with what the last column counts.
     pub(super) fn table(rows: &[Self], counted: &str) -> Table {
-        let mut table =
-            plain(["claim", "", "verdict", "scope", "degrees", counted].map(str::to_owned).to_vec());
+        let mut table = plain(["claim", "", "verdict", "scope", "degrees", counted]);
         table.add_rows(rows.iter().map(Self::cells));
         right_aligned(&mut table, 5);
         table

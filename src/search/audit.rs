@@ -71,7 +71,7 @@ pub enum AuditError {
 /// part.run(|_| Ok::<(), knotproof::search::AuditError>(())).unwrap();
 /// let audit = audit(&part, Draw::Blocks { count: 1, seed: 7 }, |_| Ok::<(), knotproof::search::AuditError>(())).unwrap();
 /// assert_eq!((audit.again.len(), audit.differences.len()), (1, 0));
-/// # Ok::<(), knotproof::search::PartError>(())
+/// # Ok::<(), knotproof::search::PortionError>(())
 /// ```
 pub fn audit<E: From<AuditError>>(
     part: &Portion,

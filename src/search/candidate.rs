@@ -8,7 +8,7 @@ use num_rational::BigRational;
 use num_traits::ToPrimitive;
 use thiserror::Error;
 
-use crate::analysis::{LocalKnots, LocalKnotsError, is_continuous};
+use crate::analysis::{LocalKnots, is_continuous};
 use crate::spline::{Basis, Index};
 
 /// A basis function G_i^k by all that its shape depends on: the k + 1 gaps t_{i+1} − t_i, …, t_{i+k+1} − t_{i+k} and
@@ -200,12 +200,7 @@ impl Candidate {
         let (p, q) = self.ratio;
         match LocalKnots::new(self.gaps.iter().map(|&gap| gap.into()).collect(), (p.into(), q.into())) {
             Ok(knots) => knots,
-            Err(error @ (LocalKnotsError::NoGap | LocalKnotsError::Empty)) => {
-                unreachable!("a continuous function has a span: {error}")
-            }
-            Err(error @ (LocalKnotsError::NegativeGap(_) | LocalKnotsError::Ratio)) => {
-                unreachable!("gaps are not negative, and the ratio is positive: {error}")
-            }
+            Err(error) => unreachable!("a candidate fulfils the rules: {error}"),
         }
     }
 

@@ -90,7 +90,7 @@ impl Enclosed for Fall {
     }
 
     fn narrow(&mut self) -> bool {
-        self.turns.iter_mut().fold(false, |narrowed, turn| turn.narrow() || narrowed)
+        self.turns.iter_mut().map(Extremum::narrow).filter(|narrowed| *narrowed).count() > 0
     }
 }
 

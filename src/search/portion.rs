@@ -131,10 +131,10 @@ impl Portion {
     /// let space = Space::Exhaustive(Limits { size: 7, gap: None, height: None });
     /// let search = Search { degree: 3, find: Goal::Several, space };
     /// let mut part = Portion::new(search, Shard::WHOLE)?;
-    /// part.run(|_| Ok::<(), knotproof::search::PartError>(()))?;
+    /// part.run(|_| Ok::<(), knotproof::search::PortionError>(()))?;
     /// assert!(part.is_complete());
-    /// assert_eq!(part.tally().cases(), part.cases().count());
-    /// # Ok::<(), knotproof::search::PartError>(())
+    /// assert_eq!(part.decided().cases(), part.cases().count());
+    /// # Ok::<(), knotproof::search::PortionError>(())
     /// ```
     pub fn run<E>(&mut self, mut look_in: impl FnMut(&Self) -> Result<(), E>) -> Result<(), E> {
         let threads = rayon::current_num_threads() as u64;

@@ -2,16 +2,13 @@
 
 use std::fmt;
 
-use anstyle::Style;
 use comfy_table::Table;
 
 use super::super::exact::Exact;
 use super::super::notation::Notation;
 use super::super::on_knots::tuple;
-use super::super::table::{plain, right_aligned};
+use super::super::table::{HEADING, plain, right_aligned};
 use super::{Conversion, Piece};
-
-const HEADING: Style = Style::new().bold();
 
 impl fmt::Display for Conversion {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -42,7 +39,7 @@ impl Piece {
     /// One row a control point: its weight and its coordinates, exact and approximately.
     fn table(&self) -> Table {
         let notation = Notation::in_force();
-        let mut table = plain(["m", "weight", "≈", "point", "≈"].map(str::to_owned).to_vec());
+        let mut table = plain(["m", "weight", "≈", "point", "≈"]);
         for (m, (weight, point)) in self.weights.iter().zip(&self.points).enumerate() {
             let decimals: Vec<_> = point.iter().map(|Exact(c)| notation.approximation(c)).collect();
             table.add_row([

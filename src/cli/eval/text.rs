@@ -2,16 +2,13 @@
 
 use std::fmt;
 
-use anstyle::Style;
 use comfy_table::Table;
 
 use super::super::exact::Exact;
 use super::super::notation::Notation;
 use super::super::on_knots::tuple;
-use super::super::table::{plain, right_aligned};
+use super::super::table::{HEADING, plain, right_aligned};
 use super::{Evaluation, Level, OneSide};
-
-const HEADING: Style = Style::new().bold();
 
 impl fmt::Display for Evaluation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -65,7 +62,7 @@ impl Evaluation {
 
     /// One row a function: i, the support, the exact value and an approximation.
     fn table(&self, values: &[Exact], heading: &str) -> Table {
-        let mut table = plain(["i", "support", heading, "≈"].map(str::to_owned).to_vec());
+        let mut table = plain(["i", "support", heading, "≈"]);
         for (i, value) in (self.head.index.unwrap_or(0)..).zip(values) {
             let support =
                 format!("[{}, {}]", self.head.on.knots[i], self.head.on.knots[i + self.head.on.degree + 1]);
@@ -82,7 +79,7 @@ impl Evaluation {
 
     /// One row for the point, one for each derivative.
     fn curve_table(&self, curve: &[Exact]) -> Table {
-        let mut table = plain(["", "exact", "≈"].map(str::to_owned).to_vec());
+        let mut table = plain(["", "exact", "≈"]);
         for (order, coordinates) in
             std::iter::once(curve).chain(self.at.curve_derivatives.iter().map(Vec::as_slice)).enumerate()
         {
@@ -109,7 +106,7 @@ fn derivative(function: &str, order: usize) -> String {
 /// De Boor's triangle: one row for each i, one column for each level r.
 fn triangle(levels: &[Level]) -> Table {
     let names = levels.iter().map(|level| format!("r = {}", level.level));
-    let mut table = plain(std::iter::once("i".to_owned()).chain(names).collect());
+    let mut table = plain(std::iter::once("i".to_owned()).chain(names));
     let first = levels.first().map_or(0, |level| level.first);
     let count = levels.first().map_or(0, |level| level.points.len());
     for i in first..first + count {

@@ -2,14 +2,10 @@
 
 use std::fmt;
 
-use anstyle::Style;
-
 use crate::scalar::{parse_rational, settled_digits};
 use crate::search::{FindingRecord, Goal, Portion, Space};
 
-use super::super::table::plain;
-
-const HEADING: Style = Style::new().bold();
+use super::super::table::{HEADING, plain};
 
 /// The result of a search, as text.
 pub(in super::super) struct Summary<'a>(pub(in super::super) &'a Portion);
@@ -48,7 +44,7 @@ impl fmt::Display for Summary<'_> {
             findings.len(),
             if search.find == Goal::Deepest { "deepest first" } else { "shrunk, smallest first" }
         )?;
-        let mut table = plain(["gaps", "α", "maxima", "dip ≈", "cases"].map(str::to_owned).to_vec());
+        let mut table = plain(["gaps", "α", "maxima", "dip ≈", "cases"]);
         for record in findings.records() {
             table.add_row([
                 record.gaps.join(" "),

@@ -2,7 +2,6 @@
 
 use std::fmt;
 
-use anstyle::Style;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -18,6 +17,7 @@ use super::super::notation::{Decimal, Notation};
 use super::super::on_knots::OnKnots;
 use super::super::output::Output;
 use super::super::progress::Progress;
+use super::super::table::HEADING;
 use super::Args;
 
 /// The result: its fields are the JSON.
@@ -217,8 +217,6 @@ impl End {
         }
     }
 }
-
-const HEADING: Style = Style::new().bold();
 
 impl fmt::Display for Partitions {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

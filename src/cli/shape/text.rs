@@ -2,13 +2,9 @@
 
 use std::fmt;
 
-use anstyle::Style;
-
 use super::super::exact::Exact;
-use super::super::table::plain;
+use super::super::table::{HEADING, plain};
 use super::{FunctionRecord, Shapes};
-
-const HEADING: Style = Style::new().bold();
 
 impl fmt::Display for Shapes {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -28,7 +24,7 @@ impl fmt::Display for FunctionRecord {
         };
         let maxima = if self.local_maxima == 1 { "maximum" } else { "maxima" };
         writeln!(f, "{} local {maxima}; {weak}", self.local_maxima)?;
-        let mut extrema = plain(["", "x", "≈", "value ≈", "at"].map(str::to_owned).to_vec());
+        let mut extrema = plain(["", "x", "≈", "value ≈", "at"]);
         for turn in &self.extrema {
             let [lo, hi] = &turn.interval;
             let at = match (turn.plateau, turn.at_knot) {
@@ -47,7 +43,7 @@ impl fmt::Display for FunctionRecord {
         for jump in &self.jumps {
             writeln!(f, "Jump at {} from {} to {}", jump.at, jump.left, jump.right)?;
         }
-        let mut slopes = plain(["knot", "slope from the left", "from the right"].map(str::to_owned).to_vec());
+        let mut slopes = plain(["knot", "slope from the left", "from the right"]);
         for slope in &self.slopes {
             let side = |side: &Option<Exact>| side.as_ref().map_or("–".to_owned(), ToString::to_string);
             slopes.add_row([slope.at.to_string(), side(&slope.left), side(&slope.right)]);
