@@ -13,7 +13,7 @@ use super::record::{DegreeFinding, Finding, Record};
 
 /// The verdicts that were recorded with the source of this program.
 const RECORDED: &str = include_str!("../../proofs/verdicts.json");
-const SCHEMA: &str = "knotproof.verdicts/1";
+const SCHEMA: &str = "knotproof.verdicts/2";
 
 /// The verdict on one claim, without the texts around it.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
