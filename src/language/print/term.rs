@@ -4,7 +4,7 @@ use num_bigint::Sign;
 
 use super::super::raw::level::{ATOM, FACTOR, NOT, POWER, PRODUCT, SUM, TERM, TOP};
 use super::super::syntax::{Argument, Fold, Function, Int, Item, Member, Range, Real, Side, Use};
-use super::form::{AT_MOST, Big, COMMA, EQUAL, Form, MAPS, MINUS, Operator, PLUS, SLASH, TIMES};
+use super::form::{AT_MOST, Big, COMMA, EQUAL, Form, GREEK, MAPS, MINUS, Operator, PLUS, SLASH, TIMES};
 
 /// Prints the source, or notation for people.
 #[derive(Debug, Clone, Copy)]
@@ -335,25 +335,6 @@ fn peeled(function: &Function) -> &Function {
 
 /// Greek letters by their names, and digits at the end of a name below the line.
 fn notation(name: &str) -> String {
-    const GREEK: &[(&str, char)] = &[
-        ("alpha", 'α'),
-        ("beta", 'β'),
-        ("gamma", 'γ'),
-        ("delta", 'δ'),
-        ("epsilon", 'ε'),
-        ("eta", 'η'),
-        ("theta", 'θ'),
-        ("kappa", 'κ'),
-        ("lambda", 'λ'),
-        ("mu", 'μ'),
-        ("nu", 'ν'),
-        ("xi", 'ξ'),
-        ("rho", 'ρ'),
-        ("sigma", 'σ'),
-        ("tau", 'τ'),
-        ("psi", 'ψ'),
-        ("omega", 'ω'),
-    ];
     let stem = name.trim_end_matches(|c: char| c.is_ascii_digit());
     let letters =
         GREEK.iter().find(|(word, _)| *word == stem).map_or(stem.to_owned(), |(_, c)| c.to_string());
