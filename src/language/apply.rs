@@ -47,7 +47,7 @@ impl Scope<'_> {
         let function =
             Function::Phi { cut: name == "phi", from: self.real(&from.node)?, to: self.real(&to.node)? };
         let argument = self.argument(point, to.member.as_ref())?;
-        Ok(Typed::Real(Real::Value(Box::new(derived(function, primes)), Box::new(argument))))
+        Ok(Typed::Real(Real::Value(Box::new(derived(function, primes, at)?), Box::new(argument))))
     }
 
     fn argument(&mut self, given: &Given, member: Option<&(String, Place, Node)>) -> Resolved<Argument> {

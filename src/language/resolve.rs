@@ -79,11 +79,10 @@ impl Scope<'_> {
     pub(super) fn int(&mut self, node: &Node) -> Resolved<Int> {
         match self.typed(node)? {
             Typed::Int(int) => Ok(int),
-            other => fault(
-                &node.at,
-                format!("expected an integer, this is {}", other.what()),
-                "indices, degrees and ends of `a..b` are made of integers, k, n, m and names that run over integers",
-            ),
+            other => {
+                let advice = "indices and ends of `a..b` are made of integers, k, n, m and names that run over integers";
+                fault(&node.at, format!("expected an integer, this is {}", other.what()), advice)
+            }
         }
     }
 
@@ -94,11 +93,10 @@ impl Scope<'_> {
     pub(super) fn formula(&mut self, node: &Node) -> Resolved<Formula> {
         match self.typed(node)? {
             Typed::Formula(formula) => Ok(formula),
-            other => fault(
-                &node.at,
-                format!("expected a formula, this is {}", other.what()),
-                "compare it with something: `= 0`, `> 0`",
-            ),
+            other => {
+                let rule = format!("expected a formula, this is {}", other.what());
+                fault(&node.at, rule, "compare it with something: `= 0`, `> 0`")
+            }
         }
     }
 
@@ -148,7 +146,7 @@ impl Scope<'_> {
 
     fn name(&mut self, name: &str, primes: usize, at: &Place) -> Resolved<Typed> {
         if primes > 0 {
-            return Ok(Typed::Function(derived(self.function_name(name, at)?, primes)));
+            return Ok(Typed::Function(derived(self.function_name(name, at)?, primes, at)?));
         }
         Ok(match name {
             "k" => {
@@ -297,11 +295,9 @@ impl Scope<'_> {
     fn function_name(&mut self, name: &str, at: &Place) -> Resolved<Function> {
         match self.defined(name, &[], at)? {
             Some(Typed::Function(function)) => Ok(function),
-            _ => fault(
-                at,
-                format!("`{name}` is no function"),
-                "a prime stands behind the name of a function: `G'[i](x)`",
-            ),
+            _ => {
+                fault(at, format!("`{name}` is no function"), "a prime stands behind a function: `G'[i](x)`")
+            }
         }
     }
 
@@ -365,7 +361,7 @@ impl Scope<'_> {
                 },
             },
         };
-        Ok(Typed::Function(derived(function, *primes)))
+        Ok(Typed::Function(derived(function, *primes, &of.at)?))
     }
 
     /// An index of t, G, w, P or control values: none is below 0.
@@ -397,14 +393,8 @@ impl Scope<'_> {
         not_reserved(name, at)?;
         let bound = self.own.iter().chain(&self.has.names).any(|(bound, _)| **bound == *name);
         let defined = self.known.definitions.iter().any(|definition| *definition.name == *name);
-        match bound || defined {
-            true => fault(
-                at,
-                format!("`{name}` is bound already, or defined"),
-                "take another name: none hides another",
-            ),
-            false => Ok(()),
-        }
+        let rule = format!("`{name}` is bound already, or defined");
+        ensure(!bound && !defined, at, rule, "take another name: none hides another")
     }
 
     fn arithmetic(&mut self, infix: Infix, left: &Node, right: &Node) -> Resolved<Typed> {
@@ -442,11 +432,8 @@ impl Scope<'_> {
             let equality = matches!(relation, Relation::Equal | Relation::Unequal);
             if infinite && !(index(a) && index(b) && equality && a != b) {
                 let at = if *a == Real::Infinity { first.at.start..node.at.end } else { node.at.clone() };
-                return fault(
-                    &at,
-                    "`infinity` is no number",
-                    "it stands only beside an index: `alpha = infinity`, `alpha != infinity`",
-                );
+                let advice = "it stands only beside an index: `alpha = infinity`, `alpha != infinity`";
+                return fault(&at, "`infinity` is no number", advice);
             }
         }
         let mut terms = terms.into_iter();
@@ -461,11 +448,10 @@ impl Scope<'_> {
                     self.need_instance("U in {…}", &of.at)?;
                     Ok(Formula::Instance(self.instances(names)?))
                 }
-                _ => fault(
-                    &domain.at,
-                    "only the knots of instances are in a list",
-                    "write `U in {U0, C5}`, or `= a or … = b`",
-                ),
+                _ => {
+                    let advice = "write `U in {U0, C5}`, or `= a or … = b`";
+                    fault(&domain.at, "only the knots of instances are in a list", advice)
+                }
             },
             DomainKind::Range(..) => {
                 let of = self.int(of)?;
@@ -482,14 +468,16 @@ impl Scope<'_> {
             let Raw::Name { name, primes: 0 } = &node.raw else {
                 return fault(&node.at, "expected the name of an instance", "write `U in {U0, C5}`");
             };
-            match &self.known.instances {
-                Some(known) if !known.contains(name.as_str()) => fault(
+            if let Some(known) = &self.known.instances {
+                let advice = meant(name, known.iter().map(|known| &**known));
+                ensure(
+                    known.contains(name.as_str()),
                     &node.at,
                     format!("no instance is called `{name}`"),
-                    meant(name, known.iter().map(|known| &**known)),
-                ),
-                _ => Ok(Name::from(name.as_str())),
+                    advice,
+                )?;
             }
+            Ok(Name::from(name.as_str()))
         };
         nodes.iter().map(instance).collect()
     }
@@ -513,27 +501,21 @@ impl Scope<'_> {
             return fault(&domain.at, "expected a range of integers", "write `0..n`");
         };
         let (from, to) = (self.int(from)?, self.int(to)?);
-        match (&from, &to) {
-            (Int::Number(from), Int::Number(to)) if to < from => {
-                fault(&domain.at, "this range is empty", format!("write `{to}..{from}`"))
-            }
-            _ => Ok((from, to)),
+        if let (Int::Number(from), Int::Number(to)) = (&from, &to) {
+            ensure(from <= to, &domain.at, "this range is empty", format!("write `{to}..{from}`"))?;
         }
+        Ok((from, to))
     }
 
     pub(super) fn interval(&mut self, domain: &Domain) -> Resolved<Interval> {
         let DomainKind::Interval { from, from_closed, to, to_closed } = &domain.kind else {
-            return fault(
-                &domain.at,
-                "expected an interval",
-                "write `[a, b]`, `(a, b)`, `[a, b)` or `(a, b]`",
-            );
+            let advice = "write `[a, b]`, `(a, b)`, `[a, b)` or `(a, b]`";
+            return fault(&domain.at, "expected an interval", advice);
         };
         let (from, to) = (self.real(from)?, self.real(to)?);
-        if let (Some(a), Some(b)) = (from.literal(), to.literal())
-            && (b < a || (a == b && !(*from_closed && *to_closed)))
-        {
-            return fault(&domain.at, "this interval is empty", "its left end comes first");
+        if let (Some(a), Some(b)) = (from.literal(), to.literal()) {
+            let inhabited = a < b || (a == b && *from_closed && *to_closed);
+            ensure(inhabited, &domain.at, "this interval is empty", "its left end comes first")?;
         }
         Ok(Interval { from, from_closed: *from_closed, to, to_closed: *to_closed })
     }
@@ -548,13 +530,9 @@ impl Scope<'_> {
     ) -> Resolved<Typed> {
         if let DomainKind::Interval { .. } = domain.kind {
             let interval = self.interval(domain)?;
-            if let Quantity::Fold(_) = what {
-                return fault(
-                    &domain.at,
-                    "only integers are summed, multiplied or compared one by one",
-                    "write `i in 0..n`, or `sup(…, x in [a, b])`",
-                );
-            }
+            let rule = "only integers are summed, multiplied or compared one by one";
+            let formula = !matches!(what, Quantity::Fold(_));
+            ensure(formula, &domain.at, rule, "write `i in 0..n`, or `sup(…, x in [a, b])`")?;
             return self.bound(name, Kind::Real, at, |scope, name| {
                 let body = Box::new(scope.formula(body)?);
                 Ok(Typed::Formula(quantified(what, Over::Reals(name, interval), body)))
@@ -583,7 +561,7 @@ fn quantified(what: Quantity, over: Over, body: Box<Formula>) -> Formula {
 const RESERVED: &[&str] = &[
     "k", "n", "m", "t", "G", "w", "U", "P", "D", "r", "alpha", "infinity", "phi", "f", "sum", "prod", "min",
     "max", "abs", "sqrt", "binomial", "all", "some", "one", "and", "or", "not", "in", "claim", "printed",
-    "index", "points",
+    "index", "points", "gaps", "each",
 ];
 
 fn is_reserved(name: &str) -> bool {
@@ -592,11 +570,8 @@ fn is_reserved(name: &str) -> bool {
 
 /// May it be a name of one's own?
 pub(super) fn not_reserved(name: &str, at: &Place) -> Resolved<()> {
-    match is_reserved(name) {
-        true => fault(at, format!("`{name}` has a meaning already"), "take another name"),
-        false if name.contains('_') => fault(at, "a name has letters and digits only", "leave the `_` out"),
-        false => Ok(()),
-    }
+    ensure(!is_reserved(name), at, format!("`{name}` has a meaning already"), "take another name")?;
+    ensure(!name.contains('_'), at, "a name has letters and digits only", "leave the `_` out")
 }
 
 fn number(text: &str, at: &Place) -> Resolved<Typed> {
@@ -610,14 +585,7 @@ fn number(text: &str, at: &Place) -> Resolved<Typed> {
 }
 
 fn no_prime(primes: usize, at: &Place) -> Resolved<()> {
-    match primes {
-        0 => Ok(()),
-        _ => fault(
-            at,
-            "numbers have no derivative",
-            "a prime stands behind the name of a function: `G'[i](x)`",
-        ),
-    }
+    ensure(primes == 0, at, "numbers have no derivative", "a prime stands behind a function: `G'[i](x)`")
 }
 
 fn meant<'a>(name: &str, among: impl Iterator<Item = &'a str>) -> String {
@@ -628,20 +596,15 @@ fn meant<'a>(name: &str, among: impl Iterator<Item = &'a str>) -> String {
 }
 
 /// The derivative that so many primes mean.
-pub(super) fn derived(function: Function, primes: usize) -> Function {
-    match i64::try_from(primes) {
-        Ok(order) if order > 0 => Function::Derivative(Box::new(function), Int::Number(order)),
-        _ => function,
-    }
+pub(super) fn derived(function: Function, primes: usize, at: &Place) -> Resolved<Function> {
+    let order = Int::Number(i64::try_from(primes).unwrap_or(i64::MAX));
+    bounded(&order, at)?;
+    Ok(if primes == 0 { function } else { Function::Derivative(Box::new(function), order) })
 }
 
 /// An exponent, or the order of a derivative, of a size that can be computed with.
 pub(super) fn bounded(exponent: &Int, at: &Place) -> Resolved<()> {
     let small = !matches!(exponent, Int::Number(e) if e.unsigned_abs() > GREATEST_EXPONENT);
-    ensure(
-        small,
-        at,
-        format!("an exponent has at most the size {GREATEST_EXPONENT}"),
-        "name what it stands for",
-    )
+    let rule = format!("an exponent has at most the size {GREATEST_EXPONENT}");
+    ensure(small, at, rule, "name what it stands for")
 }
