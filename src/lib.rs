@@ -63,14 +63,16 @@
 //!    files are read.
 //! 2. [`spline`]: indices, knots, the recursion, curves. It reads like sections 2 to 4 of the paper.
 //! 3. [`analysis`]: whole pieces, and decisions about every x.
-//! 4. [`claims`]: the paper's statements and their verdicts; [`certificate`]: proofs of their formal statements, for
+//! 4. [`meaning`]: what a formula of the claim language says on an instance.
+//! 5. [`judge`]: sentences on instances in order of size, and typed witnesses.
+//! 6. [`claims`]: the paper's statements and their verdicts; [`certificate`]: proofs of their formal statements, for
 //!    every knot vector or every α, which an independent checker reads; [`search`]: counterexamples to the conjecture.
-//! 5. [`float`]: how far `f64` is from the exact values; [`report`]: what the reader gets to see.
-//! 6. [`cli`]: the program `knotproof`.
+//! 7. [`float`]: how far `f64` is from the exact values; [`report`]: what the reader gets to see.
+//! 8. [`cli`]: the program `knotproof`.
 //!
 //! # Floats cannot prove
 //!
-//! The recursion is written once, for any [`Ring`](scalar::Ring) of scalars, and `f64` is among them: floor 5 asks
+//! The recursion is written once, for any [`Ring`](scalar::Ring) of scalars, and `f64` is among them: floor 7 asks
 //! what a program in floating point would get. But what leads to a verdict asks for an
 //! [`ExactField`](scalar::ExactField), which `f64` is not: no verdict can be computed with rounded numbers, not
 //! even by mistake. The compiler refuses
@@ -107,8 +109,12 @@ pub mod certificate;
 pub mod claims;
 pub mod cli;
 pub mod float;
+#[cfg(test)]
+mod guard;
 pub mod json;
+pub mod judge;
 pub mod language;
+pub mod meaning;
 pub mod report;
 pub mod scalar;
 pub mod search;

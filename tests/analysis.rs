@@ -4,7 +4,7 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests: a failure is a failed test")]
 
 use knotproof::analysis::{
-    ExtremumKind, Pieces, Place, Shape, Sign, count_positive_roots, positive_roots, sign_pattern,
+    ExtremumKind, Location, Pieces, Shape, Sign, count_positive_roots, positive_roots, sign_pattern,
 };
 use knotproof::scalar::{BigRational, Polynomial, RationalFunction, Ring, integer, rational};
 use knotproof::spline::{Basis, Index, KnotVector, Side, by_definition};
@@ -277,7 +277,7 @@ proptest! {
                 check_place(&basis, i, extremum)?;
             }
             let only = shape.local_maxima().next().map(|extremum| &extremum.place);
-            if shape.strong() && jumps.is_empty() && !matches!(only, Some(Place::Plateau { .. })) {
+            if shape.strong() && jumps.is_empty() && !matches!(only, Some(Location::Plateau { .. })) {
                 // A continuous function on a closed interval attains its supremum.
                 prop_assert_eq!(shape.weak(), Some(true));
             }
@@ -302,7 +302,7 @@ fn check_place(
     let (lo, hi) = &extremum.value;
     prop_assert!(lo <= hi);
     match &extremum.place {
-        Place::Point(x) => {
+        Location::Point(x) => {
             prop_assert_eq!(lo, hi);
             prop_assert_eq!(&value(x), lo);
             let step = rational(1, 1 << 40);
@@ -311,7 +311,7 @@ fn check_place(
                 prop_assert!(better(lo, &value(&near)));
             }
         }
-        Place::Irrational { lo: left, hi: right, .. } => {
+        Location::Irrational { lo: left, hi: right, .. } => {
             prop_assert!(left < right && !extremum.at_knot);
             prop_assert!(better(hi, &value(left)) || better(lo, &value(left)));
             let inside = value(&((left + right) / integer(2)));
@@ -320,7 +320,7 @@ fn check_place(
                 ExtremumKind::Minimum => prop_assert!(inside >= *lo),
             }
         }
-        Place::Plateau { from, to, .. } => {
+        Location::Plateau { from, to, .. } => {
             prop_assert_eq!(lo, hi);
             prop_assert_eq!(&value(from), lo);
             prop_assert_eq!(&value(&((from + to) / integer(2))), lo);

@@ -5,7 +5,7 @@
 use assert_cmd::Command;
 use knotproof::analysis::{ExtremumKind, Partition, Pieces, Shape};
 use knotproof::scalar::{BigRational, integer, parse_rational, rational};
-use knotproof::search::{Candidate, Cases, Goal, Sample, Search, Space, local_maxima};
+use knotproof::search::{Candidate, Enumeration, Goal, Sample, Search, Space, local_maxima};
 use knotproof::spline::{Basis, Index, KnotVector};
 use proptest::prelude::*;
 use serde_json::{Value, json};
@@ -183,7 +183,7 @@ fn basis(degree: usize, knots: Vec<BigRational>, index: Index) -> Basis {
 fn maxima_are_printed_above_their_minima() {
     for degree in 3..=5 {
         let space = Space::Random(Sample { count: 3000, seed: 3, spread: 9 });
-        let cases = Cases::of(&Search { degree, find: Goal::Several, space }).unwrap();
+        let cases = Enumeration::of(&Search { degree, find: Goal::Several, space }).unwrap();
         let several = |candidate: &Candidate| local_maxima(candidate).maxima > 1;
         let found: Vec<_> = cases.between(0..3000).map(|(_, case)| case).filter(several).take(6).collect();
         assert!(found.len() >= 3, "degree {degree}: {}", found.len());

@@ -4,7 +4,7 @@
 #![allow(clippy::float_cmp, reason = "exact floats are expected")]
 
 use knotproof::float::{
-    Case, Effort, Errors, Field, FloatBasis, Formula, FormulaRecord, Ulps, hexadecimal, study,
+    Effort, Errors, FloatBasis, Method, MethodRecord, Population, Probe, Ulps, hexadecimal, study,
 };
 use knotproof::scalar::{RationalAlgebra, exact_value, integer, parse_rational, rational, ulp};
 use knotproof::spline::Side;
@@ -13,15 +13,15 @@ use proptest::prelude::*;
 
 const EFFORT: Effort = Effort { seed: 3, count: 60, steps: 300 };
 
-fn case(knots: &[f64], degree: usize, alpha: f64, x: f64) -> Case {
+fn case(knots: &[f64], degree: usize, alpha: f64, x: f64) -> Probe {
     let basis = FloatBasis::new(knots.to_vec(), degree, alpha).expect("a basis");
-    Case::at(basis, x, Side::Right).expect("a point of it")
+    Probe::at(basis, x, Side::Right).expect("a point of it")
 }
 
 /// Where no operation rounds, no error is found, by any formula.
 #[test]
 fn without_rounding_there_is_no_error() {
-    for formula in Formula::ALL {
+    for formula in Method::ALL {
         let errors = Errors::of(formula, &case(&[0.0, 0.0, 0.0, 4.0, 4.0, 4.0], 2, f64::INFINITY, 1.0));
         assert!(errors.ulps.iter().all(|ulp| *ulp == Ulps::Number(integer(0))), "{formula:?}");
         assert!(errors.absolute.is_zero() && errors.sum == Some(integer(0)) && errors.signs == 0);
@@ -35,7 +35,7 @@ fn an_error_is_measured_exactly() {
         let float = f64::from(x) / 65.0;
         let exact = rational(x.into(), 65);
         let expected = (exact_value(float).unwrap() - &exact).abs();
-        let errors = Errors::of(Formula::Paper, &case(&[0.0, 0.0, 65.0, 65.0], 1, f64::INFINITY, x.into()));
+        let errors = Errors::of(Method::Paper, &case(&[0.0, 0.0, 65.0, 65.0], 1, f64::INFINITY, x.into()));
         assert_eq!(errors.ulps[1], Ulps::Number(expected / ulp(&exact)));
     }
 }
@@ -45,12 +45,12 @@ fn an_error_is_measured_exactly() {
 fn the_papers_formula_loses_half_of_its_digits() {
     let knots: Vec<f64> = (0..6).map(|i| f64::from(100_000_000 + i)).collect();
     let basis = FloatBasis::new(knots, 2, 1.2).unwrap();
-    let figures = study(&Field::Bases(vec![basis]), &Formula::ALL, EFFORT);
+    let figures = study(&Population::Bases(vec![basis]), &Method::ALL, EFFORT);
     let half = Ulps::Number(integer(1 << 26));
     for of in figures {
         match of.formula {
-            Formula::Paper => assert!(of.median > half),
-            Formula::Ratio => assert!(of.median < half),
+            Method::Paper => assert!(of.median > half),
+            Method::Ratio => assert!(of.median < half),
             _ => assert!(of.keeps_bound() && of.signs == 0 && of.not_finite == 0),
         }
     }
@@ -60,8 +60,8 @@ fn the_papers_formula_loses_half_of_its_digits() {
 #[test]
 fn the_worst_case_is_within_the_bound_and_can_be_measured_again() {
     for degree in 0..=6 {
-        let figures = study(&Field::Degree(degree), &Formula::ALL, EFFORT);
-        assert_eq!(figures.iter().map(|of| of.formula).collect::<Vec<_>>(), Formula::ALL);
+        let figures = study(&Population::Degree(degree), &Method::ALL, EFFORT);
+        assert_eq!(figures.iter().map(|of| of.formula).collect::<Vec<_>>(), Method::ALL);
         for of in &figures {
             assert!(of.keeps_bound(), "{of:?}");
             assert!(of.formula.bound(degree).is_none() || of.signs == 0 && of.not_finite == 0);
@@ -70,7 +70,7 @@ fn the_worst_case_is_within_the_bound_and_can_be_measured_again() {
             let again = Errors::of(of.formula, &worst.case);
             assert_eq!(again.worst().unwrap(), (&worst.error, worst.index));
             // What is printed says all there is.
-            let record = FormulaRecord::from(of).worst.unwrap();
+            let record = MethodRecord::from(of).worst.unwrap();
             let float = |text: &String| match text.as_str() {
                 "inf" => f64::INFINITY,
                 text => 0.0_f64.embed(&parse_rational(text).unwrap()),
@@ -84,14 +84,14 @@ fn the_worst_case_is_within_the_bound_and_can_be_measured_again() {
         let ours = figures.last().unwrap();
         // The bound is as good as reached.
         assert!(degree == 0 || ours.worst.as_ref().unwrap().error > Ulps::Number(rational(49, 100)));
-        let other = study(&Field::Degree(degree), &Formula::ALL, EFFORT);
+        let other = study(&Population::Degree(degree), &Method::ALL, EFFORT);
         assert_eq!(format!("{other:?}"), format!("{figures:?}"), "the result depends on the seed only");
     }
 }
 
 /// What one case shows of each formula: the figures of a study of it alone.
-fn alone(case: &Case) -> Vec<knotproof::float::Figures> {
-    study(&Field::Cases(vec![case.clone()]), &Formula::ALL, EFFORT)
+fn alone(case: &Probe) -> Vec<knotproof::float::Figures> {
+    study(&Population::Cases(vec![case.clone()]), &Method::ALL, EFFORT)
 }
 
 /// The paper's formula has 0/0 where α(b − a) is rounded away; the others lose their numbers where a sum of differences
@@ -110,7 +110,7 @@ fn what_is_no_number_is_worse_than_any_bound() {
         let found = case(knots, knots.len() / 2 - 1 - usize::from(knots.len() == 7), alpha, x);
         for (of, seen) in alone(&found).iter().zip(&mut seen) {
             let not_finite = of.formula.values(&found).iter().filter(|value| !value.is_finite()).count();
-            let (worst, record) = (&of.worst.as_ref().unwrap().error, FormulaRecord::from(of));
+            let (worst, record) = (&of.worst.as_ref().unwrap().error, MethodRecord::from(of));
             assert_eq!((of.not_finite, *worst == Ulps::NotFinite), (not_finite, not_finite > 0), "{of:?}");
             if not_finite > 0 {
                 *seen += 1;
@@ -135,14 +135,14 @@ fn what_is_next_to_underflow_is_counted_and_measured() {
         assert_eq!((of.left_out, of.keeps_bound()), (1, true), "{of:?}");
         assert_eq!(of.signs, usize::from(!of.formula.keeps_signs()), "2^-1075 rounds to 0 in plain floats");
     }
-    let errors = Errors::of(Formula::Accurate, &found);
+    let errors = Errors::of(Method::Accurate, &found);
     assert!(errors.left_out == 1 && errors.beside.is_positive());
     // The exact value at a knot is 0: there is nothing to leave out.
-    assert_eq!(Errors::of(Formula::Accurate, &case(&[0.0, 0.0, 1.0, 1.0], 1, -1.0, 0.0)).left_out, 0);
+    assert_eq!(Errors::of(Method::Accurate, &case(&[0.0, 0.0, 1.0, 1.0], 1, -1.0, 0.0)).left_out, 0);
 }
 
 /// Knots, α and x over the whole range of the exponents.
-fn extreme() -> impl Strategy<Value = Case> {
+fn extreme() -> impl Strategy<Value = Probe> {
     let scale =
         || (-1074_i32..1022).prop_map(|e| 2.0_f64.powi(e.max(-1022)) * 2.0_f64.powi((e + 1022).min(0)));
     let near = (-130_i32..130).prop_map(|e| 2.0_f64.powi(e));
@@ -171,7 +171,7 @@ fn extreme() -> impl Strategy<Value = Case> {
             let j = starts[origin.index(starts.len())];
             let x =
                 knots[j] + part * if tiny { f64::MIN_POSITIVE } else { (knots[j + 1] - knots[j]).min(1e300) };
-            Case::at(basis, x.min(knots[j + 1]), Side::Right)
+            Probe::at(basis, x.min(knots[j + 1]), Side::Right)
         },
     )
 }
@@ -183,7 +183,7 @@ proptest! {
     #[test]
     fn a_bound_holds_where_it_is_said_to_apply(found in extreme()) {
         for of in alone(&found) {
-            let record = FormulaRecord::from(&of);
+            let record = MethodRecord::from(&of);
             if of.not_finite > 0 {
                 prop_assert!(of.keeps_bound() == of.bound.is_none() && record.bound_ulp.is_none(), "{of:?}");
             } else {

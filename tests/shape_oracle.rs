@@ -6,7 +6,7 @@
 
 use std::cmp::Ordering;
 
-use knotproof::analysis::{Extremum, ExtremumKind, Pieces, Place, Shape};
+use knotproof::analysis::{Extremum, ExtremumKind, Location, Pieces, Shape};
 use knotproof::spline::{Basis, Index, KnotVector, Side};
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -229,19 +229,19 @@ impl OnSpan {
     }
 
     /// (kind, does the slope have exactly one zero where the place says?) for each change inside.
-    fn is_place(&self, change: usize, place: &Place) -> bool {
+    fn is_place(&self, change: usize, place: &Location) -> bool {
         let y = |x: &BigRational| (x - &self.start) / (&self.end - &self.start);
         let (from, to) = &self.changes[change];
         match place {
-            Place::Point(x) => {
+            Location::Point(x) => {
                 let y = y(x);
                 value(&self.slope, &y).is_zero() && *from < y && y < *to
             }
-            Place::Irrational { lo, hi, .. } => {
+            Location::Irrational { lo, hi, .. } => {
                 let (lo, hi) = (y(lo), y(hi));
                 lo < hi && self.sturm.count(&lo, &hi) == 1 && lo < *to && *from < hi
             }
-            Place::Plateau { .. } => false,
+            Location::Plateau { .. } => false,
         }
     }
 }
@@ -284,7 +284,7 @@ fn compare(basis: &Basis, pieces: &Pieces, i: usize) -> usize {
         if let Some((kind, height)) = knot(&span.start, before, Some(span)) {
             let found = extrema.next().unwrap();
             expected(found, kind);
-            assert_eq!((&found.place, found.at_knot), (&Place::Point(span.start.clone()), true));
+            assert_eq!((&found.place, found.at_knot), (&Location::Point(span.start.clone()), true));
             assert_eq!(found.value, (height.clone(), height));
             total += 1;
         }
@@ -300,7 +300,7 @@ fn compare(basis: &Basis, pieces: &Pieces, i: usize) -> usize {
     {
         let found = extrema.next().unwrap();
         expected(found, kind);
-        assert_eq!((&found.place, found.value.0.clone()), (&Place::Point(last.end.clone()), height));
+        assert_eq!((&found.place, found.value.0.clone()), (&Location::Point(last.end.clone()), height));
         total += 1;
     }
     assert_eq!((extrema.next(), jumps.next()), (None, None));

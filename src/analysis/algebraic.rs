@@ -8,7 +8,7 @@ use crate::scalar::{
     Polynomial, RationalAlgebra, Ring, decimal, decimal_neighbours, integer, settled_digits,
 };
 
-use super::pieces::Piece;
+use super::piece::Piece;
 use super::roots::IsolatedRoot;
 
 /// A real number between two bounds that can be brought closer.
@@ -114,7 +114,7 @@ enum Known {
 }
 
 /// Bits by which bounds come closer at a time.
-const STEP: u32 = 8;
+pub(super) const STEP: usize = 8;
 
 impl Algebraic {
     /// The value of a function at a root, neither of which is rational: where the function has no pole.

@@ -24,13 +24,26 @@ pub(super) struct Contender {
 /// found equal otherwise are left undecided.
 const LOOKS: u32 = 16;
 
-/// Is the supremum of the contenders attained, and at exactly one point? `None` where values at irrational
-/// points could not be told apart.
+/// How often a supremum is attained.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Attained {
+    /// At so many points; 0 if it is a limit only.
+    Times(usize),
+    /// On an interval.
+    Throughout,
+}
+
+/// Is the supremum of the contenders attained, and at exactly one point? `None` as for [`attained`].
+pub(super) fn attained_once(contenders: Vec<Contender>) -> Option<bool> {
+    attained(contenders).map(|attained| attained == Attained::Times(1))
+}
+
+/// How often the supremum of the contenders is attained; `None` where values at irrational points could not be told apart.
 ///
 /// Enclosures are refined until a single contender is left, or only exact ones. A value at an irrational point
 /// is compared with a rational one exactly, by a greatest common divisor; two values at irrational points that
 /// agree to some 128 bits stay undecided, unless neither way matters.
-pub(super) fn attained_once(mut contenders: Vec<Contender>) -> Option<bool> {
+pub(super) fn attained(mut contenders: Vec<Contender>) -> Option<Attained> {
     for _ in 0..LOOKS {
         keep_largest(&mut contenders);
         if let Some(verdict) = verdict(&contenders) {
@@ -58,18 +71,20 @@ fn keep_largest(contenders: &mut Vec<Contender>) {
 }
 
 /// The answer, if it is clear from those that are left, none of which is known to be smaller than another.
-fn verdict(contenders: &[Contender]) -> Option<bool> {
-    let points = contenders.iter().filter(|contender| contender.role == Role::Point).count();
-    if points == 0 {
-        return Some(false);
+fn verdict(contenders: &[Contender]) -> Option<Attained> {
+    let of = |role| contenders.iter().filter(move |contender| contender.role == role).count();
+    // Plateaus and limits are exact: what is left of them is equal.
+    match (of(Role::Point), of(Role::Plateau)) {
+        (0, 0) => return Some(Attained::Times(0)),
+        (0, _) => return Some(Attained::Throughout),
+        _ => {}
     }
     let all_exact = contenders.iter().all(|contender| contender.height.exact().is_some());
     if contenders.len() > 1 && !all_exact {
         return None;
     }
     // All of these are equal: a limit of the same height does not matter, a second place does.
-    let attained = contenders.iter().filter(|contender| contender.role != Role::Limit).count();
-    Some(attained == 1)
+    Some(if of(Role::Plateau) > 0 { Attained::Throughout } else { Attained::Times(of(Role::Point)) })
 }
 
 #[cfg(test)]

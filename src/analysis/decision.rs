@@ -1,14 +1,15 @@
 //! Signs on the whole of (0, ∞), decided exactly.
 
+use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::Signed;
 
 use crate::scalar::{Polynomial, Ring, integer, rationals_between};
 
 use super::integer_polynomial::IntegerPolynomial;
-use super::pieces::Piece;
+use super::piece::Piece;
 use super::roots::{IsolatedRoot, roots_of};
-use super::sign::Sign;
+use super::sign::{Sign, sign_changes};
 
 /// The signs of a function on (0, ∞): it is 0 at the roots and nowhere else, unless it is identically 0; its
 /// sign is constant on the open intervals between them, of which there is one more than there are roots.
@@ -74,6 +75,25 @@ pub(super) fn signs_of(polynomial: IntegerPolynomial) -> SignPattern {
         (u, sign)
     };
     SignPattern { roots, between: between.into_iter().map(with_sign).collect() }
+}
+
+/// The signs of a polynomial on (0, ∞) from left to right, without repetitions; a single [`Sign::Zero`] for 0.
+pub(super) fn sign_sequence(p: &IntegerPolynomial) -> Vec<Sign> {
+    let Some(first) = p.coefficients().iter().map(Sign::of).find(|sign| *sign != Sign::Zero) else {
+        return vec![Sign::Zero];
+    };
+    let mut signs = vec![first];
+    if sign_changes(p.coefficients()) > 0 {
+        let roots = roots_of(p.clone());
+        signs.extend(roots.windows(2).map(|pair| {
+            // Where two intervals share an end it is no root, and between them there is none.
+            let middle = (pair[0].interval().1 + pair[1].interval().0) / BigInt::from(2);
+            p.sign_at(middle.numer(), middle.denom())
+        }));
+        signs.extend(p.coefficients().last().map(Sign::of));
+        signs.dedup();
+    }
+    signs
 }
 
 /// A simple rational of [low, high] that is no root: the two are ends of neighbouring isolating intervals, so
@@ -242,5 +262,16 @@ mod tests {
         assert!(points.windows(2).all(|pair| pair[0] < pair[1]));
         assert_eq!(points.len(), pattern.roots().len() + 1);
         assert_eq!(sign_pattern(&polynomial(&[0])).between(), [(integer(1), Sign::Zero)]);
+    }
+
+    #[test]
+    fn sign_sequences_leave_out_what_does_not_change() {
+        // (u − 1)²(u − 3), and −(u − 1)².
+        let signs = |list: &[i64]| {
+            sign_sequence(&IntegerPolynomial::primitive(list.iter().map(|&c| c.into()).collect()))
+        };
+        assert_eq!(signs(&[-3, 7, -5, 1]), [Sign::Negative, Sign::Positive]);
+        assert_eq!(signs(&[-1, 2, -1]), [Sign::Negative]);
+        assert_eq!(signs(&[0]), [Sign::Zero]);
     }
 }

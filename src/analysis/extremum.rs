@@ -1,12 +1,15 @@
 //! What there is to see on the graph of a function: extrema and jumps.
 
+use std::cmp::Ordering;
+
 use num_rational::BigRational;
 
 use crate::scalar::{RationalAlgebra, RationalFunction, Ring, integer};
 
-use super::algebraic::Algebraic;
-use super::pieces::constant;
+use super::algebraic::{Algebraic, Enclosed, STEP};
+use super::piece::constant;
 use super::roots::IsolatedRoot;
+use super::sign::Sign;
 
 /// Maximum or minimum.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -17,9 +20,38 @@ pub enum ExtremumKind {
     Minimum,
 }
 
+impl ExtremumKind {
+    /// What is at a point, by the function close to it on the left and on the right compared with the value there.
+    pub(super) fn of(left: Ordering, right: Ordering) -> Option<Self> {
+        match (left, right) {
+            (Ordering::Less, Ordering::Less) => Some(Self::Maximum),
+            (Ordering::Greater, Ordering::Greater) => Some(Self::Minimum),
+            _ => None,
+        }
+    }
+}
+
+/// A function with this sign of its slope, close to the right end of the interval, compared with the limit there.
+pub(super) fn before_end(slope: Sign) -> Ordering {
+    match slope {
+        Sign::Positive => Ordering::Less,
+        Sign::Zero => Ordering::Equal,
+        Sign::Negative => Ordering::Greater,
+    }
+}
+
+/// Where a continuous function turns, by the signs of its slope from left to right; a plateau between a rise and a fall is
+/// one turn.
+pub(super) fn turns(signs: impl IntoIterator<Item = Sign>) -> impl Iterator<Item = ExtremumKind> {
+    let mut last = Sign::Zero;
+    signs.into_iter().filter(|sign| *sign != Sign::Zero).filter_map(move |sign| {
+        ExtremumKind::of(before_end(std::mem::replace(&mut last, sign)), before_end(sign).reverse())
+    })
+}
+
 /// Where something is.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Place {
+pub enum Location {
     /// At x exactly: every rational place is found as such.
     Point(BigRational),
     /// At an irrational x between lo and hi, an isolated root in the affine coordinate of its span.
@@ -42,7 +74,7 @@ pub enum Place {
     },
 }
 
-impl Place {
+impl Location {
     /// (lo, hi) with lo ≤ x ≤ hi; lo = hi for an exact point, the ends of a plateau.
     #[must_use]
     pub fn interval(&self) -> (&BigRational, &BigRational) {
@@ -60,7 +92,7 @@ pub struct Extremum {
     /// Which of the two.
     pub kind: ExtremumKind,
     /// Where.
-    pub place: Place,
+    pub place: Location,
     /// Is it at a knot? A plateau is, since it begins and ends at knots.
     pub at_knot: bool,
     /// (lo, hi) with lo ≤ value ≤ hi, equal if the value is known exactly, as at every rational place.
@@ -88,19 +120,31 @@ impl Extremum {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn refine_to(&mut self, width: &BigRational) {
-        let Place::Irrational { lo, hi, root } = &mut self.place else { return };
+        let Location::Irrational { lo, hi, root } = &mut self.place else { return };
         let (start, length) = span(lo, hi, root);
         root.refine_to(&(width / &length));
         (*lo, *hi) = (&start + root.lo() * &length, start + root.hi() * length);
         self.value = self.height.bounds_within(width);
     }
 
+    /// Narrows the place and the value by some bits; `false` if they are exact.
+    pub fn narrow(&mut self) -> bool {
+        let Location::Irrational { lo, hi, root } = &mut self.place else { return false };
+        let (start, length) = span(lo, hi, root);
+        let width = (root.hi() - root.lo()) / integer(1 << STEP);
+        root.refine_to(&width);
+        (*lo, *hi) = (&start + root.lo() * &length, start + root.hi() * length);
+        self.height.narrow();
+        self.value = self.height.bounds();
+        true
+    }
+
     /// The place as a number; of a plateau its first point.
     #[must_use]
     pub fn x(&self) -> Algebraic {
         match &self.place {
-            Place::Point(x) | Place::Plateau { from: x, .. } => x.clone().into(),
-            Place::Irrational { lo, hi, root } => {
+            Location::Point(x) | Location::Plateau { from: x, .. } => x.clone().into(),
+            Location::Irrational { lo, hi, root } => {
                 // x = start + y·length with y = u/(1 + u).
                 let (start, length) = span(lo, hi, root);
                 let u = RationalFunction::variable(&integer(1));

@@ -1,7 +1,7 @@
 //! The sign of an integer polynomial: where root isolation spends its time.
 
 use num_bigint::BigInt;
-use num_traits::{One, Signed, Zero};
+use num_traits::{One, Zero};
 
 pub(super) use crate::scalar::IntegerPolynomial;
 
@@ -18,13 +18,6 @@ impl IntegerPolynomial {
             power *= d;
         }
         Sign::of(&value)
-    }
-
-    /// The number of sign changes in the list of coefficients, zeros left out (Descartes).
-    pub(super) fn variations(coefficients: &[BigInt]) -> usize {
-        let signs = coefficients.iter().filter(|c| !c.is_zero()).map(Signed::is_negative);
-        let signs: Vec<bool> = signs.collect();
-        signs.windows(2).filter(|pair| pair[0] != pair[1]).count()
     }
 }
 

@@ -48,6 +48,29 @@ pub fn in_span<S: ExactField>(vectors: &[Vec<S>], target: &[S]) -> Option<Vec<S>
     Some(coefficients)
 }
 
+/// The determinant of as many rows as columns, by the expansion along the first column; `one` for no row at all.
+///
+/// ```
+/// # use knotproof::analysis::determinant;
+/// # use knotproof::scalar::integer;
+/// let rows = [[1, 2, 3], [0, 1, 4], [5, 6, 0]].map(|row| row.map(integer).to_vec());
+/// assert_eq!(determinant(&rows, &integer(1)), integer(1));
+/// ```
+#[must_use]
+pub fn determinant<R: Ring>(rows: &[Vec<R>], one: &R) -> R {
+    if rows.is_empty() {
+        return one.clone();
+    }
+    let mut sum = one.zero();
+    for (at, entry) in rows.iter().enumerate().filter_map(|(at, row)| Some((at, row.first()?))) {
+        let others = rows.iter().enumerate().filter(|(other, _)| *other != at);
+        let minor: Vec<Vec<R>> = others.map(|(_, row)| row.iter().skip(1).cloned().collect()).collect();
+        let term = entry.times(&determinant(&minor, one));
+        sum = if at % 2 == 0 { sum.plus(&term) } else { sum.minus(&term) };
+    }
+    sum
+}
+
 /// Vectors in echelon form, with the way in which they were obtained from the inserted ones.
 #[derive(Debug)]
 struct Echelon<S> {

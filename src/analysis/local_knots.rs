@@ -2,9 +2,10 @@
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
+use num_traits::Zero;
 use thiserror::Error;
 
-use super::pieces::Piece;
+use super::piece::Piece;
 use crate::scalar::{Polynomial, RationalFunction, Ring, ScaleBy, Whole, over_one_denominator};
 use crate::spline::{Basis, Factors, FractionFree, Triangle};
 
@@ -64,9 +65,24 @@ pub struct SpanQuotient<R> {
 }
 
 impl SpanQuotient<BigInt> {
-    /// P/Q as a rational function with Q monic, for P and Q without a common factor.
+    /// A rational function as a quotient of integer polynomials.
+    pub(super) fn of(piece: &Piece) -> Self {
+        let (p, q) = (piece.numerator(), piece.denominator());
+        let (_, common) = over_one_denominator(&[p.coefficients(), q.coefficients()].concat());
+        let integral = |p: &Polynomial<BigRational>| p.map(|c| c.numer() * (&common / c.denom()));
+        Self { numerator: integral(p), denominator: integral(q) }
+    }
+
+    /// P/Q as a rational function with Q monic; in lowest terms if P and Q have no common factor.
     pub(super) fn piece(&self) -> Piece {
         RationalFunction::in_lowest_terms(&self.numerator, &self.denominator)
+    }
+
+    /// The value at u = 0 and the limit for u → ∞, for Q(0) ≠ 0.
+    pub(super) fn at_ends(&self) -> (BigRational, BigRational) {
+        let (p, q) = (self.numerator.coefficients(), self.denominator.coefficients());
+        let highest = p.get(q.len() - 1).cloned().unwrap_or_default();
+        (BigRational::new(p[0].clone(), q[0].clone()), BigRational::new(highest, q[q.len() - 1].clone()))
     }
 }
 
@@ -209,6 +225,13 @@ impl LocalKnots<BigInt> {
         }
         Some(Self { gaps, ratio: (ratio.numer().clone(), ratio.denom().clone()) })
     }
+}
+
+/// Is a function with these gaps continuous? It has no knot of multiplicity k + 1, which would take k gaps, at one end or
+/// the other.
+pub(crate) fn is_continuous<T: Zero>(gaps: &[T]) -> bool {
+    let filled = |gaps: &[T]| !gaps.iter().all(T::is_zero);
+    gaps.split_first().is_some_and(|(_, rest)| filled(rest)) && filled(&gaps[..gaps.len() - 1])
 }
 
 /// Gaps in the unit that makes all of them coprime integers; zeros, if all are 0.

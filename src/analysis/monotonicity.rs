@@ -3,13 +3,13 @@
 use std::cmp::Ordering;
 
 use num_bigint::BigInt;
-use num_traits::Zero;
 
 use crate::scalar::{Interval, Polynomial};
 
-use super::decision::signs_of;
+use super::decision::sign_sequence;
+use super::extremum::{ExtremumKind, turns};
 use super::integer_polynomial::IntegerPolynomial;
-use super::local_knots::LocalKnots;
+use super::local_knots::{LocalKnots, is_continuous};
 use super::sign::Sign;
 
 /// The signs of the derivative of one G_i^k, span by span.
@@ -76,16 +76,13 @@ impl Monotonicity {
             match certain {
                 Some(signs) => Some(SpanMonotonicity { span, signs, route: Route::Intervals }),
                 None => {
-                    let signs = exact_signs(&knots.on_span(span)?.slope());
+                    let signs =
+                        sign_sequence(&IntegerPolynomial::from_integer(&knots.on_span(span)?.slope()));
                     Some(SpanMonotonicity { span, signs, route: Route::Integers })
                 }
             }
         };
-        // A knot of multiplicity k + 1 takes k gaps, at one end or the other.
-        let empty = |gaps: &[BigInt]| gaps.iter().all(Zero::is_zero);
-        let gaps = knots.gaps();
-        let continuous = !empty(&gaps[..k]) && !empty(&gaps[1..]);
-        Self { spans: knots.spans().filter_map(on_span).collect(), continuous }
+        Self { spans: knots.spans().filter_map(on_span).collect(), continuous: is_continuous(knots.gaps()) }
     }
 
     /// The spans that are not empty, from left to right.
@@ -107,7 +104,7 @@ impl Monotonicity {
     /// A plateau with smaller values on both sides counts once.
     #[must_use]
     pub fn local_maxima(&self) -> Option<usize> {
-        self.turns(Sign::Positive, Sign::Negative)
+        self.turns(ExtremumKind::Maximum)
     }
 
     /// The number of local minima inside the support of a continuous function; `None` if it is not continuous.
@@ -115,19 +112,13 @@ impl Monotonicity {
     /// A plateau with larger values on both sides counts once.
     #[must_use]
     pub fn local_minima(&self) -> Option<usize> {
-        self.turns(Sign::Negative, Sign::Positive)
+        self.turns(ExtremumKind::Minimum)
     }
 
-    /// How often the one sign is followed by the other, plateaus left out.
-    fn turns(&self, before: Sign, after: Sign) -> Option<usize> {
-        let mut signs = self.spans.iter().flat_map(|span| &span.signs).filter(|sign| **sign != Sign::Zero);
-        let mut last = signs.next()?;
-        let mut count = 0;
-        for sign in signs {
-            count += usize::from((*last, *sign) == (before, after));
-            last = sign;
-        }
-        self.continuous.then_some(count)
+    /// How often the function turns in this way.
+    fn turns(&self, kind: ExtremumKind) -> Option<usize> {
+        let signs = self.spans.iter().flat_map(|span| span.signs.iter().copied());
+        self.continuous.then(|| turns(signs).filter(|turn| *turn == kind).count())
     }
 }
 
@@ -164,15 +155,6 @@ fn certain_signs(slope: &Polynomial<Interval>) -> Option<Vec<Sign>> {
     let most_variations = ending_in_plus.max(ending_in_minus)?;
     (most_variations <= 1)
         .then(|| if at_zero == at_infinity { vec![at_zero] } else { vec![at_zero, at_infinity] })
-}
-
-/// The signs on (0, ∞) between the points where they change.
-fn exact_signs(slope: &Polynomial<BigInt>) -> Vec<Sign> {
-    let pattern = signs_of(IntegerPolynomial::from_integer(slope));
-    let mut signs: Vec<Sign> = pattern.between().iter().map(|(_, sign)| *sign).collect();
-    // A root of even multiplicity.
-    signs.dedup();
-    signs
 }
 
 #[cfg(test)]
@@ -213,14 +195,5 @@ mod tests {
         for word in ["+??-", "+?+", "?+", "+?", "p+", "+p", "?", "+-+", "+?-?-", "-?+-", "?0"] {
             assert_eq!(signs(word), None, "{word}");
         }
-    }
-
-    #[test]
-    fn exact_signs_leave_out_what_does_not_change() {
-        // (u − 1)²(u − 3), and −(u − 1)².
-        let integers = |list: &[i64]| Polynomial::new(list[0].into(), list[1..].iter().map(|&c| c.into()));
-        assert_eq!(exact_signs(&integers(&[-3, 7, -5, 1])), [Sign::Negative, Sign::Positive]);
-        assert_eq!(exact_signs(&integers(&[-1, 2, -1])), [Sign::Negative]);
-        assert_eq!(exact_signs(&integers(&[0])), [Sign::Zero]);
     }
 }

@@ -2,14 +2,12 @@
 
 use num_rational::BigRational;
 
-use crate::scalar::{ExactField, Polynomial, RationalAlgebra, RationalFunction, Ring, spend};
+use crate::scalar::{Polynomial, RationalAlgebra, RationalFunction, Ring, spend};
 use crate::spline::{Active, Basis, KnotVector, Span, SpanError};
 
 use super::local_knots::SpanQuotient;
+use super::piece::{Piece, constant};
 use super::span_quotients::own_quotients;
-
-/// A function on a span, in the span's positive coordinate u.
-pub type Piece = RationalFunction<BigRational>;
 
 /// x = (t_j + u·t_{j+1})/(1 + u) as a function of u: the **positive coordinate** of a span.
 ///
@@ -154,10 +152,4 @@ impl SpanPieces {
             None => unreachable!("x rises with u on a span that is not empty"),
         }
     }
-}
-
-/// The constant function.
-#[must_use]
-pub fn constant<S: ExactField>(value: S) -> RationalFunction<S> {
-    RationalFunction::constant(value)
 }

@@ -5,13 +5,14 @@ use std::cmp::Ordering;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
-use crate::scalar::{Polynomial, Ring, integer};
+use crate::scalar::integer;
 
 use super::algebraic::{Algebraic, Enclosed};
 use super::contenders::{Contender, Role};
-use super::decision::sign_pattern;
-use super::extremum::{Extremum, ExtremumKind, Jump, Place};
-use super::pieces::Piece;
+use super::decision::signs_of;
+use super::extremum::{Extremum, ExtremumKind, Jump, Location, before_end};
+use super::integer_polynomial::IntegerPolynomial;
+use super::local_knots::SpanQuotient;
 use super::roots::IsolatedRoot;
 use super::sign::Sign;
 
@@ -27,21 +28,13 @@ pub(super) struct Features {
 pub(super) struct Segment {
     pub(super) start: BigRational,
     pub(super) end: BigRational,
-    pub(super) piece: Piece,
-}
-
-/// How the function runs on an open interval.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Run {
-    Rising,
-    Constant,
-    Falling,
+    pub(super) quotient: SpanQuotient<BigInt>,
 }
 
 /// A knot or a critical point, with the function close by compared with the value there: `Less` where it is
 /// smaller, `Equal` where it is constant.
 struct Station {
-    place: Place,
+    place: Location,
     at_knot: bool,
     height: Algebraic,
     /// The limit from the left, where it is not the value.
@@ -53,31 +46,8 @@ struct Station {
 /// Knots and critical points from left to right, and the runs between them: one fewer.
 pub(super) struct Profile {
     stations: Vec<Station>,
-    runs: Vec<Run>,
-}
-
-impl Run {
-    fn of(sign: Sign) -> Self {
-        match sign {
-            Sign::Negative => Self::Falling,
-            Sign::Zero => Self::Constant,
-            Sign::Positive => Self::Rising,
-        }
-    }
-
-    /// The function on the run, close to its right end, compared with the limit there.
-    fn before_end(self) -> Ordering {
-        match self {
-            Self::Rising => Ordering::Less,
-            Self::Constant => Ordering::Equal,
-            Self::Falling => Ordering::Greater,
-        }
-    }
-
-    /// The function on the run, close to its left end, compared with the limit there.
-    fn after_start(self) -> Ordering {
-        self.before_end().reverse()
-    }
+    /// The signs of the slope.
+    runs: Vec<Sign>,
 }
 
 impl Profile {
@@ -86,30 +56,31 @@ impl Profile {
         let mut profile = Self { stations: Vec::new(), runs: Vec::new() };
         // Outside the function is 0.
         let mut limit = integer(0);
-        let mut before = Run::Constant;
+        let mut before = Sign::Zero;
         let mut end = None;
         for segment in segments {
-            let critical = segment.critical_points();
-            let first = critical.first().map_or_else(|| segment.only_run(), |(before, _, _)| *before);
-            profile.knot(segment.start.clone(), (limit, before), (segment.at_start(), first));
+            let pattern = signs_of(IntegerPolynomial::from_integer(&segment.quotient.slope()));
+            let first = pattern.between().first().map_or(Sign::Zero, |(_, sign)| *sign);
+            let (value, limit_at_end) = segment.quotient.at_ends();
+            profile.knot(segment.start.clone(), (limit, before), (value, first));
             profile.runs.push(first);
             before = first;
-            for (run_before, root, run_after) in critical {
-                profile.stations.push(segment.station(root, run_before, run_after));
-                profile.runs.push(run_after);
-                before = run_after;
+            for (slope_before, root, slope_after) in pattern.changes() {
+                profile.stations.push(segment.station(root.clone(), slope_before, slope_after));
+                profile.runs.push(slope_after);
+                before = slope_after;
             }
-            limit = segment.at_end();
+            limit = limit_at_end;
             end = Some(segment.end);
         }
         match end {
             None => {}
-            Some(end) if inside => profile.knot(end, (limit, before), (integer(0), Run::Constant)),
+            Some(end) if inside => profile.knot(end, (limit, before), (integer(0), Sign::Zero)),
             // At t_m the value is the limit from the left, and 0 begins after it.
             Some(end) => profile.stations.push(Station {
-                place: Place::Point(end),
+                place: Location::Point(end),
                 at_knot: true,
-                left: before.before_end(),
+                left: before_end(before),
                 right: integer(0).cmp(&limit),
                 left_limit: None,
                 height: limit.into(),
@@ -118,14 +89,14 @@ impl Profile {
         profile
     }
 
-    fn knot(&mut self, at: BigRational, left: (BigRational, Run), right: (BigRational, Run)) {
+    fn knot(&mut self, at: BigRational, left: (BigRational, Sign), right: (BigRational, Sign)) {
         let (limit, before) = left;
         let (value, after) = right;
         self.stations.push(Station {
-            place: Place::Point(at),
+            place: Location::Point(at),
             at_knot: true,
-            left: limit.cmp(&value).then(before.before_end()),
-            right: after.after_start(),
+            left: limit.cmp(&value).then(before_end(before)),
+            right: before_end(after).reverse(),
             left_limit: (limit != value).then_some(limit),
             height: value.into(),
         });
@@ -143,15 +114,15 @@ impl Profile {
                 }
                 features.jumps.push(Jump { at: at.clone(), left, right });
             }
-            if let Some(kind) = kind(station.left, station.right) {
+            if let Some(kind) = ExtremumKind::of(station.left, station.right) {
                 features.extremum(kind, station.place.clone(), station, Role::Point);
             }
             // A plateau begins here, unless it has begun before.
-            if self.runs.get(position) == Some(&Run::Constant) && station.left != Ordering::Equal {
+            if self.runs.get(position) == Some(&Sign::Zero) && station.left != Ordering::Equal {
                 let (end, closed, right) = self.plateau_end(position);
                 let bounds = |station: &Station| station.place.interval().0.clone();
-                let place = Place::Plateau { from: bounds(station), to: bounds(end), closed };
-                if let Some(kind) = kind(station.left, right) {
+                let place = Location::Plateau { from: bounds(station), to: bounds(end), closed };
+                if let Some(kind) = ExtremumKind::of(station.left, right) {
                     features.extremum(kind, place, station, Role::Plateau);
                 }
             }
@@ -172,24 +143,15 @@ impl Profile {
                 // A jump: from there on the function is close to the value after it.
                 return (station, false, station.left.reverse());
             }
-            if self.runs.get(end) != Some(&Run::Constant) {
+            if self.runs.get(end) != Some(&Sign::Zero) {
                 return (station, true, station.right);
             }
         }
     }
 }
 
-/// What it is, if the function close by is smaller on both sides, or larger on both.
-fn kind(left: Ordering, right: Ordering) -> Option<ExtremumKind> {
-    match (left, right) {
-        (Ordering::Less, Ordering::Less) => Some(ExtremumKind::Maximum),
-        (Ordering::Greater, Ordering::Greater) => Some(ExtremumKind::Minimum),
-        _ => None,
-    }
-}
-
 impl Features {
-    fn extremum(&mut self, kind: ExtremumKind, place: Place, station: &Station, role: Role) {
+    fn extremum(&mut self, kind: ExtremumKind, place: Location, station: &Station, role: Role) {
         let mut height = station.height.clone();
         let value = height.bounds();
         if kind == ExtremumKind::Maximum {
@@ -200,46 +162,22 @@ impl Features {
 }
 
 impl Segment {
-    /// P′Q − PQ′, which has the sign of dG/du. Not reduced: that would cost more than it saves.
-    fn slope(&self) -> Polynomial<BigRational> {
-        let (p, q) = (self.piece.numerator(), self.piece.denominator());
-        p.derivative().times(q).minus(&p.times(&q.derivative()))
-    }
-
-    /// The points where the slope changes its sign, with the runs before and after.
-    fn critical_points(&self) -> Vec<(Run, IsolatedRoot, Run)> {
-        let pattern = sign_pattern(&self.slope());
-        pattern.changes().map(|(b, root, a)| (Run::of(b), root.clone(), Run::of(a))).collect()
-    }
-
-    /// The run, where there is no critical point.
-    fn only_run(&self) -> Run {
-        Run::of(sign_pattern(&self.slope()).between().first().map_or(Sign::Zero, |(_, sign)| *sign))
-    }
-
-    fn at_start(&self) -> BigRational {
-        finite(self.piece.evaluate(&integer(0)))
-    }
-
-    fn at_end(&self) -> BigRational {
-        finite(self.piece.at_infinity())
-    }
-
-    fn station(&self, mut root: IsolatedRoot, before: Run, after: Run) -> Station {
+    fn station(&self, mut root: IsolatedRoot, before: Sign, after: Sign) -> Station {
         // Narrow enough to be read; the search for a rational root may go further, on a copy.
         root.refine_to(&BigRational::new(1.into(), BigInt::from(1_u32 << 20)));
         let x = |y: &BigRational| &self.start + y * (&self.end - &self.start);
+        let piece = self.quotient.piece();
         let (place, height) = match root.clone().rational() {
             Some(u) => {
                 let y = &u / (&u + integer(1));
-                (Place::Point(x(&y)), Algebraic::from(finite(self.piece.evaluate(&u))))
+                (Location::Point(x(&y)), Algebraic::from(finite(piece.evaluate(&u))))
             }
             None => (
-                Place::Irrational { lo: x(root.lo()), hi: x(root.hi()), root: root.clone() },
-                Algebraic::at(self.piece.clone(), root),
+                Location::Irrational { lo: x(root.lo()), hi: x(root.hi()), root: root.clone() },
+                Algebraic::at(piece, root),
             ),
         };
-        let (left, right) = (before.before_end(), after.after_start());
+        let (left, right) = (before_end(before), before_end(after).reverse());
         Station { place, at_knot: false, height, left_limit: None, left, right }
     }
 }
@@ -255,8 +193,9 @@ fn finite(value: Option<BigRational>) -> BigRational {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::analysis::Piece;
     use crate::analysis::contenders::attained_once;
-    use crate::scalar::{RationalAlgebra, rational};
+    use crate::scalar::{RationalAlgebra, Ring, rational};
 
     /// Functions that no basis has, to reach every rule.
     #[test]
@@ -266,7 +205,7 @@ mod tests {
         let segment = |start: usize, piece: &Piece| Segment {
             start: integer(start),
             end: integer(start + 1),
-            piece: piece.clone(),
+            quotient: SpanQuotient::of(piece),
         };
         let (up, down, flat) = (y.clone(), y.one().minus(&y), y.one());
         let bump = y.times(&down).scaled(4);
@@ -278,9 +217,9 @@ mod tests {
             let kinds = features.extrema.iter().map(|e| (e.kind == ExtremumKind::Maximum, e.place.clone()));
             (kinds.collect::<Vec<_>>(), attained_once(features.contenders.clone()))
         };
-        let point = |x| Place::Point(integer(x));
-        let half = |x: i64| Place::Point(rational(2 * x + 1, 2));
-        let plateau = |from, to, closed| Place::Plateau { from: integer(from), to: integer(to), closed };
+        let point = |x| Location::Point(integer(x));
+        let half = |x: i64| Location::Point(rational(2 * x + 1, 2));
+        let plateau = |from, to, closed| Location::Plateau { from: integer(from), to: integer(to), closed };
         // Two hats: two maxima of the same height, a minimum between.
         let hats = shape(&[&up, &down, &up, &down], true);
         assert_eq!(

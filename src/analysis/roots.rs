@@ -10,7 +10,7 @@ use num_traits::{One, Signed, Zero};
 use crate::scalar::{Polynomial, spend};
 
 use super::integer_polynomial::IntegerPolynomial;
-use super::sign::Sign;
+use super::sign::{Sign, sign_changes};
 
 /// A root u in (0, ∞) of a polynomial, known by an interval for y = u/(1 + u) in (0, 1).
 ///
@@ -191,7 +191,7 @@ pub fn positive_roots(p: &Polynomial<BigRational>) -> Vec<IsolatedRoot> {
 pub fn count_positive_roots(p: &Polynomial<BigRational>) -> usize {
     // Without variations, or with one, Descartes' rule is exact, and multiplicities do not matter.
     let polynomial = IntegerPolynomial::from_rational(p);
-    match IntegerPolynomial::variations(polynomial.coefficients()) {
+    match sign_changes(polynomial.coefficients()) {
         few @ (0 | 1) => few,
         _ => isolate(&polynomial.without_root_at_zero().square_free()).len(),
     }
@@ -200,7 +200,7 @@ pub fn count_positive_roots(p: &Polynomial<BigRational>) -> usize {
 /// [`positive_roots`] of a polynomial that is in integers already.
 pub(super) fn roots_of(p: IntegerPolynomial) -> Vec<IsolatedRoot> {
     let p = p.without_root_at_zero();
-    let polynomial = Arc::new(match IntegerPolynomial::variations(p.coefficients()) {
+    let polynomial = Arc::new(match sign_changes(p.coefficients()) {
         0 => return Vec::new(),
         // By Descartes' rule there is one positive root, and it is simple.
         1 => p,
@@ -256,22 +256,20 @@ fn isolate(polynomial: &IntegerPolynomial) -> Vec<(BigRational, BigRational)> {
                 let y = dyadic(place, depth);
                 found.push((y.clone(), y));
             }
-            Task::Search { coefficients, place, depth } => {
-                match IntegerPolynomial::variations(&coefficients) {
-                    0 => {}
-                    1 => found.push((dyadic(place.clone(), depth), dyadic(place + 1, depth))),
-                    _ => {
-                        let (left, right, middle) = halves(coefficients);
-                        let (start, depth) = (place * 2, depth + 1);
-                        let after: BigInt = &start + 1;
-                        tasks.push(Task::Search { coefficients: right, place: after.clone(), depth });
-                        if middle {
-                            tasks.push(Task::Exact { place: after, depth });
-                        }
-                        tasks.push(Task::Search { coefficients: left, place: start, depth });
+            Task::Search { coefficients, place, depth } => match sign_changes(&coefficients) {
+                0 => {}
+                1 => found.push((dyadic(place.clone(), depth), dyadic(place + 1, depth))),
+                _ => {
+                    let (left, right, middle) = halves(coefficients);
+                    let (start, depth) = (place * 2, depth + 1);
+                    let after: BigInt = &start + 1;
+                    tasks.push(Task::Search { coefficients: right, place: after.clone(), depth });
+                    if middle {
+                        tasks.push(Task::Exact { place: after, depth });
                     }
+                    tasks.push(Task::Search { coefficients: left, place: start, depth });
                 }
-            }
+            },
         }
     }
     found

@@ -1,9 +1,13 @@
 //! The shape of a basis function: where it rises, falls, stays and jumps, exactly.
 
+use num_bigint::BigInt;
 use num_rational::BigRational;
 
-use super::contenders::attained_once;
+use crate::scalar::integer;
+
+use super::contenders::{Attained, attained, attained_once};
 use super::extremum::{Extremum, ExtremumKind, Jump};
+use super::local_knots::{LocalKnots, SpanQuotient};
 use super::pieces::Pieces;
 use super::profile::{Features, Profile, Segment};
 
@@ -21,14 +25,14 @@ use super::profile::{Features, Profile, Segment};
 /// one-sided limits are compared.
 ///
 /// ```
-/// use knotproof::analysis::{Pieces, Place, Shape};
+/// use knotproof::analysis::{Pieces, Location, Shape};
 /// use knotproof::scalar::integer;
 /// use knotproof::spline::{Basis, Index, KnotVector};
 ///
 /// let basis = Basis::new(KnotVector::new([0, 1, 2].map(integer).to_vec())?, 1, Index::infinity())?;
 /// let hat = Shape::of(&Pieces::of(&basis), 0);
 /// assert_eq!(hat.extrema().len(), 1);
-/// assert_eq!(hat.extrema()[0].place, Place::Point(integer(1)));
+/// assert_eq!(hat.extrema()[0].place, Location::Point(integer(1)));
 /// assert!(hat.strong() && hat.weak() == Some(true));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -51,7 +55,7 @@ impl Shape {
             (from <= start && end <= to).then(|| Segment {
                 start: start.clone(),
                 end: end.clone(),
-                piece: on_span.function(i),
+                quotient: SpanQuotient::of(&on_span.function(i)),
             })
         });
         let inside = to < basis.knots().last();
@@ -61,10 +65,28 @@ impl Shape {
         Self { features }
     }
 
+    /// The shape of a function alone: t_i = 0 and its gaps as they are, and 0 outside of its support.
+    #[must_use]
+    pub fn of_local(knots: &LocalKnots<BigInt>) -> Self {
+        let mut end = integer(0);
+        let segments = knots.gaps().iter().enumerate().filter_map(|(s, gap)| {
+            let start = end.clone();
+            end += gap;
+            Some(Segment { start, end: end.clone(), quotient: knots.on_span(s)? })
+        });
+        Self { features: Profile::of(segments, true).features() }
+    }
+
     /// The local maxima and minima, from left to right.
     #[must_use]
     pub fn extrema(&self) -> &[Extremum] {
         &self.features.extrema
+    }
+
+    /// The same without the jumps.
+    #[must_use]
+    pub fn into_extrema(self) -> Vec<Extremum> {
+        self.features.extrema
     }
 
     /// Narrows every extremum, as [`Extremum::refine_to`] does.
@@ -96,6 +118,12 @@ impl Shape {
         self.local_maxima().count() == 1
     }
 
+    /// How often the supremum is attained; `None` as for [`weak`](Self::weak).
+    #[must_use]
+    pub fn maximisers(&self) -> Option<Attained> {
+        attained(self.features.contenders.clone())
+    }
+
     /// Is the supremum attained at exactly one x (`Conj3.1.weak`)? `None` if values at irrational points agree
     /// so closely that the limited refinement does not separate them, and neither is rational.
     #[must_use]
@@ -107,7 +135,7 @@ impl Shape {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::analysis::Place;
+    use crate::analysis::Location;
     use crate::scalar::{integer, rational};
     use crate::spline::{Basis, Index, KnotVector};
 
@@ -118,7 +146,7 @@ mod tests {
         (0..=basis.n()).map(|i| Shape::of(&pieces, i)).collect()
     }
 
-    fn maxima(shape: &Shape) -> Vec<Place> {
+    fn maxima(shape: &Shape) -> Vec<Location> {
         shape.local_maxima().map(|extremum| extremum.place.clone()).collect()
     }
 
@@ -128,7 +156,7 @@ mod tests {
         for index in ["inf", "-1", "2"] {
             let both = shapes(1, &[0, 0, 1, 1], index);
             for (shape, x) in both.iter().zip([0, 1]) {
-                assert_eq!(maxima(shape), [Place::Point(integer(x))]);
+                assert_eq!(maxima(shape), [Location::Point(integer(x))]);
                 assert_eq!(shape.extrema()[0].value, (integer(1), integer(1)));
                 assert!(shape.extrema()[0].at_knot);
                 assert!(shape.jumps().is_empty());
@@ -145,7 +173,7 @@ mod tests {
         assert!(!all[1].strong());
         assert_eq!(all[1].weak(), Some(false));
         // The next one jumps up and falls: its maximum is attained.
-        assert_eq!(maxima(&all[2]), [Place::Point(integer(1))]);
+        assert_eq!(maxima(&all[2]), [Location::Point(integer(1))]);
         assert_eq!(all[2].weak(), Some(true));
     }
 
@@ -153,7 +181,7 @@ mod tests {
     fn plateaus() {
         // Degree 0: half-open intervals, and a closed one at t_m.
         let all = shapes(0, &[0, 1, 2], "2");
-        let plateau = |from, to, closed| Place::Plateau { from: integer(from), to: integer(to), closed };
+        let plateau = |from, to, closed| Location::Plateau { from: integer(from), to: integer(to), closed };
         assert_eq!(maxima(&all[0]), [plateau(0, 1, false)]);
         assert_eq!(maxima(&all[1]), [plateau(1, 2, true)]);
         for shape in &all {
@@ -169,12 +197,12 @@ mod tests {
     #[test]
     fn the_quadratic_b_spline_and_its_rational_relatives() {
         let [shape] = &shapes(2, &[0, 1, 2, 3, 3], "inf")[..1] else { panic!("one") };
-        assert_eq!(maxima(shape), [Place::Point(rational(3, 2))]);
+        assert_eq!(maxima(shape), [Location::Point(rational(3, 2))]);
         assert_eq!(shape.extrema()[0].value, (rational(3, 4), rational(3, 4)));
         assert!(!shape.extrema()[0].at_knot);
         // Bernstein: B_1² = 2w(1 − w) is largest where w = 1/2, that is u = 1/r.
         let bernstein = &shapes(2, &[0, 0, 0, 1, 1, 1], "-1")[1];
-        assert_eq!(maxima(bernstein), [Place::Point(rational(2, 3))]);
+        assert_eq!(maxima(bernstein), [Location::Point(rational(2, 3))]);
         assert_eq!(bernstein.extrema()[0].value, (rational(1, 2), rational(1, 2)));
         assert!(bernstein.strong() && bernstein.weak() == Some(true));
     }
@@ -190,10 +218,56 @@ mod tests {
             let pieces = Pieces::of(&basis);
             for i in 0..=basis.n() {
                 // The uniform B-spline is largest in the middle of its support.
-                let middle = Place::Point(rational(i64::try_from(2 * i + k + 1).unwrap(), 2));
+                let middle = Location::Point(rational(i64::try_from(2 * i + k + 1).unwrap(), 2));
                 let shape = Shape::of(&pieces, i);
                 assert_eq!(maxima(&shape), [middle]);
                 assert!(shape.strong() && shape.weak() == Some(true));
+            }
+        }
+    }
+
+    /// The function alone, by quotients that are not reduced, and in a basis, by those in lowest terms.
+    #[test]
+    fn a_function_alone_has_the_shape_that_it_has_in_a_basis() {
+        for (gaps, (p, q)) in [
+            (&[2, 1, 1, 0][..], (3, 5)),
+            (&[0, 1, 1, 2], (5, 3)),
+            (&[0, 5, 2, 1], (53, 100)),
+            (&[1, 1, 1], (1, 1)),
+            (&[1, 2], (1, 3)),
+            (&[3], (1, 1)),
+            (&[0, 1, 0], (2, 1)),
+            (&[799, 51, 15552, 72, 2425, 9185], (46, 251)),
+        ] {
+            let k = gaps.len() - 1;
+            let local = LocalKnots::new(gaps.iter().map(|&gap| gap.into()).collect(), (p.into(), q.into()));
+            let mut alone = Shape::of_local(&local.unwrap());
+            let mut knots = vec![integer(0); k + 1];
+            knots.extend(gaps.iter().scan(0, |end, gap| {
+                *end += gap;
+                Some(integer(*end))
+            }));
+            // One knot more, so that the function ends inside.
+            let last = &knots[knots.len() - 1] + integer(1);
+            knots.extend(vec![last; k.max(1)]);
+            let index = Index::from_ratio(rational(p, q.into())).unwrap();
+            let basis = Basis::new(KnotVector::new(knots).unwrap(), k, index).unwrap();
+            let whole = Shape::of(&Pieces::of(&basis), k);
+            assert_eq!(alone.extrema().len(), whole.extrema().len());
+            for (own, extremum) in alone.features.extrema.iter_mut().zip(whole.extrema()) {
+                assert_eq!((own.kind, &own.place), (extremum.kind, &extremum.place), "{gaps:?}");
+                assert_eq!(own.at_knot, extremum.at_knot);
+                // Two enclosures of one number meet, and come closer.
+                assert!(own.value.0 <= extremum.value.1 && extremum.value.0 <= own.value.1);
+                while own.narrow() && own.value.1 != own.value.0 {
+                    if &own.value.1 - &own.value.0 < rational(1, 1000) {
+                        break;
+                    }
+                }
+                assert!(&own.value.1 - &own.value.0 < rational(1, 1000));
+                let (lo, hi) = own.place.interval();
+                let (low, high) = extremum.place.interval();
+                assert!(low <= lo && hi <= high);
             }
         }
     }

@@ -35,3 +35,10 @@ impl Sign {
         }
     }
 }
+
+/// How often the sign changes in a list of numbers, zeros left out.
+pub(crate) fn sign_changes<'a, T: Signed + 'a>(numbers: impl IntoIterator<Item = &'a T>) -> usize {
+    let mut negative = numbers.into_iter().filter(|number| !number.is_zero()).map(T::is_negative);
+    let Some(mut last) = negative.next() else { return 0 };
+    negative.filter(|next| std::mem::replace(&mut last, *next) != *next).count()
+}

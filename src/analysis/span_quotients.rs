@@ -11,13 +11,12 @@ use super::local_knots::{SpanQuotient, coprime_gaps};
 /// G_i^k = P/(c·∏ (a + bu)) on a span, in its [positive coordinate](super::positive_coordinate) u and in lowest terms:
 /// with integers, gcd(a, b) = 1, and neither c nor a factor a + bu has anything in common with P.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct FactoredQuotient {
-    pub(super) numerator: Polynomial<BigInt>,
-    pub(super) constant: BigInt,
+struct FactoredQuotient {
+    /// P and c·∏ (a + bu).
+    quotient: SpanQuotient<BigInt>,
+    constant: BigInt,
     /// (a, b), a > 0, b > 0, each as often as it divides the denominator.
-    pub(super) factors: Vec<(BigInt, BigInt)>,
-    /// c·∏ (a + bu).
-    pub(super) denominator: Polynomial<BigInt>,
+    factors: Vec<(BigInt, BigInt)>,
 }
 
 /// The functions that live on a span of a basis, as quotients of polynomials in its [positive
@@ -52,11 +51,7 @@ pub fn span_quotients(basis: &Basis, span: Span) -> Result<Active<SpanQuotient<B
 
 /// [`span_quotients`] on a span of the basis.
 pub(super) fn own_quotients(basis: &Basis, span: Span) -> Active<SpanQuotient<BigInt>> {
-    let quotient = |factored: &FactoredQuotient| SpanQuotient {
-        numerator: factored.numerator.clone(),
-        denominator: factored.denominator.clone(),
-    };
-    factored_quotients(basis, span).map(quotient)
+    factored_quotients(basis, span).map(|factored| factored.quotient.clone())
 }
 
 /// [`span_quotients`] for every slope ratio r at once: the coefficients are polynomials in r. Nothing is reduced.
@@ -91,41 +86,32 @@ pub fn symbolic_quotients(
     if degree >= knots.m() {
         return Err(SpanError::Degree { degree, m: knots.m() });
     }
-    Ok(own_symbolic_quotients(knots, degree, span))
-}
-
-/// [`symbolic_quotients`] on a span of the knots.
-pub(super) fn own_symbolic_quotients(
-    knots: &KnotVector,
-    degree: usize,
-    span: Span,
-) -> Active<SpanQuotient<Polynomial<BigInt>>> {
-    let window = Window::of(knots, degree, span, (1.into(), 1.into()));
-    if let Some(words) = window.in_words::<i64>() {
+    let near = Neighbourhood::of(knots, degree, span, (1.into(), 1.into()));
+    Ok(if let Some(words) = near.in_words::<i64>() {
         words.symbolic()
-    } else if let Some(words) = window.in_words::<i128>() {
+    } else if let Some(words) = near.in_words::<i128>() {
         words.symbolic()
     } else {
-        window.symbolic()
-    }
+        near.symbolic()
+    })
 }
 
 /// [`span_quotients`] with the factors of the denominators.
-pub(super) fn factored_quotients(basis: &Basis, span: Span) -> Active<FactoredQuotient> {
+fn factored_quotients(basis: &Basis, span: Span) -> Active<FactoredQuotient> {
     let ratio = basis.index().ratio();
     let ratio = (ratio.numer().clone(), ratio.denom().clone());
-    let window = Window::of(basis.knots(), basis.degree(), span, ratio);
-    if let Some(words) = window.in_words::<i64>() {
+    let near = Neighbourhood::of(basis.knots(), basis.degree(), span, ratio);
+    if let Some(words) = near.in_words::<i64>() {
         words.quotients()
-    } else if let Some(words) = window.in_words::<i128>() {
+    } else if let Some(words) = near.in_words::<i128>() {
         words.quotients()
     } else {
-        window.quotients()
+        near.quotients()
     }
 }
 
 /// The gaps around a span, from the knot t_low on.
-struct Window<R> {
+struct Neighbourhood<R> {
     gaps: Vec<R>,
     ratio: (R, R),
     low: usize,
@@ -133,7 +119,7 @@ struct Window<R> {
     k: usize,
 }
 
-impl Window<BigInt> {
+impl Neighbourhood<BigInt> {
     fn of(knots: &KnotVector, k: usize, span: Span, ratio: (BigInt, BigInt)) -> Self {
         let j = span.index();
         // The knots t_{j−k}, …, t_{j+k+1}, of which the first and the last do not matter on the span.
@@ -146,19 +132,19 @@ impl Window<BigInt> {
     }
 
     /// The same in a fixed width, if all that is computed from it fits.
-    fn in_words<W: Width>(&self) -> Option<Window<Fixed<W>>> {
+    fn in_words<W: Width>(&self) -> Option<Neighbourhood<Fixed<W>>> {
         let word = |number: &BigInt| W::try_from(i128::try_from(number).ok()?).ok().map(Fixed::new);
         let gaps: Option<Vec<_>> = self.gaps.iter().map(word).collect();
         let ratio = (word(&self.ratio.0)?, word(&self.ratio.1)?);
-        let window = Window { gaps: gaps?, ratio, low: self.low, j: self.j, k: self.k };
-        window.fits().then_some(window)
+        let near = Neighbourhood { gaps: gaps?, ratio, low: self.low, j: self.j, k: self.k };
+        near.fits().then_some(near)
     }
 }
 
-impl<W: Width> Window<Fixed<W>> {
+impl<W: Width> Neighbourhood<Fixed<W>> {
     /// Does ∏ (A + B), over the factors A + Bu of any denominator, fit?
     fn fits(&self) -> bool {
-        // Twice (p + q) times the length of the window is more than a factor, and than all it is computed from.
+        // Twice (p + q) times the length of the neighbourhood is more than a factor, and than all it is computed from.
         let length = self.gaps.iter().try_fold(W::zero(), |sum, gap| sum.checked_add(&gap.value()));
         let ratio = self.ratio.0.value().checked_add(&self.ratio.1.value());
         let largest =
@@ -174,7 +160,7 @@ impl<W: Width> Window<Fixed<W>> {
     }
 }
 
-impl<R: Whole> Window<R> {
+impl<R: Whole> Neighbourhood<R> {
     fn factors(&self) -> Option<Factors<(R, R)>> {
         Factors::in_positive_coordinate(&self.gaps, self.j - self.low, self.k, (&self.ratio.0, &self.ratio.1))
     }
@@ -187,7 +173,7 @@ impl<R: Whole> Window<R> {
 
     /// The quotients with a variable r in the place of the ratio 1: rises have it as a factor.
     fn symbolic(&self) -> Active<SpanQuotient<Polynomial<BigInt>>> {
-        let Some(factors) = self.factors() else { unreachable!("the span is within its window") };
+        let Some(factors) = self.factors() else { unreachable!("the span is within its neighbourhood") };
         let zero = self.gaps[0].zero();
         let add = |a: &(R, R), b: &(R, R)| (a.0.plus(&b.0), a.1.plus(&b.1));
         let factors: Factors<Bilinear<R>> = factors.map(
@@ -209,7 +195,7 @@ impl<R: Whole> Window<R> {
     }
 
     fn quotients(&self) -> Active<FactoredQuotient> {
-        let Some(factors) = self.factors() else { unreachable!("the span is within its window") };
+        let Some(factors) = self.factors() else { unreachable!("the span is within its neighbourhood") };
         let one = Polynomial::constant(self.gaps[0].one());
         let weights = FractionFree::new(&factors, &one);
         let numerators = triangle(&weights, factors.span(), self.k, self.gaps.len());
@@ -267,11 +253,11 @@ fn reduce<'a, R: Whole + 'a>(
     }
     let mut denominator = Polynomial::constant(constant.clone());
     denominator.scale_by(left.iter());
+    let big = |p: &Polynomial<R>| p.map(|c| c.clone().into());
     FactoredQuotient {
-        numerator: numerator.map(|c| c.clone().into()),
+        quotient: SpanQuotient { numerator: big(&numerator), denominator: big(&denominator) },
         constant: constant.into(),
         factors: left.into_iter().map(|(a, b)| (a.into(), b.into())).collect(),
-        denominator: denominator.map(|c| c.clone().into()),
     }
 }
 
@@ -309,7 +295,7 @@ impl OneDenominator {
         }
         let leading: BigInt = common.iter().map(|(_, b)| b).product();
         let numerator = |function: &FactoredQuotient| {
-            let mut numerator = function.numerator.clone();
+            let mut numerator = function.quotient.numerator.clone();
             numerator.scale_by(lacking(&function.factors, &common).iter());
             let denominator = &function.constant * &leading;
             numerator.map(|c| BigRational::new(c.clone(), denominator.clone()))
@@ -423,7 +409,7 @@ mod tests {
     /// Degree 1 on (0, 1) with r = p/q: the factor is q + pu, and 128 bits hold up to p + q = 2^127 − 1.
     #[test]
     fn words_are_left_at_the_very_bound() {
-        let window = |p: BigInt| Window {
+        let near = |p: BigInt| Neighbourhood {
             gaps: vec![BigInt::ZERO, 1.into(), BigInt::ZERO],
             ratio: (p, 1.into()),
             low: 0,
@@ -431,11 +417,11 @@ mod tests {
             k: 1,
         };
         let edge = (BigInt::from(1) << 126) - 1;
-        assert!(window(&edge / 2).in_words::<i128>().is_some());
+        assert!(near(&edge / 2).in_words::<i128>().is_some());
         // Twice the largest factor no longer fits, which is asked for so that sums of two rises and falls do.
-        assert!(window(&edge * 2).in_words::<i128>().is_none());
+        assert!(near(&edge * 2).in_words::<i128>().is_none());
         // Degree 2, Bernstein: the middle function has the denominator (q + pu)^3.
-        let window = |p: i64| Window {
+        let near = |p: i64| Neighbourhood {
             gaps: [0, 0, 1, 0, 0].map(BigInt::from).to_vec(),
             ratio: (p.into(), 1.into()),
             low: 0,
@@ -447,8 +433,8 @@ mod tests {
         let cube = |number: i64| BigInt::from(number).pow(3);
         let bound: BigInt = BigInt::from(1) << 127;
         assert!(cube(largest + 1) < bound && cube(largest + 2) >= bound);
-        let words = window(largest).in_words::<i128>().expect("it fits");
-        assert_eq!(words.quotients(), window(largest).quotients());
-        assert!(window(largest + 1).in_words::<i128>().is_none());
+        let words = near(largest).in_words::<i128>().expect("it fits");
+        assert_eq!(words.quotients(), near(largest).quotients());
+        assert!(near(largest + 1).in_words::<i128>().is_none());
     }
 }

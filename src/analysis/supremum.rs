@@ -7,7 +7,7 @@ use thiserror::Error;
 use crate::scalar::{Ring, integer, rationals_between};
 
 use super::decision::{Decision, PositivePoint, always_nonnegative};
-use super::pieces::{Piece, constant};
+use super::piece::{Piece, constant};
 use super::roots::count_positive_roots;
 
 /// A point of the closed span, in its positive coordinate.

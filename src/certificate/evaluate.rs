@@ -6,6 +6,7 @@ use std::collections::HashMap;
 use num_traits::Signed;
 use thiserror::Error;
 
+use crate::analysis::determinant;
 use crate::scalar::{Jet, Multivariate, Quotient, RationalAlgebra, Ring};
 use crate::spline::{Active, Span, Triangle, Weights, de_boor};
 
@@ -378,21 +379,6 @@ pub(super) fn sign(p: &Multivariate, classes: &[Class]) -> Class {
 
 fn to_i64(value: usize) -> i64 {
     i64::try_from(value).unwrap_or(i64::MAX)
-}
-
-/// By the expansion along the first column.
-fn determinant(rows: &[Vec<Quotient>], one: &Quotient) -> Quotient {
-    let mut sum = one.zero();
-    if rows.is_empty() {
-        return one.clone();
-    }
-    for (at, row) in rows.iter().enumerate() {
-        let others = rows.iter().enumerate().filter(|(other, _)| *other != at);
-        let minor: Vec<_> = others.map(|(_, row)| row[1..].to_vec()).collect();
-        let summand = row[0].times(&determinant(&minor, one));
-        sum = if at % 2 == 0 { sum.plus(&summand) } else { sum.minus(&summand) };
-    }
-    sum
 }
 
 /// The weights at a place.

@@ -3,22 +3,12 @@
 use std::sync::OnceLock;
 
 use crate::analysis::{Piece, Pieces, SpanPieces, coordinate_between};
+pub use crate::judge::Origin;
 use crate::scalar::{BigRational, Jet, integer, rationals_between};
 use crate::spline::{Basis, Index, KnotVector, Side, Span, by_definition};
 
 use super::hypothesis::{Hypothesis, WeightHypothesis};
 use super::verdict::{Stop, Witness, show};
-
-/// Where a case comes from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Origin {
-    /// The engine's enumeration.
-    Small,
-    /// The paper's illustrations.
-    Paper,
-    /// Whoever runs the program.
-    User,
-}
 
 /// Something that a statement can be judged on.
 pub trait Case: Sync {

@@ -1,8 +1,8 @@
 //! Conjecture 3.1: every basis function has one and only one maximum.
 
-use crate::analysis::{Place, Shape};
+use crate::analysis::{Crossing, Flank, Location, Shape};
 use crate::scalar::{BigRational, integer};
-use crate::search::{self, Candidate, Crossing, Goal, Limits, Search, Space, local_maxima};
+use crate::search::{self, Candidate, Goal, Limits, Search, Space, local_maxima};
 use crate::spline::{Basis, KnotVector, Side};
 
 use super::basis::name;
@@ -42,7 +42,7 @@ fn one_maximum(
         }];
         found.extend(shape.local_minima().filter(|_| maxima.len() > 1).filter_map(|minimum| {
             // At a knot the slopes show the minimum, and so the maxima on either side, to whoever computes them.
-            let Place::Point(x) = &minimum.place else { return None };
+            let Location::Point(x) = &minimum.place else { return None };
             let slope = |side| case.basis().jets(x, side, 1)[i].coefficients()[1].clone();
             let (left, right) = (slope(Side::Left), slope(Side::Right));
             Some(format!("between them it has a minimum at x = {x}, where its slope is {left} on the left and {right} on the right"))
@@ -75,11 +75,12 @@ fn one_maximum(
 /// The largest value taken twice, for some index of an interval that begins or ends close to that of the case: by the
 /// intermediate value theorem, since the side on which it is taken changes from one end of it to the other.
 fn equal_close_by(case: &BasisCase, i: usize) -> Option<Stop> {
-    let crossing = Crossing::near(&Candidate::of(case.basis(), i)?)?;
+    let crossing =
+        Candidate::of(case.basis(), i).and_then(|found| Crossing::near(found.gaps(), found.ratio()))?;
     let g = name(case.k(), i);
     // The candidate has its own unit, and begins at 0.
     let (start, end) = case.basis().support(i);
-    let length: u64 = crossing.candidate().gaps().iter().sum();
+    let length: u64 = crossing.gaps().iter().sum();
     let unit = (end - start) / BigRational::from_integer(length.into());
     let [c, d] = crossing.points().clone().map(|x| start + x * &unit);
     let [from, to] = crossing.indices();
@@ -104,10 +105,10 @@ fn equal_close_by(case: &BasisCase, i: usize) -> Option<Stop> {
     Some(Stop::Refuted(Box::new(case.bare_witness(at, claimed, found))))
 }
 
-fn side(side: search::Side) -> &'static str {
+fn side(side: Flank) -> &'static str {
     match side {
-        search::Side::Left => "left",
-        search::Side::Right => "right",
+        Flank::Left => "left",
+        Flank::Right => "right",
     }
 }
 
@@ -148,7 +149,7 @@ fn first_with_two_maxima(degree: usize, basis: fn(&Candidate) -> Option<Basis>) 
     /// For one of so many the maxima are equal for an index close by.
     const TRIES: usize = 3;
     let space = Space::Exhaustive(Limits { size: SIZE, gap: None, height: None });
-    let Ok(cases) = search::Cases::of(&Search { degree, find: Goal::Several, space }) else {
+    let Ok(cases) = search::Enumeration::of(&Search { degree, find: Goal::Several, space }) else {
         return Vec::new();
     };
     let candidates = cases.between(0..cases.positions()).map(|(_, candidate)| candidate);
@@ -159,11 +160,11 @@ fn first_with_two_maxima(degree: usize, basis: fn(&Candidate) -> Option<Basis>) 
         .collect()
 }
 
-fn place(place: &Place) -> String {
+fn place(place: &Location) -> String {
     match place {
-        Place::Point(x) => format!("x = {x}"),
-        Place::Irrational { lo, hi, .. } => format!("an irrational x in ({lo}, {hi})"),
-        Place::Plateau { from, to, closed } => format!("[{from}, {to}{}", if *closed { "]" } else { ")" }),
+        Location::Point(x) => format!("x = {x}"),
+        Location::Irrational { lo, hi, .. } => format!("an irrational x in ({lo}, {hi})"),
+        Location::Plateau { from, to, closed } => format!("[{from}, {to}{}", if *closed { "]" } else { ")" }),
     }
 }
 

@@ -4,7 +4,7 @@ use std::ops::RangeInclusive;
 
 use crate::analysis::{
     ExtremumKind, LocalKnots, Monotonicity, Piece, Pieces, Shape, Sign, SpanPieces, coefficient_rows,
-    common_numerators, in_span, is_combination, sign_pattern,
+    common_numerators, determinant, in_span, is_combination, sign_changes, sign_pattern,
 };
 use crate::scalar::{BigRational, Polynomial, RationalAlgebra, Ring, integer, rational};
 use crate::spline::{Basis, KnotVector, Side, weight};
@@ -110,7 +110,7 @@ fn negative_minor(case: &BasisCase) -> Option<NegativeMinor> {
                 take(&|i| left[i].coefficients()[1].clone()),
                 take(&|i| right[i].coefficients()[1].clone()),
             ];
-            if determinant(&corner) < integer(0) {
+            if determinant(&corner, &integer(1)) < integer(0) {
                 return near(case, x, first);
             }
         }
@@ -127,7 +127,7 @@ fn near(case: &BasisCase, x: &BigRational, first: usize) -> Option<NegativeMinor
         let points = [x - &epsilon, x.clone(), x + &epsilon];
         let row = |x: &BigRational| case.values(x, Side::Right)[first..first + 3].to_vec();
         let rows: Vec<_> = points.iter().map(row).collect();
-        let minor = determinant(&rows);
+        let minor = determinant(&rows, &integer(1));
         if minor < integer(0) {
             return Some(NegativeMinor { first, points, rows, minor });
         }
@@ -148,7 +148,7 @@ pub(super) fn variation(case: &BasisCase, _: &mut Ledger) -> Judgement {
         return Err(Stop::Undecided("no curve was found that a line meets too often, near any knot".into()));
     };
     // No c is 0, so that every change of sign is one crossing of the polygon, and there are no others.
-    let polygon = c.windows(2).filter(|pair| (pair[0] < integer(0)) != (pair[1] < integer(0))).count();
+    let polygon = sign_changes(&c);
     let crossings = alternations(case, &c);
     let curve = crossings.len().saturating_sub(1);
     if curve <= polygon || c.iter().any(Ring::is_zero) {
@@ -224,7 +224,7 @@ fn changes_at_minor(case: &BasisCase, minor: &NegativeMinor) -> Vec<BigRational>
         for (row, height) in replaced.iter_mut().zip(&heights) {
             row[column] = height.clone();
         }
-        c[minor.first + column] = determinant(&replaced) / &minor.minor;
+        c[minor.first + column] = determinant(&replaced, &integer(1)) / &minor.minor;
     }
     c
 }
@@ -278,21 +278,6 @@ pub(super) fn total_positivity(case: &BasisCase, _: &mut Ledger) -> Judgement {
     let rows: Vec<_> = rows.iter().map(|row| list(row.iter().map(ToString::to_string).collect())).collect();
     let found = format!("it is {minor}, of the rows {}", rows.join(", "));
     Err(case.refuted_at_large(at, "the minor is ≥ 0".into(), found))
-}
-
-/// Laplace expansion: for order 3.
-fn determinant(rows: &[Vec<BigRational>]) -> BigRational {
-    let Some((first, rest)) = rows.split_first() else { return integer(1) };
-    let mut sum = integer(0);
-    for (column, entry) in first.iter().enumerate() {
-        let minor: Vec<Vec<_>> = rest
-            .iter()
-            .map(|row| row.iter().enumerate().filter(|(c, _)| *c != column).map(|(_, x)| x.clone()).collect())
-            .collect();
-        let term = entry * determinant(&minor);
-        if column % 2 == 0 { sum += term } else { sum -= term }
-    }
-    sum
 }
 
 /// On no span a power of x with one of the exponents, which are 1, …, k in the claim, is a combination of the functions
@@ -650,12 +635,6 @@ mod tests {
         assert_eq!(shortest_decimal(&number("0.3"), &number("1.2")), number("1"));
         assert_eq!(shortest_decimal(&number("0.31"), &number("0.39")), number("0.35"));
         assert_eq!(shortest_decimal(&number("-0.39"), &number("-0.31")), number("-0.35"));
-    }
-
-    #[test]
-    fn determinants() {
-        let matrix = [[1, 2, 3], [0, 1, 4], [5, 6, 0]].map(|row| row.map(integer).to_vec());
-        assert_eq!(determinant(&matrix), integer(1));
     }
 
     #[test]

@@ -45,7 +45,7 @@ impl<C: Case> Statement<C> {
     }
 
     /// Judges one case.
-    fn decide(&self, case: &C) -> Outcome {
+    pub(crate) fn decide(&self, case: &C) -> Outcome {
         if let Some(hypothesis) = self.unmet(case) {
             return Outcome::Nothing(format!("a hypothesis does not hold here: {hypothesis}"));
         }
@@ -59,7 +59,8 @@ impl<C: Case> Statement<C> {
     }
 }
 
-enum Outcome {
+/// What a statement comes to in one case.
+pub(crate) enum Outcome {
     Holds(Ledger),
     Nothing(String),
     Stopped(Stop),

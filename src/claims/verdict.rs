@@ -6,46 +6,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::analysis::{Piece, always_positive};
+pub use crate::judge::{Reach, Scope};
 use crate::scalar::{BigRational, ExactField, OrderedField};
-
-/// How far a verdict reaches, weakest first.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Scope {
-    /// Finitely many exact points.
-    Points,
-    /// One U, k and α (one a, b, α for a weight); every x.
-    Instance,
-    /// Every α.
-    Alpha,
-    /// One k; every U and α.
-    Knots,
-    /// Every k.
-    Degree,
-}
-
-impl Scope {
-    /// All scopes, weakest first.
-    pub const ALL: [Self; 5] = [Self::Points, Self::Instance, Self::Alpha, Self::Knots, Self::Degree];
-
-    /// The name used in reports.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Points => "points",
-            Self::Instance => "instance",
-            Self::Alpha => "alpha",
-            Self::Knots => "knots",
-            Self::Degree => "degree",
-        }
-    }
-}
-
-impl fmt::Display for Scope {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
-    }
-}
 
 /// An exact counterexample that a reader can check by hand.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -159,22 +121,6 @@ impl Ledger {
     pub fn count(&mut self, found: usize, expected: usize) -> bool {
         self.enter(found == expected)
     }
-}
-
-/// Which cases a verdict rests on.
-#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Reach {
-    /// Instances of the paper (each U, k and α counts).
-    pub instances: usize,
-    /// Small cases of the engine's own.
-    pub small_cases: usize,
-    /// Exact decisions that were made in them.
-    pub facts: usize,
-    /// The degrees that occur.
-    pub degrees: Vec<usize>,
-    /// What was found on the way in the cases that have a name, such as certified suprema.
-    #[serde(skip_serializing_if = "Vec::is_empty", default)]
-    pub remarks: Vec<String>,
 }
 
 /// What is known of a statement.

@@ -11,14 +11,14 @@ use crate::certificate::CertificateError;
 use crate::claims::Fault;
 use crate::float::FloatError;
 use crate::json::JsonError;
-use crate::report::{BaselineError, END, PageError, PictureError, ReportError, START, ScriptError};
+use crate::report::{BaselineError, PageError, PictureError, ReportError, ScriptError};
 use crate::scalar::NumberError;
-use crate::search::{AuditError, MergeError, PartError, RecordError};
+use crate::search::{AuditError, MergeError, PortionError, RecordError};
 use crate::spline::{BasisError, CurveError, KnotError};
 
-use super::eval::PointError;
 use super::exit::Exit;
-use super::place::Place;
+use super::point_error::PointError;
+use super::provenance::Provenance;
 
 /// Why a request was not carried out.
 #[derive(Debug, Error)]
@@ -27,7 +27,7 @@ pub enum CliError {
     #[error("{place}: {error}")]
     Number {
         /// Where it stands.
-        place: Place,
+        place: Provenance,
         /// What is wrong with it.
         error: NumberError,
     },
@@ -38,7 +38,7 @@ pub enum CliError {
     )]
     DecimalComma {
         /// Where it stands.
-        place: Place,
+        place: Provenance,
         /// The entry.
         entry: String,
     },
@@ -46,7 +46,7 @@ pub enum CliError {
     #[error("{place}: {error}")]
     Knots {
         /// Where they stand.
-        place: Place,
+        place: Provenance,
         /// What is wrong with them.
         error: Box<KnotError>,
     },
@@ -54,7 +54,7 @@ pub enum CliError {
     #[error("{place}: {error}")]
     Basis {
         /// What to change: the degree or the knots.
-        place: Place,
+        place: Provenance,
         /// How many are needed.
         error: BasisError,
     },
@@ -62,7 +62,7 @@ pub enum CliError {
     #[error("{place}: {error}")]
     Curve {
         /// Where they stand.
-        place: Place,
+        place: Provenance,
         /// What is wrong with them.
         error: CurveError,
     },
@@ -70,7 +70,7 @@ pub enum CliError {
     #[error("{place}: the list is empty; leave the field out, or name an index")]
     NoIndices {
         /// Where it stands.
-        place: Place,
+        place: Provenance,
     },
     /// Parentheses around points that do not match.
     #[error(
@@ -273,9 +273,6 @@ pub enum CliError {
     /// A claim that has no verdict among those the program was built with.
     #[error("no verdict on {0} is recorded with this program; `knotproof report --claim {0}` judges it")]
     NotRecorded(&'static str),
-    /// README.md has no place for the table of verdicts.
-    #[error("--record: README.md has no lines `{START}` and `{END}` to put the table between")]
-    NoTable,
     /// A converted piece is not the curve: a bug.
     #[error(
         "internal error: the rational Bézier curve differs from the curve at x = {x}; \
@@ -305,7 +302,7 @@ pub enum CliError {
         /// The option to blame.
         argument: &'static str,
         /// What is wrong.
-        error: PartError,
+        error: PortionError,
     },
     /// A file that holds no part of a search, or a damaged one.
     #[error("{argument}: {}: {error}; nothing was overwritten", path.display())]
@@ -353,7 +350,7 @@ pub enum CliError {
     #[error("{place}: in f64, {error}")]
     Float {
         /// Where they stand.
-        place: Place,
+        place: Provenance,
         /// What is wrong with them.
         error: FloatError,
     },
@@ -434,7 +431,6 @@ impl CliError {
             Self::UnknownClaim { argument, .. } | Self::File { argument, .. } => Some(argument),
             Self::NotGeneral { .. } => Some("--property"),
             Self::Baseline { .. } => Some("--baseline"),
-            Self::NoTable => Some("--record"),
             Self::Needed { argument, .. }
             | Self::Limits { argument, .. }
             | Self::Search { argument, .. }

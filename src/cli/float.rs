@@ -9,7 +9,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::float::{
-    Case, Effort, Field, FloatBasis, FloatError, Formula, FormulaRecord, RangeRecord, hexadecimal, study,
+    Effort, FloatBasis, FloatError, Method, MethodRecord, Population, Probe, RangeRecord, hexadecimal, study,
 };
 use crate::report::heat_map;
 use crate::scalar::{RationalAlgebra, decimal, exact_value, integer, parse_rational};
@@ -19,11 +19,12 @@ use super::atomic::Folder;
 use super::error::CliError;
 use super::exact::Exact;
 use super::exit::Exit;
-use super::instance::{InstanceArgs, whole_number};
+use super::instance::InstanceArgs;
 use super::output::Output;
-use super::place::Place;
+use super::provenance::Provenance;
 use super::table::{plain, right_aligned};
 use super::visible::visible_path;
+use super::whole_number::whole_number;
 
 /// How wrong ways to compute in f64 are: the paper's formula, usual ones, and those of this library.
 ///
@@ -91,7 +92,7 @@ pub(super) struct Comparison {
     /// The positions of neighbouring knots that are different, and the same in `f64`.
     merged: Vec<[usize; 2]>,
     /// One for each way to compute a basis function in `f64`.
-    formulas: Vec<FormulaRecord>,
+    formulas: Vec<MethodRecord>,
     #[serde(skip)]
     written: Vec<PathBuf>,
 }
@@ -111,9 +112,9 @@ struct Rounded {
 }
 
 /// What is to be measured, and what of it was rounded.
-struct Subject {
+struct Subjects {
     degree: usize,
-    field: Field,
+    field: Population,
     rounded: Vec<Rounded>,
     merged: Vec<[usize; 2]>,
 }
@@ -126,18 +127,18 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
             return Err(CliError::Limits { argument, given, least, most });
         }
     }
-    let Subject { degree, field, rounded, merged } = args.subject()?;
+    let Subjects { degree, field, rounded, merged } = args.subject()?;
     let [seed, count, steps] =
         [args.seed, args.count, args.steps].map(|n| u64::try_from(n).unwrap_or(u64::MAX));
     let written = match &args.out {
         Some(folder) => maps(folder, &field)?,
         None => Vec::new(),
     };
-    let figures = study(&field, &Formula::ALL, Effort { seed, count, steps });
+    let figures = study(&field, &Method::ALL, Effort { seed, count, steps });
     // On random knots the search looks for what breaks a formula, and one without a bound may break.
-    let given = !matches!(field, Field::Degree(_));
+    let given = !matches!(field, Population::Degree(_));
     let kept = figures.iter().all(|of| of.keeps_bound() && !(given && of.not_finite > 0));
-    let formulas = figures.iter().map(FormulaRecord::from).collect();
+    let formulas = figures.iter().map(MethodRecord::from).collect();
     let Args { seed, count, steps, .. } = *args;
     output.result(&Comparison {
         schema: "knotproof.float/1",
@@ -154,22 +155,22 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
 }
 
 impl Args {
-    fn subject(&self) -> Result<Subject, CliError> {
+    fn subject(&self) -> Result<Subjects, CliError> {
         if let Some(degree) = self.instance.degree_alone() {
             let degree = degree?;
             // The floats have a highest degree; its error names it.
             let knots = (0..2 * degree.min(1000) + 2).map(|_| 0.0).chain([1.0]).collect();
             let refused = FloatBasis::new(knots, degree, f64::INFINITY).err();
             return match (refused, &self.x) {
-                (Some(error), _) => Err(CliError::Float { place: Place::option("--degree"), error }),
+                (Some(error), _) => Err(CliError::Float { place: Provenance::option("--degree"), error }),
                 (None, Some(_)) => {
                     let purpose =
                         "a point is a point of some knots; give them, such as --knots \"0 0 1 2 2\"";
                     Err(CliError::Needed { argument: "--knots", purpose })
                 }
                 (None, None) => {
-                    let field = Field::Degree(degree);
-                    Ok(Subject { degree, field, rounded: Vec::new(), merged: Vec::new() })
+                    let field = Population::Degree(degree);
+                    Ok(Subjects { degree, field, rounded: Vec::new(), merged: Vec::new() })
                 }
             };
         }
@@ -191,18 +192,18 @@ impl Args {
             rounded.extend(alpha.and_then(|alpha| Rounded::of("alpha".to_owned(), &alpha, float.alpha())));
         }
         let Some(exact) = &self.x else {
-            return Ok(Subject { degree, field: Field::Bases(bases), rounded, merged });
+            return Ok(Subjects { degree, field: Population::Bases(bases), rounded, merged });
         };
-        let place = || Place::option("--x");
+        let place = || Provenance::option("--x");
         let x = 0.0_f64.embed(exact);
         rounded.extend(Rounded::of("x".to_owned(), exact, x));
         let at = |basis: FloatBasis<f64>| {
             basis.span_at(x, Side::Right).map_err(|error| CliError::Float { place: place(), error })?;
-            Ok(Case::at(basis, x, Side::Right))
+            Ok(Probe::at(basis, x, Side::Right))
         };
         let cases = bases.into_iter().map(at).collect::<Result<Vec<_>, CliError>>()?;
-        let field = Field::Cases(cases.into_iter().flatten().collect());
-        Ok(Subject { degree, field, rounded, merged })
+        let field = Population::Cases(cases.into_iter().flatten().collect());
+        Ok(Subjects { degree, field, rounded, merged })
     }
 }
 
@@ -229,20 +230,22 @@ impl fmt::Display for Rounded {
 }
 
 /// Writes a map for each formula, and returns the files.
-fn maps(folder: &Path, field: &Field) -> Result<Vec<PathBuf>, CliError> {
+fn maps(folder: &Path, field: &Population) -> Result<Vec<PathBuf>, CliError> {
     let (knots, degree) = match field {
-        Field::Degree(degree) => ((0..2 * degree + 2).map(|i| 0.0_f64.embed(&integer(i))).collect(), *degree),
-        Field::Bases(bases) => match bases.first() {
+        Population::Degree(degree) => {
+            ((0..2 * degree + 2).map(|i| 0.0_f64.embed(&integer(i))).collect(), *degree)
+        }
+        Population::Bases(bases) => match bases.first() {
             Some(basis) => (basis.knots().to_vec(), basis.degree()),
             None => return Ok(Vec::new()),
         },
-        Field::Cases(_) => return Ok(Vec::new()),
+        Population::Cases(_) => return Ok(Vec::new()),
     };
     let folder = Folder::beside("--out", folder)?;
-    let write = |formula: Formula| {
+    let write = |formula: Method| {
         folder.write(&format!("error-{}.svg", formula.name()), heat_map(formula, &knots, degree)?)
     };
-    let files = Formula::ALL.into_iter().map(write).collect::<Result<_, _>>()?;
+    let files = Method::ALL.into_iter().map(write).collect::<Result<_, _>>()?;
     folder.put_in_place()?;
     Ok(files)
 }
@@ -251,7 +254,7 @@ fn maps(folder: &Path, field: &Field) -> Result<Vec<PathBuf>, CliError> {
 fn float(basis: &Basis) -> Result<FloatBasis<f64>, CliError> {
     FloatBasis::nearest(basis).map_err(|error| {
         let option = if matches!(error, FloatError::Index(_)) { "--alpha" } else { "--knots" };
-        CliError::Float { place: Place::option(option), error }
+        CliError::Float { place: Provenance::option(option), error }
     })
 }
 

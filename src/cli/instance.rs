@@ -2,11 +2,11 @@
 
 use std::collections::HashSet;
 use std::ffi::OsString;
+use std::ops::RangeInclusive;
 use std::path::Path;
 use std::str::FromStr;
 
 use num_rational::BigRational;
-use thiserror::Error;
 
 use crate::claims::{Instance, instances_named};
 use crate::spline::{Basis, Curve, CurveError, Index, IndexError, KnotError, KnotVector, Point};
@@ -16,8 +16,9 @@ use super::exact::Exact;
 use super::file::InstanceFile;
 use super::lists::{numbers, points};
 use super::offered::{instance_name, instance_names};
-use super::place::Place;
+use super::provenance::Provenance;
 use super::visible::visible_path;
+use super::whole_number::whole_number;
 
 /// What a command works on. Options override what an instance brings along.
 #[derive(Debug, Clone, clap::Args)]
@@ -65,9 +66,11 @@ impl FromStr for IndexChoice {
     }
 }
 
-/// The argument that picks one basis function.
+/// What a command works on, and the argument that picks one basis function of it.
 #[derive(Debug, clap::Args)]
 pub(super) struct FunctionArgs {
+    #[command(flatten)]
+    pub(super) instance: InstanceArgs,
     /// Only the basis function G_I, I from 0 to n.
     #[arg(long, value_name = "I", value_parser = whole_number, allow_hyphen_values = true)]
     index: Option<usize>,
@@ -75,16 +78,16 @@ pub(super) struct FunctionArgs {
 
 /// What a command works on, checked: one case for each index, at least one.
 #[derive(Debug)]
-pub(super) struct Subject {
+pub(super) struct Subjects {
     /// The name of the paper's instance, or the file.
     pub(super) label: Option<String>,
     /// The same degree, knots and points with each index.
-    pub(super) cases: Vec<Case>,
+    pub(super) cases: Vec<Subject>,
 }
 
 /// A basis, and the curve if there are control points.
 #[derive(Debug)]
-pub(super) struct Case {
+pub(super) struct Subject {
     /// The basis.
     pub(super) basis: Basis,
     /// The curve on it.
@@ -96,9 +99,9 @@ pub(super) struct Case {
 struct Given {
     label: Option<String>,
     degree: Option<usize>,
-    knots: Option<(KnotVector, Place)>,
+    knots: Option<(KnotVector, Provenance)>,
     indices: Vec<Index>,
-    points: Option<(Vec<Point>, Place)>,
+    points: Option<(Vec<Point>, Provenance)>,
 }
 
 impl InstanceArgs {
@@ -106,20 +109,20 @@ impl InstanceArgs {
     ///
     /// # Errors
     /// [`CliError`], for the first thing that is wrong.
-    pub(super) fn resolve(&self) -> Result<Subject, CliError> {
+    pub(super) fn resolve(&self) -> Result<Subjects, CliError> {
         let given = match &self.instance {
             Some(name) => self.named(name)?,
             None => Given::default(),
         };
         let knots = match &self.knots {
             Some(text) => {
-                let place = Place::option("--knots");
+                let place = Provenance::option("--knots");
                 Some((knot_vector(numbers(text, &place)?, &place)?, place))
             }
             None => given.knots,
         };
         let points = match &self.points {
-            Some(text) => Some((points(text)?, Place::option("--points"))),
+            Some(text) => Some((points(text)?, Provenance::option("--points"))),
             None => given.points,
         };
         let missing = |argument, purpose| CliError::Missing { argument, purpose };
@@ -135,16 +138,19 @@ impl InstanceArgs {
             return Err(missing("--alpha", "give the index, such as --alpha -1 or --alpha inf"));
         }
         // The degree is to blame if it is all that the user chose.
-        let place =
-            if self.degree.is_some() && self.knots.is_none() { Place::option("--degree") } else { place };
+        let place = if self.degree.is_some() && self.knots.is_none() {
+            Provenance::option("--degree")
+        } else {
+            place
+        };
         let case = |index| {
             let basis = Basis::new(knots.clone(), degree, index)
                 .map_err(|error| CliError::Basis { place: place.clone(), error })?;
             let curve = points.as_ref().map(|(points, place)| curve(&basis, points, place)).transpose()?;
-            Ok(Case { basis, curve })
+            Ok(Subject { basis, curve })
         };
         let cases = indices.into_iter().map(case).collect::<Result<_, CliError>>()?;
-        Ok(Subject { label, cases })
+        Ok(Subjects { label, cases })
     }
 
     /// The name of an instance, and what the options have made different in it. Indices are shown anyway.
@@ -219,9 +225,9 @@ impl InstanceArgs {
         Ok(Given {
             label: Some(format!("{} ({})", chosen.name, chosen.figure)),
             degree: Some(chosen.degree),
-            knots: Some((chosen.knots, Place::paper(chosen.name, "knots"))),
+            knots: Some((chosen.knots, Provenance::paper(chosen.name, "knots"))),
             indices: chosen.indices,
-            points: chosen.points.map(|points| (points, Place::paper(chosen.name, "points"))),
+            points: chosen.points.map(|points| (points, Provenance::paper(chosen.name, "points"))),
         })
     }
 }
@@ -237,14 +243,22 @@ impl FunctionArgs {
             index => Ok(index),
         }
     }
+
+    /// That function, or all of them.
+    ///
+    /// # Errors
+    /// As [`chosen`](Self::chosen).
+    pub(super) fn range(&self, basis: &Basis) -> Result<RangeInclusive<usize>, CliError> {
+        Ok(self.chosen(basis)?.map_or(0..=basis.n(), |i| i..=i))
+    }
 }
 
-impl Subject {
+impl Subjects {
     /// The case of the one index there is.
     ///
     /// # Errors
     /// [`CliError::SeveralIndices`] if there are several.
-    pub(super) fn only_case(mut self) -> Result<Case, CliError> {
+    pub(super) fn only_case(mut self) -> Result<Subject, CliError> {
         match (self.cases.pop(), self.cases.is_empty()) {
             (Some(case), true) => Ok(case),
             (last, _) => {
@@ -263,11 +277,11 @@ fn from_file(path: &Path) -> Result<Given, CliError> {
         error => error,
     })?;
     let exact = |numbers: Vec<Exact>| numbers.into_iter().map(|Exact(number)| number).collect::<Vec<_>>();
-    let place = Place::field(path, "knots");
+    let place = Provenance::field(path, "knots");
     let knots = knot_vector(exact(file.knots), &place)?;
     let indices = match file.alpha {
         Some(indices) if indices.0.is_empty() => {
-            return Err(CliError::NoIndices { place: Place::field(path, "alpha") });
+            return Err(CliError::NoIndices { place: Provenance::field(path, "alpha") });
         }
         Some(indices) => indices.0,
         None => Vec::new(),
@@ -278,7 +292,7 @@ fn from_file(path: &Path) -> Result<Given, CliError> {
         degree: Some(file.degree.0),
         knots: Some((knots, place)),
         indices,
-        points: points.map(|points| (points, Place::field(path, "points"))),
+        points: points.map(|points| (points, Provenance::field(path, "points"))),
     })
 }
 
@@ -286,7 +300,7 @@ fn unknown(path: &Path) -> CliError {
     CliError::UnknownInstance { name: path.display().to_string(), names: instance_names() }
 }
 
-fn knot_vector(knots: Vec<BigRational>, place: &Place) -> Result<KnotVector, CliError> {
+fn knot_vector(knots: Vec<BigRational>, place: &Provenance) -> Result<KnotVector, CliError> {
     KnotVector::new(knots).map_err(|error| {
         let place = match &error {
             KnotError::Decreasing { position, .. } => place.clone().at(*position),
@@ -296,7 +310,7 @@ fn knot_vector(knots: Vec<BigRational>, place: &Place) -> Result<KnotVector, Cli
     })
 }
 
-fn curve(basis: &Basis, points: &[Point], place: &Place) -> Result<Curve, CliError> {
+fn curve(basis: &Basis, points: &[Point], place: &Provenance) -> Result<Curve, CliError> {
     Curve::new(basis.clone(), points.to_vec()).map_err(|error| {
         let place = match &error {
             CurveError::Dimension { position, .. } | CurveError::Mixed { position, .. } => {
@@ -306,26 +320,4 @@ fn curve(basis: &Basis, points: &[Point], place: &Place) -> Result<Curve, CliErr
         };
         CliError::Curve { place, error }
     })
-}
-
-/// Why a text is no whole number.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
-pub(super) enum WholeNumberError {
-    /// Not a string of digits.
-    #[error("write a whole number from 0 up, such as 2")]
-    Malformed,
-    /// More than the machine counts to.
-    #[error("the number is too large")]
-    TooLarge,
-}
-
-/// Reads a whole number ≥ 0.
-///
-/// # Errors
-/// [`WholeNumberError`].
-pub(super) fn whole_number(text: &str) -> Result<usize, WholeNumberError> {
-    if text.is_empty() || !text.bytes().all(|byte| byte.is_ascii_digit()) {
-        return Err(WholeNumberError::Malformed);
-    }
-    text.parse().map_err(|_| WholeNumberError::TooLarge)
 }

@@ -8,14 +8,14 @@ use crate::spline::Point;
 
 use super::error::CliError;
 use super::exact::Exact;
-use super::place::Place;
+use super::provenance::Provenance;
 
 /// A list of exact numbers, separated by commas or by white space.
 ///
 /// # Errors
 /// [`CliError::Number`], with the position of the first entry that is not a number; [`CliError::DecimalComma`] where a
 /// comma may be a separator or a decimal point.
-pub(super) fn numbers(text: &str, place: &Place) -> Result<Vec<BigRational>, CliError> {
+pub(super) fn numbers(text: &str, place: &Provenance) -> Result<Vec<BigRational>, CliError> {
     if let Some((position, entry)) = decimal_comma(text) {
         return Err(CliError::DecimalComma { place: place.clone().at(position), entry: entry.to_owned() });
     }
@@ -34,7 +34,7 @@ pub(super) fn points(text: &str) -> Result<Vec<Point>, CliError> {
         let points: Vec<Vec<Exact>> = json::read(text).map_err(CliError::PointsJson)?;
         return Ok(points.into_iter().map(|point| point.into_iter().map(|Exact(c)| c).collect()).collect());
     }
-    let place = Place::option("--points");
+    let place = Provenance::option("--points");
     let tight = text.split(',').map(str::trim).collect::<Vec<_>>().join(",");
     let groups: Vec<&str> = if text.contains(['(', ')']) {
         parenthesised(text)?
@@ -50,7 +50,7 @@ pub(super) fn points(text: &str) -> Result<Vec<Point>, CliError> {
     numbered.map(|(position, group)| numbers(group, &place.clone().at(position))).collect()
 }
 
-fn number(entry: &str, place: impl Fn() -> Place) -> Result<BigRational, CliError> {
+fn number(entry: &str, place: impl Fn() -> Provenance) -> Result<BigRational, CliError> {
     parse_rational(entry).map_err(|error| CliError::Number { place: place(), error })
 }
 
@@ -105,9 +105,9 @@ mod tests {
     fn a_list_is_separated_by_commas_or_space() {
         let expected = [rational(-1, 1), rational(0, 1), rational(2, 5)];
         for text in ["-1,0,0.4", "-1 0 2/5", " -1, 0 , 2/5 ", "-1\t0\n2/5", "-1, 0 2/5"] {
-            assert_eq!(numbers(text, &Place::option("--knots")).unwrap(), expected, "{text}");
+            assert_eq!(numbers(text, &Provenance::option("--knots")).unwrap(), expected, "{text}");
         }
-        assert!(numbers(" ", &Place::option("--knots")).unwrap().is_empty());
+        assert!(numbers(" ", &Provenance::option("--knots")).unwrap().is_empty());
     }
 
     #[test]
@@ -118,7 +118,7 @@ mod tests {
             ("1,2,", "--knots, position 2: a number is missing here"),
             ("1 1/0", "--knots, position 1: `1/0` divides by zero"),
         ] {
-            let error = numbers(text, &Place::option("--knots")).unwrap_err();
+            let error = numbers(text, &Provenance::option("--knots")).unwrap_err();
             assert_eq!(error.to_string(), expected);
         }
     }
@@ -134,13 +134,17 @@ mod tests {
             ("0,0,0 1 2", 0, "0,0,0"),
             ("0 ,5 1", 1, ",5"),
         ] {
-            let error = numbers(text, &Place::option("--knots")).unwrap_err();
+            let error = numbers(text, &Provenance::option("--knots")).unwrap_err();
             let CliError::DecimalComma { place, entry: found } = &error else { panic!("{text}: {error}") };
-            assert_eq!((place, found.as_str()), (&Place::option("--knots").at(position), entry), "{text}");
+            assert_eq!(
+                (place, found.as_str()),
+                (&Provenance::option("--knots").at(position), entry),
+                "{text}"
+            );
             assert!(error.to_string().contains("decimal point"), "{error}");
         }
         for text in ["0,0,0,1,2", "0, 0, 1", "0 , 0 , 1", "0 0 1", "1,5", " 1,5 "] {
-            assert!(numbers(text, &Place::option("--knots")).is_ok(), "{text}");
+            assert!(numbers(text, &Provenance::option("--knots")).is_ok(), "{text}");
         }
         // Points are pairs; but in a point that is separated by spaces it is the same again.
         assert_eq!(points("0,0 1,2").unwrap().len(), 2);

@@ -9,15 +9,15 @@ use std::path::{Path, PathBuf};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::search::{Audit, AuditError, Draw, FindingRecord, Part, SummaryRecord, audit, merge};
+use crate::search::{Audit, AuditError, Draw, FindingRecord, Portion, SummaryRecord, audit, merge};
 
 use super::atomic::write_atomically;
 use super::error::CliError;
 use super::exit::Exit;
-use super::instance::WholeNumberError;
 use super::output::Output;
 use super::progress::Progress;
-use super::search::{Summary, number, read_part};
+use super::search::{Summary, number, read_portion};
+use super::whole_number::WholeNumberError;
 
 /// Puts the shards of a search together, and proves that they cover it: every position once, and as many cases as there are.
 ///
@@ -75,7 +75,7 @@ pub(super) struct Merged<'a> {
     /// What was computed again; `null` if nothing was computed again.
     audited: Option<Audited>,
     #[serde(skip)]
-    part: &'a Part,
+    part: &'a Portion,
     #[serde(skip)]
     files: usize,
 }
@@ -113,7 +113,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     if matches!(args.audit, Some(Amount::Blocks(0))) {
         return Err(CliError::Audit(AuditError::NoBlock));
     }
-    let read = |path: &PathBuf| Ok((path.display().to_string(), read_part("FILE", path)?));
+    let read = |path: &PathBuf| Ok((path.display().to_string(), read_portion("FILE", path)?));
     let parts = args.files.iter().map(read).collect::<Result<Vec<_>, CliError>>()?;
     let shards: Vec<_> = parts.iter().map(|(name, part)| (name.clone(), part.range())).collect();
     let part = merge(parts).map_err(CliError::Merge)?;
@@ -138,9 +138,9 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
 }
 
 /// The same result may be written again; nothing else is lost.
-fn may_be_replaced(path: &Path, part: &Part) -> Result<(), CliError> {
+fn may_be_replaced(path: &Path, part: &Portion) -> Result<(), CliError> {
     if path.exists() {
-        let old = read_part("--out", path)?;
+        let old = read_portion("--out", path)?;
         if old.search() != part.search() || !old.shard().is_whole() {
             let (path, what) = (path.to_owned(), "what is in it");
             return Err(CliError::OtherSearch { argument: "--out", path, what });
@@ -150,7 +150,7 @@ fn may_be_replaced(path: &Path, part: &Part) -> Result<(), CliError> {
 }
 
 fn audited(
-    part: &Part,
+    part: &Portion,
     amount: Amount,
     seed: Option<u64>,
     shards: &[(String, Range<u64>)],
@@ -172,7 +172,7 @@ fn audited(
     let meets = |range: &Range<u64>, positions: &Range<u64>| {
         range.start < positions.end && positions.start < range.end
     };
-    let difference = |difference: crate::search::Difference| {
+    let difference = |difference: crate::search::Discrepancy| {
         let positions = difference.positions;
         let files = shards.iter().filter(|(_, range)| meets(range, &positions));
         Difference {

@@ -24,10 +24,12 @@ mod man;
 mod merge;
 mod notation;
 mod offered;
+mod on_knots;
 mod output;
-mod place;
+mod point_error;
 mod progress;
 mod prove;
+mod provenance;
 mod report;
 mod schema;
 mod search;
@@ -37,6 +39,7 @@ mod usage;
 mod verdict;
 mod verify;
 mod visible;
+mod whole_number;
 
 use std::ffi::OsString;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -45,10 +48,10 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 
 pub use error::CliError;
-pub use eval::PointError;
 pub use exit::Exit;
 pub use output::{Format, Output};
-pub use place::Place;
+pub use point_error::PointError;
+pub use provenance::Provenance;
 
 /// Judges claims about rational B-splines in exact arithmetic.
 #[derive(Debug, Parser)]

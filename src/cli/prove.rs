@@ -16,8 +16,7 @@ use super::exit::Exit;
 use super::output::Output;
 use super::progress::Progress;
 use super::report::choose;
-use super::table::{plain, right_aligned};
-use super::verify::Checked;
+use super::verify::Row;
 use super::visible::visible_path;
 
 /// Proves what the claims say in the formal language of proofs/FORMAT.md, has every proof checked, and writes the
@@ -46,7 +45,7 @@ pub(super) struct Proved {
     #[schemars(extend("const" = "knotproof.prove/1"))]
     schema: &'static str,
     /// The certificates, accepted by the checker.
-    checked: Vec<Checked>,
+    checked: Vec<Row>,
     /// The folder.
     written: PathBuf,
     /// Certificates in the folder that no claim has any more.
@@ -63,7 +62,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     for claim in &chosen {
         progress.step(claim.id);
         for certificate in certify(claim, &claim.judge(&cases)?)? {
-            checked.push(Checked::certificate(&certificate)?);
+            checked.push(Row::certificate(&certificate)?);
             proved.push(certificate);
         }
     }
@@ -101,13 +100,7 @@ fn unwritable(path: &Path, error: std::io::Error) -> CliError {
 
 impl fmt::Display for Proved {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut table =
-            plain(["claim", "", "verdict", "scope", "degrees", "goals"].map(str::to_owned).to_vec());
-        for checked in &self.checked {
-            table.add_row(checked.row());
-        }
-        right_aligned(&mut table, 5);
-        writeln!(f, "{table}\n")?;
+        writeln!(f, "{}\n", Row::table(&self.checked, "goals"))?;
         writeln!(
             f,
             "Proved and checked: {} {}, in {}",

@@ -4,11 +4,12 @@ use std::fmt;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use comfy_table::Table;
 use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::certificate::{Certificate, CertificateError, Form, ProofError, Sexp, statement};
+use crate::certificate::{Certificate, CertificateError, Form, Sexp, statement};
 use crate::claims::claims;
 use crate::report::{Baseline, Finding};
 
@@ -49,7 +50,7 @@ pub(super) const RECORDED: &str = "proofs/certs";
 
 /// One certificate that was accepted.
 #[derive(Debug, Serialize, JsonSchema)]
-pub(super) struct Checked {
+pub(super) struct Row {
     /// The claim.
     claim: String,
     /// Which statement: `printed`, `amended` or `degree K`.
@@ -66,13 +67,22 @@ pub(super) struct Checked {
     steps: usize,
 }
 
-impl Checked {
+impl Row {
     /// What the checker says of a certificate that was just written.
     pub(super) fn certificate(certificate: &Certificate) -> Result<Self, CertificateError> {
         Ok(certificate.check()?.into())
     }
 
-    pub(super) fn row(&self) -> [String; 6] {
+    /// One row each, with what the last column counts.
+    pub(super) fn table(rows: &[Self], counted: &str) -> Table {
+        let mut table =
+            plain(["claim", "", "verdict", "scope", "degrees", counted].map(str::to_owned).to_vec());
+        table.add_rows(rows.iter().map(Self::cells));
+        right_aligned(&mut table, 5);
+        table
+    }
+
+    fn cells(&self) -> [String; 6] {
         let degrees: Vec<_> = self.degrees.iter().map(ToString::to_string).collect();
         [
             visible(&self.claim),
@@ -85,7 +95,7 @@ impl Checked {
     }
 }
 
-impl From<knotproof_checker::Checked> for Checked {
+impl From<knotproof_checker::Checked> for Row {
     fn from(checked: knotproof_checker::Checked) -> Self {
         Self {
             claim: checked.claim,
@@ -115,7 +125,7 @@ pub(super) struct Verified {
     #[schemars(extend("const" = "knotproof.verify/1"))]
     schema: &'static str,
     /// The certificates that were accepted.
-    checked: Vec<Checked>,
+    checked: Vec<Row>,
     /// Those that were not.
     rejected: Vec<Rejection>,
     /// Accepted, but not what the program says that the claim is in formal terms: the statement has to be read.
@@ -216,10 +226,7 @@ fn own_statements() -> Result<Vec<Own>, CliError> {
         findings.extend(entry.by_degree.iter().map(|of| (Form::Degree(of.degree), &of.finding)));
         for (form, finding) in findings {
             let Some(certificate) = finding.certificate.clone() else { continue };
-            let stated = statement(&claim, form, finding.witness.as_ref()).map_err(|error| {
-                let (claim, error) = (claim.id.to_owned(), ProofError::from(error).into());
-                CertificateError { claim, form, error }
-            })?;
+            let stated = statement(&claim, form, finding.witness.as_ref())?;
             let statement = stated.map(|statement| statement.to_sexp());
             all.push(Own { claim: claim.id, certificate, statement });
         }
@@ -245,13 +252,7 @@ fn statements(path: &Path) -> Result<Vec<PathBuf>, CliError> {
 
 impl fmt::Display for Verified {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut table =
-            plain(["claim", "", "verdict", "scope", "degrees", "steps"].map(str::to_owned).to_vec());
-        for checked in &self.checked {
-            table.add_row(checked.row());
-        }
-        right_aligned(&mut table, 5);
-        writeln!(f, "{table}\n")?;
+        writeln!(f, "{}\n", Row::table(&self.checked, "steps"))?;
         for Rejection { file, reason } in &self.rejected {
             writeln!(f, "Rejected: {}: {}", visible(file), visible(reason))?;
         }

@@ -1,6 +1,7 @@
 //! The triangle in pairs of floats at several points at once.
 
-use super::basis::{HIGHEST_DEGREE, Ratio};
+use super::basis::Ratio;
+use super::error::HIGHEST_DEGREE;
 use super::pair::{Pair, Products};
 use super::real::Real;
 

@@ -1,16 +1,12 @@
 //! The basis in floats: what is prepared once, and values at one point.
 
-use super::error::FloatError;
+use super::error::{FloatError, HIGHEST_DEGREE};
 use super::machine::Machine;
 use super::pair::{Pair, Split};
-use super::point;
 use super::power::{exponent, power, shifted};
 use super::real::Real;
 use crate::scalar::{BigRational, RationalAlgebra, exact_value};
 use crate::spline::{Basis, Index, KnotVector, Side, Span};
-
-/// The highest degree of a [`FloatBasis`]: what it computes with has a fixed place, so that nothing is allocated.
-pub const HIGHEST_DEGREE: usize = 31;
 
 /// The basis (^αG_i^k) of D3.3 in floats, `f64` or `f32`: each value is the exact one for these very floats, rounded
 /// once and a little more.
@@ -230,23 +226,6 @@ impl<F: Real> FloatBasis<F> {
     #[inline]
     pub(super) fn local(&self, span: Span) -> &[F] {
         &self.padded[span.index() + 1..=span.index() + 2 * self.degree]
-    }
-
-    /// G_{j−k}^k, …, G_j^k at x, as limits from the given side, into `values`; returns the span [t_j, t_{j+1}). `None`, and
-    /// zeros, outside [t_0, t_m]. At t_m both sides are the limit from the left.
-    ///
-    /// Allocates nothing. The bound is that of the [type](Self).
-    ///
-    /// # Errors
-    /// [`FloatError::Point`] if x is not finite, [`FloatError::Length`] unless there are k + 1 places.
-    pub fn values(&self, x: F, side: Side, values: &mut [F]) -> Result<Option<Span>, FloatError> {
-        length("values", self.degree + 1, values.len())?;
-        let span = self.span_at(x, side)?;
-        match span {
-            Some(span) => point::values(self, span, x, values),
-            None => values.fill(F::zero()),
-        }
-        Ok(span)
     }
 
     /// The places c in a list of values for which G_{j−k+c} exists.

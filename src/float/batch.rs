@@ -3,12 +3,12 @@
 use std::hint::select_unpredictable;
 
 use super::accurate::Workspace;
-use super::basis::{FloatBasis, Frame, HIGHEST_DEGREE, Ratio, length};
-use super::error::FloatError;
+use super::basis::{FloatBasis, Frame, Ratio, length};
+use super::error::{FloatError, HIGHEST_DEGREE};
 use super::fast::{self, FAST_DEGREE};
 use super::machine::Kernel;
 use super::pair::Products;
-use super::point::{self, lifted};
+use super::point::lifted;
 use super::real::Real;
 use crate::spline::{Side, Span};
 
@@ -128,7 +128,7 @@ impl<F: Real> FloatBasis<F> {
         let Some(frame) = &self.frame else {
             let mut column = [F::zero(); HIGHEST_DEGREE + 1];
             for (p, x) in points.iter().enumerate() {
-                point::values(self, span, *x, &mut column[..=self.degree()]);
+                self.at_point(span, *x, &mut column[..=self.degree()]);
                 for (c, value) in column[..=self.degree()].iter().enumerate() {
                     values[c * count + p] = *value;
                 }
@@ -174,7 +174,7 @@ impl<F: Real> Chunk<F> {
 }
 
 /// How the values of a chunk are computed, its points and knots being in the unit of a frame.
-trait Method<F> {
+trait Lanewise<F> {
     /// k: a constant where it is one.
     fn degree(&self) -> usize;
     fn run<M: Products>(&mut self, chunk: &mut Chunk<F>);
@@ -192,7 +192,7 @@ impl Accurate {
     }
 }
 
-impl<F: Real> Method<F> for Accurate {
+impl<F: Real> Lanewise<F> for Accurate {
     #[inline(always)]
     fn degree(&self) -> usize {
         self.degree
@@ -215,7 +215,7 @@ impl<F: Real> Method<F> for Accurate {
 /// In degree K, with r.
 struct Fast<F, const K: usize>(F);
 
-impl<F: Real, const K: usize> Method<F> for Fast<F, K> {
+impl<F: Real, const K: usize> Lanewise<F> for Fast<F, K> {
     #[inline(always)]
     fn degree(&self) -> usize {
         K
@@ -237,7 +237,7 @@ struct Scattered<'a, F, H> {
     values: &'a mut [F],
 }
 
-impl<F: Real, H: Method<F>> Kernel for Scattered<'_, F, H> {
+impl<F: Real, H: Lanewise<F>> Kernel for Scattered<'_, F, H> {
     type Output = ();
 
     #[inline(always)]
@@ -299,7 +299,7 @@ struct OneSpan<'a, F, H> {
     values: &'a mut [F],
 }
 
-impl<F: Real, H: Method<F>> Kernel for OneSpan<'_, F, H> {
+impl<F: Real, H: Lanewise<F>> Kernel for OneSpan<'_, F, H> {
     type Output = ();
 
     #[inline(always)]

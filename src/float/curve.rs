@@ -1,8 +1,8 @@
 //! Curves in floats.
 
-use super::basis::{FloatBasis, HIGHEST_DEGREE, length};
+use super::basis::{FloatBasis, length};
 use super::batch::Precision;
-use super::error::FloatError;
+use super::error::{FloatError, HIGHEST_DEGREE};
 use super::pair::Pair;
 use super::point::de_boor;
 use super::power::power;

@@ -1,7 +1,7 @@
 //! One-sided derivatives of any order in floats.
 
-use super::basis::{FloatBasis, HIGHEST_DEGREE, Ratio, length};
-use super::error::FloatError;
+use super::basis::{FloatBasis, Ratio, length};
+use super::error::{FloatError, HIGHEST_DEGREE};
 use super::machine::Kernel;
 use super::pair::{Pair, Products};
 use super::point::{Column, InFrame};

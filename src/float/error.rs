@@ -2,7 +2,8 @@
 
 use thiserror::Error;
 
-use super::basis::HIGHEST_DEGREE;
+/// The highest degree of a [`FloatBasis`](super::FloatBasis): what it computes with has a fixed place, so that nothing is allocated.
+pub const HIGHEST_DEGREE: usize = 31;
 
 /// Why nothing was computed. Floats are widened to `f64` here.
 #[derive(Debug, Clone, PartialEq, Error)]

@@ -1,7 +1,7 @@
 //! The triangle with one division a point: the denominators are put off to the end. In plain floats, for degrees 1
 //! to [`FAST_DEGREE`] and vectors of points.
 
-use super::basis::HIGHEST_DEGREE;
+use super::error::HIGHEST_DEGREE;
 use super::point::lifted;
 use super::real::Real;
 

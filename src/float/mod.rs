@@ -18,13 +18,13 @@ mod real;
 mod scaled;
 mod study;
 
-pub use basis::{FloatBasis, HIGHEST_DEGREE};
+pub use basis::FloatBasis;
 pub use batch::Precision;
 pub use curve::FloatCurve;
-pub use error::FloatError;
+pub use error::{FloatError, HIGHEST_DEGREE};
 pub use fast::FAST_DEGREE;
 pub use real::Real;
 pub use study::{
-    Case, CaseRecord, Effort, Errors, Extreme, Field, Figures, Formula, FormulaRecord, RangeRecord, Ulps,
-    WorstRecord, hexadecimal, study,
+    Effort, Errors, Extreme, Figures, Method, MethodRecord, Population, Probe, ProbeRecord, RangeRecord,
+    Ulps, WorstRecord, hexadecimal, study,
 };

@@ -1,12 +1,13 @@
 //! The triangle and de Boor's algorithm at one point, in pairs of floats: about 106 bits on the way, so that the one
 //! rounding at the end is all there is.
 
-use super::basis::{FloatBasis, HIGHEST_DEGREE, Ratio};
+use super::basis::{FloatBasis, Ratio, length};
+use super::error::{FloatError, HIGHEST_DEGREE};
 use super::machine::Kernel;
 use super::pair::{Pair, Products};
 use super::real::Real;
 use super::scaled::Scaled;
-use crate::spline::Span;
+use crate::spline::{Side, Span};
 
 /// Makes positive what rounded to 0 and is not 0: a value of G_i inside its support.
 ///
@@ -165,18 +166,37 @@ pub(super) fn unrounded<F: Real>(basis: &FloatBasis<F>, span: Span, x: F) -> Col
     basis.machine.run(AtPoint { basis, span, x, task: Triangle { degree: basis.degree() } })
 }
 
-/// The functions on the span at x, a point of the closed span.
-pub(super) fn values<F: Real>(basis: &FloatBasis<F>, span: Span, x: F, values: &mut [F]) {
-    let (degree, local) = (basis.degree(), basis.local(span));
-    for (c, (value, pair)) in values.iter_mut().zip(unrounded(basis, span, x)).enumerate() {
-        let (above, below) = (c == 0 || local[c - 1] < x, c == degree || x < local[degree + c]);
-        *value = lifted(F::nearest(pair.hi), above, below);
-    }
-    basis.blank(Some(span), values);
-}
-
 /// De Boor's algorithm on each of the columns, which hold a coordinate of d_{j−k}, …, d_j: the point comes out as their
 /// first entries.
 pub(super) fn de_boor<F: Real>(basis: &FloatBasis<F>, span: Span, x: F, coordinates: &mut [Column]) {
     basis.machine.run(AtPoint { basis, span, x, task: DeBoor { degree: basis.degree(), coordinates } });
+}
+
+impl<F: Real> FloatBasis<F> {
+    /// G_{j−k}^k, …, G_j^k at x, as limits from the given side, into `values`; returns the span [t_j, t_{j+1}). `None`, and
+    /// zeros, outside [t_0, t_m]. At t_m both sides are the limit from the left.
+    ///
+    /// Allocates nothing. The bound is that of the [type](Self).
+    ///
+    /// # Errors
+    /// [`FloatError::Point`] if x is not finite, [`FloatError::Length`] unless there are k + 1 places.
+    pub fn values(&self, x: F, side: Side, values: &mut [F]) -> Result<Option<Span>, FloatError> {
+        length("values", self.degree() + 1, values.len())?;
+        let span = self.span_at(x, side)?;
+        match span {
+            Some(span) => self.at_point(span, x, values),
+            None => values.fill(F::zero()),
+        }
+        Ok(span)
+    }
+
+    /// [`Self::values`] on a span, at a point of the closed span.
+    pub(super) fn at_point(&self, span: Span, x: F, values: &mut [F]) {
+        let (degree, local) = (self.degree(), self.local(span));
+        for (c, (value, pair)) in values.iter_mut().zip(unrounded(self, span, x)).enumerate() {
+            let (above, below) = (c == 0 || local[c - 1] < x, c == degree || x < local[degree + c]);
+            *value = lifted(F::nearest(pair.hi), above, below);
+        }
+        self.blank(Some(span), values);
+    }
 }

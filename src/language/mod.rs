@@ -10,6 +10,7 @@ mod complaint;
 mod definitions;
 mod file;
 mod known;
+mod paper;
 mod print;
 mod raw;
 mod resolve;
@@ -22,6 +23,7 @@ pub use cause::{Cause, Severity, Source};
 pub use complaint::Complaint;
 pub use file::{File, RestsOn, Said, Stanza, schema, stanzas};
 pub use known::Known;
+pub use paper::{About, Paper, Row};
 pub use print::{Print, latex, mathml, source, text};
 pub use sentence::{one_line, sentence};
 pub use syntax::{

@@ -5,7 +5,7 @@ use plotters::prelude::*;
 
 use super::PictureError;
 use super::figures::canvas::failed;
-use crate::float::{Case, Errors, FloatBasis, Formula, Ulps};
+use crate::float::{Errors, FloatBasis, Method, Probe, Ulps};
 use crate::spline::Side;
 
 const SIZE: (u32, u32) = (760, 640);
@@ -24,7 +24,7 @@ type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 ///
 /// # Errors
 /// [`PictureError`], if it cannot be drawn: a bug.
-pub fn heat_map(formula: Formula, knots: &[f64], degree: usize) -> Result<String, PictureError> {
+pub fn heat_map(formula: Method, knots: &[f64], degree: usize) -> Result<String, PictureError> {
     let mut svg = String::new();
     {
         let root = SVGBackend::with_string(&mut svg, SIZE).into_drawing_area();
@@ -47,7 +47,7 @@ pub fn heat_map(formula: Formula, knots: &[f64], degree: usize) -> Result<String
 fn panel(
     area: &Area<'_>,
     label: &str,
-    formula: Formula,
+    formula: Method,
     knots: &[f64],
     degree: usize,
     alpha: impl Fn(f64) -> f64,
@@ -80,7 +80,7 @@ fn panel(
         let Ok(basis) = FloatBasis::new(knots.to_vec(), degree, alpha(s)) else { continue };
         for column in 0..COLUMNS {
             let (left, right) = (edge(column), edge(column + 1));
-            let Some(case) = Case::at(basis.clone(), f64::midpoint(left, right) / unit, Side::Right) else {
+            let Some(case) = Probe::at(basis.clone(), f64::midpoint(left, right) / unit, Side::Right) else {
                 continue;
             };
             cells.push(Rectangle::new(
@@ -94,7 +94,7 @@ fn panel(
 }
 
 /// ⌈log₁₀⌉ of the largest error in ULP, from 0 for 1 ULP or less; `DIGITS` where a result is no number.
-fn digits_lost(formula: Formula, case: &Case) -> i32 {
+fn digits_lost(formula: Method, case: &Probe) -> i32 {
     let errors = Errors::of(formula, case);
     let error = match errors.worst() {
         Some((Ulps::Number(error), _)) => error,

@@ -26,7 +26,7 @@ use thiserror::Error;
 
 use crate::certificate::{CertificateError, certify};
 use crate::claims::{Cases, Claim, Fault, instances};
-use crate::float::{Effort, Field, FloatBasis, Formula, FormulaRecord, study};
+use crate::float::{Effort, FloatBasis, Method, MethodRecord, Population, study};
 use crate::spline::Basis;
 
 pub use again::again;
@@ -38,7 +38,7 @@ pub use errata::{Amendment, Errata, Erratum, ErratumWitness, errata_page};
 pub use figures::PictureError;
 pub use formula::{Counterexample, Definition, Form, Language, Script, ScriptError, expression, formula};
 pub use heat::heat_map;
-pub use markdown::{END, START, markdown, with_verdict_table};
+pub use markdown::{markdown, verdicts_page};
 pub use opening::opening;
 pub use page::{PageError, PageSource, page};
 pub use paper::{PAPER, Paper};
@@ -79,7 +79,7 @@ pub struct Drift {
     /// α.
     pub alpha: String,
     /// The paper's formula and what is proved best, with its bound.
-    pub formulas: Vec<FormulaRecord>,
+    pub formulas: Vec<MethodRecord>,
 }
 
 /// The random points of each instance, and the steps of the search for its worst one.
@@ -161,10 +161,10 @@ fn drifts() -> Vec<Drift> {
 }
 
 /// The paper's formula and ours on one basis. The paper's numbers are bases in `f64` as well.
-fn errors(basis: &Basis) -> Vec<FormulaRecord> {
+fn errors(basis: &Basis) -> Vec<MethodRecord> {
     let bases = FloatBasis::nearest(basis).into_iter().collect();
-    study(&Field::Bases(bases), &SHOWN, EFFORT).iter().map(FormulaRecord::from).collect()
+    study(&Population::Bases(bases), &SHOWN, EFFORT).iter().map(MethodRecord::from).collect()
 }
 
 /// What the report shows.
-const SHOWN: [Formula; 2] = [Formula::Paper, Formula::Accurate];
+const SHOWN: [Method; 2] = [Method::Paper, Method::Accurate];

@@ -174,13 +174,7 @@ impl Ring for Interval {
         // No lower end is ∞ and no upper end is −∞: there is no ∞ − ∞.
         Self::around(self.lo + rhs.lo, self.hi + rhs.hi)
     }
-    /// Contains a − b for all a in self and b in rhs.
-    #[inline]
-    fn minus(&self, rhs: &Self) -> Self {
-        self.plus(&rhs.negate())
-    }
     /// Contains a·b for all a in self and b in rhs. The product with 0 is 0, and what is ≥ 0 stays so.
-    #[inline]
     fn times(&self, rhs: &Self) -> Self {
         if self.lo >= 0.0 && rhs.lo >= 0.0 {
             if self.hi == 0.0 || rhs.hi == 0.0 {

@@ -268,9 +268,6 @@ impl Ring for Quotient {
         let (left, right, divisor, factors) = self.on_one_denominator(rhs);
         Self::tidy(left.plus(&right), divisor, factors)
     }
-    fn minus(&self, rhs: &Self) -> Self {
-        self.plus(&rhs.negate())
-    }
     /// Numerators cancel only against the denominator of the other factor.
     fn times(&self, rhs: &Self) -> Self {
         let across =

@@ -156,9 +156,6 @@ impl<S: ExactField> Ring for RationalFunction<S> {
             denominator: own.times(&other).times(&quotient(&common, &cancelled)),
         }
     }
-    fn minus(&self, rhs: &Self) -> Self {
-        self.plus(&rhs.negate())
-    }
     /// Numerators cancel only against the denominator of the other factor.
     fn times(&self, rhs: &Self) -> Self {
         if self.is_zero() || rhs.is_zero() {

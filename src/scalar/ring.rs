@@ -33,7 +33,9 @@ pub trait Ring: Clone + PartialEq + Debug {
     /// self + rhs.
     fn plus(&self, rhs: &Self) -> Self;
     /// self − rhs.
-    fn minus(&self, rhs: &Self) -> Self;
+    fn minus(&self, rhs: &Self) -> Self {
+        self.plus(&rhs.negate())
+    }
     /// self · rhs.
     fn times(&self, rhs: &Self) -> Self;
     /// −self.

@@ -8,7 +8,8 @@ use thiserror::Error;
 
 use super::block::Block;
 use super::finding::Findings;
-use super::part::{Part, Tally};
+use super::mismatch::Mismatch;
+use super::portion::Portion;
 use super::shard::Shard;
 
 /// Which blocks are computed again.
@@ -33,70 +34,16 @@ pub struct Audit {
     /// The positions of the blocks that were computed again, in order.
     pub again: Vec<Range<u64>>,
     /// What came out differently.
-    pub differences: Vec<Difference>,
+    pub differences: Vec<Discrepancy>,
 }
 
 /// Something that came out differently.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Difference {
+pub struct Discrepancy {
     /// The positions of the block, or of all of them.
     pub positions: Range<u64>,
     /// What.
-    pub fault: Fault,
-}
-
-/// In what a result is not what comes out of the search.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
-pub enum Fault {
-    /// The numbers of cases.
-    #[error(
-        "it has {} cases decided by intervals, {} exactly, {} with several maxima, and not {}, {}, {}",
-        again.by_intervals, again.exactly, again.several, recorded.by_intervals, recorded.exactly, recorded.several
-    )]
-    Counts {
-        /// As the shards say.
-        recorded: Tally,
-        /// As computed again.
-        again: Tally,
-    },
-    /// The digest.
-    #[error("its digest is {again:016x}, and not {recorded:016x}")]
-    Digest {
-        /// As the shards say.
-        recorded: u64,
-        /// As computed again.
-        again: u64,
-    },
-    /// A finding that is in no shard.
-    #[error("it leads to the function with gaps {gaps}, α = {alpha}, which no shard has found")]
-    Missing {
-        /// The gaps.
-        gaps: String,
-        /// α.
-        alpha: String,
-    },
-    /// A finding that does not come from there.
-    #[error(
-        "it does not lead to the function with gaps {gaps}, α = {alpha}, which is said to be found at position {at}"
-    )]
-    Invented {
-        /// The gaps.
-        gaps: String,
-        /// α.
-        alpha: String,
-        /// `found_at`.
-        at: u64,
-    },
-    /// A finding with other numbers.
-    #[error(
-        "of the function with gaps {gaps}, α = {alpha}, the record is another one: its place, its number of cases, or its proof"
-    )]
-    Altered {
-        /// The gaps.
-        gaps: String,
-        /// α.
-        alpha: String,
-    },
+    pub fault: Mismatch,
 }
 
 /// Why nothing is audited.
@@ -117,17 +64,17 @@ pub enum AuditError {
 /// [`AuditError`], and what the look-in returns.
 ///
 /// ```
-/// use knotproof::search::{Draw, Goal, Limits, Part, Search, Shard, Space, audit};
+/// use knotproof::search::{Draw, Goal, Limits, Portion, Search, Shard, Space, audit};
 ///
 /// let space = Space::Exhaustive(Limits { size: 7, gap: None, height: None });
-/// let mut part = Part::new(Search { degree: 3, find: Goal::Several, space }, Shard::WHOLE)?;
+/// let mut part = Portion::new(Search { degree: 3, find: Goal::Several, space }, Shard::WHOLE)?;
 /// part.run(|_| Ok::<(), knotproof::search::AuditError>(())).unwrap();
 /// let audit = audit(&part, Draw::Blocks { count: 1, seed: 7 }, |_| Ok::<(), knotproof::search::AuditError>(())).unwrap();
 /// assert_eq!((audit.again.len(), audit.differences.len()), (1, 0));
 /// # Ok::<(), knotproof::search::PartError>(())
 /// ```
 pub fn audit<E: From<AuditError>>(
-    part: &Part,
+    part: &Portion,
     draw: Draw,
     mut look_in: impl FnMut(u64) -> Result<(), E>,
 ) -> Result<Audit, E> {
@@ -146,19 +93,20 @@ pub fn audit<E: From<AuditError>>(
     let (mut whole, mut positions) = (Findings::default(), 0);
     for (number, recorded) in chosen.into_iter().map(|at| recorded[at]) {
         let range = part.blocks.positions(number, &part.range);
-        let mut again = Part::of_range(part.search.clone(), Shard::WHOLE, part.cases.clone(), range.clone());
+        let mut again =
+            Portion::of_range(part.search.clone(), Shard::WHOLE, part.cases.clone(), range.clone());
         again.run(|again| look_in(positions + again.done()))?;
         positions += again.done();
         let found = again.blocks.iter().next().map(|(_, block)| block).unwrap_or_default();
         let mut faults = Vec::new();
-        if found.tally != recorded.tally {
-            faults.push(Fault::Counts { recorded: recorded.tally, again: found.tally });
+        if found.decided != recorded.decided {
+            faults.push(Mismatch::Counts { recorded: recorded.decided, again: found.decided });
         }
         if found.digest != recorded.digest {
-            faults.push(Fault::Digest { recorded: recorded.digest, again: found.digest });
+            faults.push(Mismatch::Digest { recorded: recorded.digest, again: found.digest });
         }
         faults.extend(part.findings.faults(&again.findings, part.search.find, &range));
-        let difference = |fault| Difference { positions: range.clone(), fault };
+        let difference = |fault| Discrepancy { positions: range.clone(), fault };
         audit.differences.extend(faults.into_iter().map(difference));
         audit.again.push(range);
         whole.merge(again.findings);
@@ -166,7 +114,7 @@ pub fn audit<E: From<AuditError>>(
     if all && audit.differences.is_empty() {
         // Only now the numbers of cases that led to a finding can be compared as well.
         whole.keep(part.search.find);
-        let difference = |fault| Difference { positions: part.range(), fault };
+        let difference = |fault| Discrepancy { positions: part.range(), fault };
         audit.differences.extend(part.findings.altered(&whole).map(difference));
     }
     Ok(audit)
@@ -203,17 +151,17 @@ mod tests {
     use super::*;
     use crate::search::{Goal, Limits, Sample, Search, Space};
 
-    fn part(find: Goal) -> Part {
+    fn part(find: Goal) -> Portion {
         let space = match find {
             Goal::Equal => Space::Exhaustive(Limits { size: 8, gap: None, height: None }),
             _ => Space::Random(Sample { count: 600, seed: 1, spread: 9 }),
         };
-        let mut part = Part::new(Search { degree: 3, find, space }, Shard::WHOLE).unwrap();
+        let mut part = Portion::new(Search { degree: 3, find, space }, Shard::WHOLE).unwrap();
         part.run(|_| Ok::<(), AuditError>(())).unwrap();
         part
     }
 
-    fn differences(part: &Part, draw: Draw) -> Vec<Difference> {
+    fn differences(part: &Portion, draw: Draw) -> Vec<Discrepancy> {
         audit(part, draw, |_| Ok::<(), AuditError>(())).unwrap().differences
     }
 

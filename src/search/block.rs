@@ -9,8 +9,7 @@ use serde::{Deserialize, Serialize};
 use siphasher::sip::SipHasher24;
 
 use super::candidate::Candidate;
-use super::decide::{Count, Means};
-use super::part::Tally;
+use super::decide::{Count, Decided, Means};
 
 /// The fewest positions of a block, and the most blocks of a space.
 const SMALLEST: u64 = 256;
@@ -29,7 +28,7 @@ pub(super) struct Blocks {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Block {
     /// The numbers of cases.
-    pub tally: Tally,
+    pub decided: Decided,
     /// The sum mod 2^64, over all cases, of a SipHash-2-4 of the position, the function, its number of local maxima and
     /// the means by which that was decided.
     pub digest: u64,
@@ -57,10 +56,10 @@ impl Block {
     /// Adds a case.
     pub(super) fn count(&mut self, position: u64, candidate: &Candidate, count: Count) {
         match count.by {
-            Means::Intervals => self.tally.by_intervals += 1,
-            Means::Exact => self.tally.exactly += 1,
+            Means::Intervals => self.decided.by_intervals += 1,
+            Means::Exact => self.decided.exactly += 1,
         }
-        self.tally.several += u64::from(count.maxima > 1);
+        self.decided.several += u64::from(count.maxima > 1);
         let mut hasher = SipHasher24::new();
         let (p, q) = candidate.ratio();
         let about = [position, p, q, count.maxima as u64, u64::from(count.by == Means::Exact)];
@@ -69,7 +68,7 @@ impl Block {
     }
 
     pub(super) fn add(&mut self, other: Self) {
-        self.tally.add(other.tally);
+        self.decided.add(other.decided);
         self.digest = self.digest.wrapping_add(other.digest);
     }
 }
@@ -121,14 +120,14 @@ impl Blocks {
 
     /// As lines of a result, for the positions that are done.
     pub(super) fn records(&self, done: &Range<u64>) -> Vec<BlockRecord> {
-        let record = |(number, Block { tally, digest }): (u64, Block)| {
+        let record = |(number, Block { decided, digest }): (u64, Block)| {
             let Range { start, end } = self.positions(number, done);
             BlockRecord {
                 from: start,
                 to: end,
-                by_intervals: tally.by_intervals,
-                exactly: tally.exactly,
-                several: tally.several,
+                by_intervals: decided.by_intervals,
+                exactly: decided.exactly,
+                several: decided.several,
                 digest: format!("{digest:016x}"),
             }
         };
@@ -141,23 +140,23 @@ impl Blocks {
         &mut self,
         records: &[BlockRecord],
         done: &Range<u64>,
-        whole: Tally,
+        whole: Decided,
     ) -> Result<(), &'static str> {
         let expected = self.pieces(done.clone(), u64::MAX);
         if !records.iter().map(|record| record.from..record.to).eq(expected) {
             return Err("its blocks are not those of the positions that are done");
         }
-        let mut sum = Tally::default();
+        let mut sum = Decided::default();
         for record in records {
             let &BlockRecord { from, to, by_intervals, exactly, several, ref digest } = record;
-            let tally = Tally { by_intervals, exactly, several };
+            let decided = Decided { by_intervals, exactly, several };
             let cases = by_intervals.checked_add(exactly).filter(|&cases| cases <= to - from);
             if cases.is_none_or(|cases| several > cases) {
                 return Err("a block has more cases than positions, or more with several maxima than cases");
             }
             let digest = u64::from_str_radix(digest, 16).map_err(|_| "the digest of a block is no number")?;
-            sum.add(tally);
-            self.add(self.number(from), Block { tally, digest });
+            sum.add(decided);
+            self.add(self.number(from), Block { decided, digest });
         }
         if sum == whole { Ok(()) } else { Err("the cases of its blocks do not add up to its cases") }
     }

@@ -8,7 +8,7 @@ use num_rational::BigRational;
 use num_traits::ToPrimitive;
 use thiserror::Error;
 
-use crate::analysis::{LocalKnots, LocalKnotsError};
+use crate::analysis::{LocalKnots, LocalKnotsError, is_continuous};
 use crate::spline::{Basis, Index};
 
 /// A basis function G_i^k by all that its shape depends on: the k + 1 gaps t_{i+1} − t_i, …, t_{i+k+1} − t_{i+k} and
@@ -213,12 +213,6 @@ impl Candidate {
     fn key(&self) -> (u64, u64, &[u64]) {
         (self.size(), self.height(), &self.gaps)
     }
-}
-
-/// No knot of multiplicity k + 1: neither the first k gaps nor the last k are all 0.
-pub(super) fn is_continuous(gaps: &[u64]) -> bool {
-    let filled = |gaps: &[u64]| gaps.iter().any(|&gap| gap > 0);
-    gaps.len() >= 2 && filled(&gaps[1..]) && filled(&gaps[..gaps.len() - 1])
 }
 
 /// Is the list lexicographically larger than its reverse?

@@ -1,10 +1,7 @@
 //! The number of local maxima of a candidate: the one question that a search asks for every case.
 
-use num_bigint::BigInt;
-use num_rational::BigRational;
-
 use crate::analysis::{Monotonicity, Route};
-use crate::scalar::{Polynomial, spend};
+use crate::scalar::spend;
 
 use super::candidate::Candidate;
 
@@ -24,6 +21,31 @@ pub enum Means {
     Intervals,
     /// Exact arithmetic.
     Exact,
+}
+
+/// Numbers of cases.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Decided {
+    /// Those decided by intervals.
+    pub by_intervals: u64,
+    /// Those decided in exact arithmetic.
+    pub exactly: u64,
+    /// Those with more than one local maximum.
+    pub several: u64,
+}
+
+impl Decided {
+    /// All of them.
+    #[must_use]
+    pub fn cases(&self) -> u64 {
+        self.by_intervals + self.exactly
+    }
+
+    pub(super) fn add(&mut self, other: Self) {
+        self.by_intervals += other.by_intervals;
+        self.exactly += other.exactly;
+        self.several += other.several;
+    }
 }
 
 /// The number of local maxima: a continuous function that is 0 at both ends has one wherever it stops rising and
@@ -48,20 +70,11 @@ pub fn local_maxima(candidate: &Candidate) -> Count {
     }
 }
 
-/// The same polynomial with rational coefficients.
-pub(super) fn over_rationals(p: &Polynomial<BigInt>) -> Polynomial<BigRational> {
-    let mut coefficients = p.coefficients().iter().map(|c| BigRational::from_integer(c.clone()));
-    match coefficients.next() {
-        Some(first) => Polynomial::new(first, coefficients),
-        None => unreachable!("a polynomial has at least one coefficient"),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::analysis::{Pieces, Shape};
-    use crate::search::{Cases, Goal, Limits, Sample, Search, Space};
+    use crate::search::{Enumeration, Goal, Limits, Sample, Search, Space};
     use crate::spline::{Basis, KnotVector};
 
     /// The shape of the function in the basis on its full knots, from the pieces of the general path.
@@ -79,7 +92,7 @@ mod tests {
             let exhaustive = Space::Exhaustive(Limits { size, gap: None, height: None });
             let random = Space::Random(Sample { count, seed: 1, spread: 9 });
             for space in [exhaustive, random] {
-                let cases = Cases::of(&Search { degree, find: Goal::Several, space }).unwrap();
+                let cases = Enumeration::of(&Search { degree, find: Goal::Several, space }).unwrap();
                 for (_, candidate) in cases.between(0..cases.positions()) {
                     let maxima = local_maxima(&candidate).maxima;
                     assert_eq!(maxima, by_shape(&candidate), "{candidate:?}");

@@ -2,11 +2,10 @@
 
 use num_rational::BigRational;
 
-use crate::analysis::{Enclosed, ExtremumKind, decimals_around};
+use crate::analysis::{Enclosed, Extremum, ExtremumKind, Shape, decimals_around};
 use crate::scalar::integer;
 
 use super::candidate::Candidate;
-use super::extrema::{Turn, turns};
 
 /// Bounds of the deepest dip of a function, as a share of its largest value.
 ///
@@ -35,24 +34,24 @@ const DIGITS: usize = 10;
 
 /// The dip as a number.
 struct Fall {
-    turns: Vec<Turn>,
+    turns: Vec<Extremum>,
 }
 
 impl Dip {
     /// That of a function; `None` if it has one maximum only.
     #[must_use]
     pub fn of(candidate: &Candidate) -> Option<Self> {
-        Self::of_turns(turns(candidate))
+        Self::of_turns(extrema(candidate))
     }
 
     /// That of a function, unless the places of its extrema show already that it is less than `least`.
     pub(super) fn at_least(candidate: &Candidate, least: Option<&BigRational>) -> Option<Self> {
-        let turns = turns(candidate);
+        let turns = extrema(candidate);
         let (_, hi) = Fall { turns: turns.clone() }.bounds();
         if least.is_some_and(|least| hi < *least) { None } else { Self::of_turns(turns) }
     }
 
-    fn of_turns(turns: Vec<Turn>) -> Option<Self> {
+    fn of_turns(turns: Vec<Extremum>) -> Option<Self> {
         let minimum = turns.iter().any(|turn| turn.kind == ExtremumKind::Minimum);
         let (lo, hi) = minimum.then(|| decimals_around(&mut Fall { turns }, DIGITS))?;
         Some(Self { lo, hi })
@@ -66,13 +65,17 @@ impl Dip {
     }
 }
 
+fn extrema(candidate: &Candidate) -> Vec<Extremum> {
+    Shape::of_local(&candidate.local_knots()).into_extrema()
+}
+
 impl Enclosed for Fall {
     fn bounds(&mut self) -> (BigRational, BigRational) {
-        let values: Vec<_> = self.turns.iter().map(Turn::value).collect();
+        let values: Vec<_> = self.turns.iter().map(|turn| &turn.value).collect();
         let is = |at: usize, kind| self.turns[at].kind == kind;
         // The largest value from one turn to another: of their bounds the largest.
         let largest = |from: usize, to: usize| {
-            let maxima = || (from..to).filter(|&at| is(at, ExtremumKind::Maximum)).map(|at| &values[at]);
+            let maxima = || (from..to).filter(|&at| is(at, ExtremumKind::Maximum)).map(|at| values[at]);
             let (lo, hi) = (maxima().map(|(lo, _)| lo).max(), maxima().map(|(_, hi)| hi).max());
             lo.cloned().zip(hi.cloned()).unwrap_or_else(|| (integer(0), integer(0)))
         };
@@ -87,8 +90,7 @@ impl Enclosed for Fall {
     }
 
     fn narrow(&mut self) -> bool {
-        self.turns.iter_mut().for_each(Turn::refine);
-        self.turns.iter().any(|turn| !turn.is_exact())
+        self.turns.iter_mut().fold(false, |narrowed, turn| turn.narrow() || narrowed)
     }
 }
 

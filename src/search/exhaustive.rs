@@ -4,7 +4,9 @@ use std::ops::Range;
 
 use num_integer::Integer;
 
-use super::candidate::{Candidate, is_above_its_reverse, is_continuous};
+use crate::analysis::is_continuous;
+
+use super::candidate::{Candidate, is_above_its_reverse};
 use super::compositions::Compositions;
 use super::space::{LARGEST_SIZE, Limits, SpaceError};
 

@@ -8,16 +8,14 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use crate::analysis::ExtremumKind;
+use crate::analysis::{Crossing, ExtremumKind, Flank, Shape};
 use crate::scalar::{BigRational, parse_rational};
 use crate::spline::Index;
 
-use super::audit::Fault;
 use super::candidate::Candidate;
 use super::decide::local_maxima;
 use super::dip::Dip;
-use super::equal::{Crossing, Side};
-use super::extrema::turns;
+use super::mismatch::Mismatch;
 use super::shrink::{shrink, smaller_gaps};
 use super::space::Goal;
 
@@ -88,7 +86,7 @@ pub struct FindingRecord {
     /// i.
     pub index: usize,
     /// What shows it.
-    pub witness: Witness,
+    pub witness: Evidence,
     /// The command that computes it again.
     pub reproduce: String,
     /// The position of the first case that led to it.
@@ -100,7 +98,7 @@ pub struct FindingRecord {
 /// The extrema of a finding, on its full knot vector.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct Witness {
+pub struct Evidence {
     /// How many local maxima there are at α.
     pub local_maxima: usize,
     /// From left to right.
@@ -175,7 +173,10 @@ impl Finding {
         match goal {
             Goal::Several => Some(Self::of(shrink(candidate.clone(), |c| local_maxima(c).maxima > 1))),
             Goal::Most => Some(Self::of(shrink(candidate.clone(), |c| local_maxima(c).maxima == maxima))),
-            Goal::Equal => Some(Self::of_crossing(shrunk_crossing(Crossing::near(candidate)?))),
+            Goal::Equal => {
+                let near = Crossing::near(candidate.gaps(), candidate.ratio())?;
+                Self::of_crossing(shrunk_crossing(near))
+            }
             Goal::Deepest => {
                 let dip = Dip::at_least(candidate, bar.depth.as_ref())?;
                 Some(Self { candidate: candidate.clone(), maxima, crossing: None, dip: Some(dip) })
@@ -188,8 +189,9 @@ impl Finding {
         Self { candidate, maxima, crossing: None, dip: None }
     }
 
-    fn of_crossing(crossing: Crossing) -> Self {
-        Self { crossing: Some(crossing.clone()), ..Self::of(crossing.candidate()) }
+    fn of_crossing(crossing: Crossing) -> Option<Self> {
+        let candidate = Candidate::new(crossing.gaps().to_vec(), crossing.ends()[1]).ok()?;
+        Some(Self { crossing: Some(crossing), ..Self::of(candidate) })
     }
 
     /// The function; for equal maxima at the lower end of the interval of indices.
@@ -217,13 +219,14 @@ impl Finding {
     fn record(&self, found_at: u64, cases: u64) -> FindingRecord {
         let (candidate, full) = (&self.candidate, self.candidate.full_knots());
         let knots: Vec<_> = full.knots.iter().map(ToString::to_string).collect();
-        let extrema = turns(candidate).into_iter().map(|turn| ExtremumRecord {
+        let shape = Shape::of_local(&candidate.local_knots());
+        let extrema = shape.extrema().iter().map(|turn| ExtremumRecord {
             kind: match turn.kind {
                 ExtremumKind::Maximum => "maximum".to_owned(),
                 ExtremumKind::Minimum => "minimum".to_owned(),
             },
-            interval: <[BigRational; 2]>::from(turn.interval()).map(|x| x.to_string()),
-            at_knot: turn.at_knot(),
+            interval: <[_; 2]>::from(turn.place.interval()).map(ToString::to_string),
+            at_knot: turn.at_knot,
         });
         let dip = self.dip.clone().or_else(|| Dip::of(candidate));
         let Some(Dip { lo, hi }) = dip else { unreachable!("between two maxima is a minimum") };
@@ -247,7 +250,7 @@ impl Finding {
             knots,
             alpha: candidate.index().to_string(),
             index: full.index,
-            witness: Witness { local_maxima: self.maxima, extrema: extrema.collect(), dip, equal },
+            witness: Evidence { local_maxima: self.maxima, extrema: extrema.collect(), dip, equal },
             found_at,
             cases,
         }
@@ -257,8 +260,8 @@ impl Finding {
 /// A crossing on the smallest gaps near, each time looked for from the middle of the last one.
 fn shrunk_crossing(mut crossing: Crossing) -> Crossing {
     let next = |crossing: &Crossing| {
-        let gaps = crossing.candidate().gaps().to_vec();
-        let mut smaller: Vec<_> = smaller_gaps(&gaps)
+        let gaps = crossing.gaps();
+        let mut smaller: Vec<_> = smaller_gaps(gaps)
             .into_iter()
             .filter_map(|gaps| Candidate::new(gaps, crossing.middle()).ok())
             .map(|candidate| candidate.normal_form())
@@ -268,7 +271,9 @@ fn shrunk_crossing(mut crossing: Crossing) -> Crossing {
         let several = |candidate: &Candidate| local_maxima(candidate).maxima > 1;
         let smaller =
             smaller.iter().filter(|candidate| candidate.gaps().iter().sum::<u64>() < gaps.iter().sum());
-        smaller.filter(|candidate| several(candidate)).find_map(Crossing::near)
+        smaller
+            .filter(|candidate| several(candidate))
+            .find_map(|candidate| Crossing::near(candidate.gaps(), candidate.ratio()))
     };
     while let Some(smaller) = next(&crossing) {
         crossing = smaller;
@@ -287,8 +292,8 @@ impl EqualRecord {
     fn of(crossing: &Crossing) -> Self {
         let [lower, upper] = crossing.at_ends();
         let side = |side| match side {
-            Side::Left => "left".to_owned(),
-            Side::Right => "right".to_owned(),
+            Flank::Left => "left".to_owned(),
+            Flank::Right => "right".to_owned(),
         };
         let [valley, above_valley] = crossing.points().clone().map(|x| x.to_string());
         Self {
@@ -383,7 +388,7 @@ impl Findings {
     }
 
     /// What is wrong with these findings, if those of the cases at some positions are `again`.
-    pub(super) fn faults(&self, again: &Self, goal: Goal, positions: &Range<u64>) -> Vec<Fault> {
+    pub(super) fn faults(&self, again: &Self, goal: Goal, positions: &Range<u64>) -> Vec<Mismatch> {
         // Whatever counts among all has to be here already.
         let mut joined = self.clone();
         joined.merge(again.clone());
@@ -392,14 +397,14 @@ impl Findings {
         let missing = counts.filter_map(|(key, found)| match self.entries.get(key) {
             None => {
                 let (gaps, alpha) = found.record.place();
-                Some(Fault::Missing { gaps, alpha })
+                Some(Mismatch::Missing { gaps, alpha })
             }
             Some(own) => {
                 let earlier = found.record.found_at < own.record.found_at;
                 let more = found.record.cases > own.record.cases;
                 let (gaps, alpha) = own.record.place();
                 (earlier || more || found.finding.rank() < own.finding.rank())
-                    .then_some(Fault::Altered { gaps, alpha })
+                    .then_some(Mismatch::Altered { gaps, alpha })
             }
         });
         let said = self.entries.iter().filter(|(_, own)| positions.contains(&own.record.found_at));
@@ -407,17 +412,17 @@ impl Findings {
             let at = own.record.found_at;
             let found = again.entries.get(key).is_some_and(|found| found.record.found_at == at);
             let (gaps, alpha) = own.record.place();
-            (!found).then_some(Fault::Invented { gaps, alpha, at })
+            (!found).then_some(Mismatch::Invented { gaps, alpha, at })
         });
         missing.chain(invented).collect()
     }
 
     /// The records that are not the same in `all`, which has the same findings.
-    pub(super) fn altered<'a>(&'a self, all: &'a Self) -> impl Iterator<Item = Fault> + 'a {
+    pub(super) fn altered<'a>(&'a self, all: &'a Self) -> impl Iterator<Item = Mismatch> + 'a {
         let differs = |(key, own): &(&Key, &Entry)| all.entries.get(key).is_none_or(|found| found != *own);
         self.entries.iter().filter(differs).map(|(_, own)| {
             let (gaps, alpha) = own.record.place();
-            Fault::Altered { gaps, alpha }
+            Mismatch::Altered { gaps, alpha }
         })
     }
 
@@ -455,10 +460,10 @@ impl Finding {
         let finding = match (goal, &record.witness.equal) {
             (Goal::Equal, Some(equal)) => {
                 let points = [&equal.valley, &equal.above_valley].map(|x| parse_rational(x).ok());
-                let ratio = |alpha: &String| super::equal::ratio(&parse_rational(alpha).ok()?);
+                let ratio = |alpha: &String| Crossing::ratio(&parse_rational(alpha).ok()?);
                 match (points, [ratio(&equal.alpha[1]), ratio(&equal.alpha[0])]) {
                     ([Some(c), Some(d)], [Some(low), Some(high)]) => {
-                        Crossing::new(candidate.gaps(), [low, high], [c, d]).map(Self::of_crossing)
+                        Crossing::new(candidate.gaps(), [low, high], [c, d]).and_then(Self::of_crossing)
                     }
                     _ => None,
                 }

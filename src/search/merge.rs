@@ -5,8 +5,9 @@ use std::ops::Range;
 use thiserror::Error;
 
 use super::block::Blocks;
+use super::decide::Decided;
 use super::finding::Findings;
-use super::part::{Part, Tally};
+use super::portion::Portion;
 use super::shard::Shard;
 
 /// Why parts do not make up a search. Parts are called by the names that were given.
@@ -76,7 +77,7 @@ pub enum MergeError {
 ///
 /// # Errors
 /// [`MergeError`], for the first thing that does not fit.
-pub fn merge(parts: Vec<(String, Part)>) -> Result<Part, MergeError> {
+pub fn merge(parts: Vec<(String, Portion)>) -> Result<Portion, MergeError> {
     let (first_name, first) = parts.first().ok_or(MergeError::None)?;
     let (search, cases, whole) = (first.search.clone(), first.cases.clone(), first.cases.positions());
     for (name, part) in &parts {
@@ -89,7 +90,7 @@ pub fn merge(parts: Vec<(String, Part)>) -> Result<Part, MergeError> {
             return Err(MergeError::Unfinished { part: name.clone(), done: part.done(), positions });
         }
     }
-    let mut order: Vec<&(String, Part)> = parts.iter().collect();
+    let mut order: Vec<&(String, Portion)> = parts.iter().collect();
     order.sort_by_key(|(_, part)| (part.range.start, part.range.end));
     let (mut reached, mut before) = (0, first_name);
     for (name, part) in order {
@@ -106,20 +107,29 @@ pub fn merge(parts: Vec<(String, Part)>) -> Result<Part, MergeError> {
     if reached != whole {
         return Err(MergeError::Gap { from: reached, to: whole, positions: whole });
     }
-    let (mut tally, mut blocks) = (Tally::default(), Blocks::new(whole));
+    let (mut decided, mut blocks) = (Decided::default(), Blocks::new(whole));
     for (_, part) in &parts {
-        tally.add(part.tally);
+        decided.add(part.decided);
         blocks.merge(&part.blocks);
     }
-    if tally.cases() != cases.count() {
-        return Err(MergeError::Count { found: tally.cases(), expected: cases.count() });
+    if decided.cases() != cases.count() {
+        return Err(MergeError::Count { found: decided.cases(), expected: cases.count() });
     }
     let mut findings = Findings::default();
     for (_, part) in parts {
         findings.merge(part.findings);
     }
     findings.keep(search.find);
-    Ok(Part { search, shard: Shard::WHOLE, cases, range: 0..whole, done: whole, tally, blocks, findings })
+    Ok(Portion {
+        search,
+        shard: Shard::WHOLE,
+        cases,
+        range: 0..whole,
+        done: whole,
+        decided,
+        blocks,
+        findings,
+    })
 }
 
 #[cfg(test)]
@@ -127,10 +137,10 @@ mod tests {
     use super::*;
     use crate::search::{Goal, Limits, Sample, Search, Space};
 
-    fn shards(find: Goal, space: &Space, of: usize) -> Vec<(String, Part)> {
+    fn shards(find: Goal, space: &Space, of: usize) -> Vec<(String, Portion)> {
         let search = Search { degree: 3, find, space: space.clone() };
         let shard = |i: usize| {
-            let mut part = Part::new(search.clone(), format!("{i}/{of}").parse().unwrap()).unwrap();
+            let mut part = Portion::new(search.clone(), format!("{i}/{of}").parse().unwrap()).unwrap();
             part.run(|_| Ok::<(), ()>(())).unwrap();
             (i.to_string(), part)
         };
@@ -158,7 +168,7 @@ mod tests {
     fn what_does_not_make_up_a_search_is_refused() {
         let space = Space::Exhaustive(Limits { size: 6, gap: None, height: None });
         let (parts, halves) = (shards(Goal::Several, &space, 3), shards(Goal::Several, &space, 2));
-        let pick = |list: &[&(String, Part)]| merge(list.iter().map(|part| (*part).clone()).collect());
+        let pick = |list: &[&(String, Portion)]| merge(list.iter().map(|part| (*part).clone()).collect());
         assert_eq!(pick(&[]).unwrap_err(), MergeError::None);
         assert!(matches!(pick(&[&parts[0], &parts[2]]), Err(MergeError::Gap { .. })));
         assert!(matches!(pick(&[&parts[1], &parts[2]]), Err(MergeError::Gap { from: 0, .. })));
@@ -180,7 +190,7 @@ mod tests {
             matches!(pick(&[&parts[0], &part, &parts[2]]), Err(MergeError::Unfinished { part, .. }) if part == "1")
         );
         part.1.done += 1;
-        part.1.tally.by_intervals -= 1;
+        part.1.decided.by_intervals -= 1;
         assert!(matches!(pick(&[&parts[0], &part, &parts[2]]), Err(MergeError::Count { .. })));
     }
 }

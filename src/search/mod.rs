@@ -1,45 +1,44 @@
 //! Floor 4: the search for counterexamples to Conjecture 3.1, over single functions in normal form.
 //!
 //! A [`Search`] is data: a degree, a [`Goal`] and a [`Space`] of candidates, all within limits or a random sample. Its
-//! [`Cases`] stand at positions, so a [`Shard`] is a range of them; a [`Part`] is how far such a shard has come. It
+//! [`Enumeration`] stand at positions, so a [`Shard`] is a range of them; a [`Portion`] is how far such a shard has come. It
 //! runs in parallel, is written to text and read back at any time, and [`merge`]d with the others. Nothing but the
 //! search itself has an influence on the result, to the byte.
 
 mod audit;
 mod block;
 mod candidate;
-mod cases;
 mod compositions;
 mod decide;
 mod dip;
-mod equal;
+mod enumeration;
 mod exhaustive;
-mod extrema;
 mod finding;
 mod merge;
-mod part;
+mod mismatch;
+mod portion;
 mod random;
 mod record;
 mod shard;
 mod shrink;
 mod space;
 
-pub use audit::{Audit, AuditError, Difference, Draw, Fault, audit};
+pub use audit::{Audit, AuditError, Discrepancy, Draw, audit};
 pub use block::{Block, BlockRecord};
 pub use candidate::{Candidate, CandidateError, FullKnots};
-pub use cases::Cases;
 pub use compositions::Compositions;
-pub use decide::{Count, Means, local_maxima};
+pub use decide::{Count, Decided, Means, local_maxima};
 pub use dip::Dip;
-pub use equal::{Crossing, Side};
+pub use enumeration::Enumeration;
 pub use exhaustive::Exhaustive;
 pub use finding::{
-    DEEPEST_KEPT, EqualRecord, ExtremumRecord, Finding, FindingError, FindingRecord, Findings, Witness,
+    DEEPEST_KEPT, EqualRecord, Evidence, ExtremumRecord, Finding, FindingError, FindingRecord, Findings,
 };
 pub use merge::{MergeError, merge};
-pub use part::{Part, PartError, Tally};
+pub use mismatch::Mismatch;
+pub use portion::{Portion, PortionError};
 pub use random::Random;
-pub use record::{Decided, RecordError, SummaryRecord};
+pub use record::{DecidedRecord, RecordError, SummaryRecord};
 pub use shard::{Shard, ShardError};
 pub use shrink::{shrink, smaller};
 pub use space::{

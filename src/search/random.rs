@@ -5,7 +5,9 @@ use std::ops::Range;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 
-use super::candidate::{Candidate, is_continuous};
+use crate::analysis::is_continuous;
+
+use super::candidate::Candidate;
 use super::space::{IndexSample, Sample, SpaceError, WIDEST_SPREAD};
 use crate::spline::Index;
 

@@ -8,9 +8,9 @@ use crate::claims::PaperNumber;
 use crate::json::{self, JsonError};
 
 use super::block::BlockRecord;
-use super::decide::local_maxima;
+use super::decide::{Decided, local_maxima};
 use super::finding::{DEEPEST_KEPT, FindingError, FindingRecord, SCHEMA};
-use super::part::{Part, PartError, Tally};
+use super::portion::{Portion, PortionError};
 use super::shard::{Shard, ShardError};
 use super::space::{Goal, Search};
 
@@ -54,7 +54,7 @@ pub struct SummaryRecord {
     /// The number of cases that were decided.
     pub cases: u64,
     /// How.
-    pub decided: Decided,
+    pub decided: DecidedRecord,
     /// How many of them have more than one local maximum.
     pub several: u64,
     /// The number of findings.
@@ -70,7 +70,7 @@ pub struct SummaryRecord {
 /// Cases by what decided them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct Decided {
+pub struct DecidedRecord {
     /// By intervals with outward rounding.
     pub by_intervals: u64,
     /// In exact arithmetic.
@@ -117,7 +117,7 @@ pub enum RecordError {
     },
     /// What it says of the space is not so.
     #[error("{0}: the file is damaged")]
-    Space(#[from] PartError),
+    Space(#[from] PortionError),
     /// Numbers that do not add up, or a wrong checksum.
     #[error("{0}: the file is damaged")]
     Damaged(&'static str),
@@ -131,7 +131,7 @@ struct Origin {
     decides: Option<String>,
 }
 
-impl Part {
+impl Portion {
     /// The lines, each with its line break: a complete part is what `merge` reads, any other one what a search is
     /// resumed from. [`parse`](Self::parse) reads it back.
     ///
@@ -156,7 +156,7 @@ impl Part {
     /// The last line, without its blocks and its checksum.
     #[must_use]
     pub fn summary(&self) -> SummaryRecord {
-        let Tally { by_intervals, exactly, several } = self.tally;
+        let Decided { by_intervals, exactly, several } = self.decided;
         SummaryRecord {
             schema: SCHEMA.to_owned(),
             record: SUMMARY.to_owned(),
@@ -170,8 +170,8 @@ impl Part {
             from: self.range.start,
             to: self.range.end,
             done: self.done,
-            cases: self.tally.cases(),
-            decided: Decided { by_intervals, exactly },
+            cases: self.decided.cases(),
+            decided: DecidedRecord { by_intervals, exactly },
             several,
             findings: self.findings.len(),
             blocks: Vec::new(),
@@ -208,11 +208,11 @@ impl Part {
             return Err(RecordError::Damaged("the position that is done lies outside of the part"));
         }
         part.done = summary.done;
-        let Decided { by_intervals, exactly } = summary.decided;
-        part.tally = Tally { by_intervals, exactly, several: summary.several };
+        let DecidedRecord { by_intervals, exactly } = summary.decided;
+        part.decided = Decided { by_intervals, exactly, several: summary.several };
         part.check_tally().map_err(RecordError::Damaged)?;
         let done = part.range.start..part.done;
-        part.blocks.read(&summary.blocks, &done, part.tally).map_err(RecordError::Damaged)?;
+        part.blocks.read(&summary.blocks, &done, part.decided).map_err(RecordError::Damaged)?;
         for (line, text) in (1..).zip(lines) {
             let record: FindingRecord =
                 json::read(text).map_err(|error| RecordError::Line { line, error })?;
@@ -230,7 +230,7 @@ impl Part {
 
     /// Can there be such numbers of cases? No sum of them overflows then, in this part nor in a whole search.
     fn check_tally(&self) -> Result<(), &'static str> {
-        let Tally { by_intervals, exactly, several } = self.tally;
+        let Decided { by_intervals, exactly, several } = self.decided;
         let (positions, count) = (self.cases.positions(), self.cases.count());
         let most = self.done().min(count);
         let cases = by_intervals.checked_add(exactly).filter(|&cases| cases <= most);
@@ -247,7 +247,7 @@ impl Part {
 
     /// Adds a finding that a case of this part may have led to.
     fn add_record(&mut self, record: &FindingRecord) -> Result<(), FindingError> {
-        if !(1..=self.tally.several).contains(&record.cases) {
+        if !(1..=self.decided.several).contains(&record.cases) {
             return Err(FindingError::Cases);
         }
         let at = record.found_at;
@@ -271,7 +271,7 @@ impl Part {
 
     /// Can the cases with several maxima have led to the findings?
     fn check_findings(&self) -> Result<(), &'static str> {
-        let several = u128::from(self.tally.several);
+        let several = u128::from(self.decided.several);
         let led: u128 = self.findings.records().map(|record| u128::from(record.cases)).sum();
         match self.search.find {
             Goal::Several if led != several => Err("the cases of the findings do not add up to `several`"),
@@ -292,9 +292,9 @@ mod tests {
     use super::*;
     use crate::search::{Goal, Limits, Space};
 
-    fn part(find: Goal, size: u64) -> Part {
+    fn part(find: Goal, size: u64) -> Portion {
         let space = Space::Exhaustive(Limits { size, gap: None, height: None });
-        let mut part = Part::new(Search { degree: 3, find, space }, Shard::WHOLE).unwrap();
+        let mut part = Portion::new(Search { degree: 3, find, space }, Shard::WHOLE).unwrap();
         part.run(|_| Ok::<(), ()>(())).unwrap();
         part
     }
@@ -305,7 +305,7 @@ mod tests {
             let part = part(find, 8);
             let text = part.to_text().unwrap();
             assert_eq!(text.lines().count(), part.findings().len() + 1);
-            assert_eq!(Part::parse(&text).unwrap().to_text().unwrap(), text);
+            assert_eq!(Portion::parse(&text).unwrap().to_text().unwrap(), text);
         }
         assert!(!part(Goal::Several, 8).findings().is_empty());
     }
@@ -318,14 +318,14 @@ mod tests {
             let mut bytes = text.clone().into_bytes();
             bytes[place] ^= 1;
             if let Ok(text) = String::from_utf8(bytes) {
-                assert!(Part::parse(&text).is_err(), "byte {place}");
+                assert!(Portion::parse(&text).is_err(), "byte {place}");
             }
             if text.is_char_boundary(place) {
-                assert!(Part::parse(&text[..place]).is_err(), "cut at {place}");
+                assert!(Portion::parse(&text[..place]).is_err(), "cut at {place}");
             }
         }
-        assert!(Part::parse(&(text.clone() + "\n")).is_err());
-        assert!(Part::parse(&(text.clone() + &text)).is_err());
+        assert!(Portion::parse(&(text.clone() + "\n")).is_err());
+        assert!(Portion::parse(&(text.clone() + &text)).is_err());
     }
 
     /// The text with a valid checksum, after some changes of it.
@@ -345,7 +345,7 @@ mod tests {
     fn impossible_numbers_are_refused() {
         let part = part(Goal::Several, 8);
         let (text, summary) = (part.to_text().unwrap(), part.summary());
-        assert!(Part::parse(&forged(&text, &[])).is_ok());
+        assert!(Portion::parse(&forged(&text, &[])).is_ok());
         let last = text.lines().last().unwrap();
         let decided = &last[last.find("\"decided\"").unwrap()..last.find(",\"several\"").unwrap()];
         let cases = format!("\"cases\":{},", summary.cases);
@@ -356,7 +356,7 @@ mod tests {
         ] {
             let numbers = format!("\"decided\":{{\"by_intervals\":1,\"exactly\":{exactly}}}");
             let changes = [(decided, &*numbers), (&cases, &*format!("\"cases\":{sum},"))];
-            let error = Part::parse(&forged(&text, &changes)).unwrap_err().to_string();
+            let error = Portion::parse(&forged(&text, &changes)).unwrap_err().to_string();
             assert!(error.contains(rule), "{exactly}: {error}");
         }
         let max = u64::MAX;
@@ -372,31 +372,31 @@ mod tests {
             (&*place(at), &*place("0"), "`found_at`"),
             (&*place(at), &*place(&summary.to.to_string()), "`found_at`"),
         ] {
-            let error = Part::parse(&forged(&text, &[(from, to)])).unwrap_err().to_string();
+            let error = Portion::parse(&forged(&text, &[(from, to)])).unwrap_err().to_string();
             assert!(error.contains(rule), "{to}: {error}");
         }
         // Another goal: the crossing has no proof, or there is no finding.
         let goal = |goal: &'static str| ("\"find\":\"several\"", goal);
         let equal = forged(&text, &[goal("\"find\":\"equal\"")]);
         assert!(matches!(
-            Part::parse(&equal),
+            Portion::parse(&equal),
             Err(RecordError::Finding { error: FindingError::Refuted, .. })
         ));
         let last = forged(last, &[goal("\"find\":\"most\""), ("\"findings\":1,", "\"findings\":0,")]);
-        assert!(Part::parse(&last).unwrap_err().to_string().contains("no finding"));
+        assert!(Portion::parse(&last).unwrap_err().to_string().contains("no finding"));
     }
 
     #[test]
     fn converted_line_endings_are_named() {
         let text = part(Goal::Several, 8).to_text().unwrap().replace('\n', "\r\n");
-        assert!(Part::parse(&text).unwrap_err().to_string().contains("line endings"));
+        assert!(Portion::parse(&text).unwrap_err().to_string().contains("line endings"));
     }
 
     #[test]
     fn another_format_is_named() {
         let text = part(Goal::Several, 7).to_text().unwrap().replace(SCHEMA, "knotproof.search/2");
         for text in [&*text, "{\"schema\":\"knotproof.search/2\"}"] {
-            let error = Part::parse(text).unwrap_err();
+            let error = Portion::parse(text).unwrap_err();
             assert!(matches!(&error, RecordError::Format(schema) if schema == "knotproof.search/2"));
             assert!(!error.to_string().contains("damaged"));
         }
@@ -406,6 +406,6 @@ mod tests {
     fn another_version_is_named() {
         let text = part(Goal::Several, 7).to_text().unwrap();
         let other = text.replace(&format!("\"version\":\"{VERSION}\""), "\"version\":\"0.0.9\"");
-        assert!(matches!(Part::parse(&other), Err(RecordError::Version(version)) if version == "0.0.9"));
+        assert!(matches!(Portion::parse(&other), Err(RecordError::Version(version)) if version == "0.0.9"));
     }
 }

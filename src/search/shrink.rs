@@ -4,7 +4,9 @@ use std::cmp::Reverse;
 
 use num_integer::Integer;
 
-use super::candidate::{Candidate, is_continuous};
+use crate::analysis::is_continuous;
+
+use super::candidate::Candidate;
 use super::exhaustive::ratios_of_height;
 
 /// Goes from a candidate to smaller ones for as long as one of its [`smaller`] neighbours has the property, to the first

@@ -146,3 +146,11 @@ impl Basis {
         all
     }
 }
+
+impl Evaluator {
+    /// Brings the knots of a basis to a common denominator.
+    #[must_use]
+    pub fn new(basis: &Basis) -> Self {
+        Self::of(basis.knots.knots(), basis.index.ratio(), basis.degree)
+    }
+}

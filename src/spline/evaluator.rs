@@ -5,7 +5,6 @@ use num_rational::BigRational;
 
 use crate::scalar::{Fixed, Jet, Natural, Ring, ScaleBy, gcd, integer, lcm};
 
-use super::basis::Basis;
 use super::factors::Factors;
 use super::fraction_free::FractionFree;
 use super::knots::{Side, Span};
@@ -84,10 +83,8 @@ impl<F: Clone, S: ScaleBy<F>> Room<F, S> {
 }
 
 impl Evaluator {
-    /// Brings the knots of a basis to a common denominator.
-    #[must_use]
-    pub fn new(basis: &Basis) -> Self {
-        let (knots, ratio, degree) = (basis.knots().knots(), basis.index().ratio(), basis.degree());
+    /// For the knots, the slope ratio r and the degree of a basis.
+    pub(super) fn of(knots: &[BigRational], ratio: &BigRational, degree: usize) -> Self {
         let one = BigInt::from(1);
         let scale = knots
             .iter()

@@ -4,6 +4,7 @@ use num_bigint::BigInt;
 use num_traits::Zero;
 
 use super::bernstein_table::{BernsteinTable, Signs};
+use crate::analysis::sign::sign_changes;
 
 /// A change in the sign changes of N(·, t) on (0, ∞), at one t of an interval at most.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -156,13 +157,10 @@ fn line_of(coefficients: &[BigInt], closed: Closed) -> Line {
     let zero_at_end = |end: Option<&BigInt>, closed| closed && end.is_none_or(Zero::is_zero);
     let zeros = usize::from(zero_at_end(coefficients.first(), closed.from))
         + usize::from(zero_at_end(coefficients.last(), closed.to));
-    let signs: Vec<bool> =
-        coefficients.iter().filter(|c| !c.is_zero()).map(|c| *c > BigInt::zero()).collect();
-    let variations = signs.windows(2).filter(|pair| pair[0] != pair[1]).count();
-    match (zeros + variations, signs.first()) {
+    match (zeros + sign_changes(coefficients), coefficients.iter().find(|c| !c.is_zero())) {
         (_, None) => Line::Unknown,
-        (0, Some(true)) => Line::Strict(Signs::Positive),
-        (0, Some(false)) => Line::Strict(Signs::Negative),
+        (0, Some(c)) if *c > BigInt::zero() => Line::Strict(Signs::Positive),
+        (0, Some(_)) => Line::Strict(Signs::Negative),
         (1, _) => Line::Crossing,
         _ => Line::Unknown,
     }

@@ -3,21 +3,23 @@
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
+use crate::analysis::decision::sign_sequence;
+use crate::analysis::extremum::{ExtremumKind, turns};
 use crate::analysis::integer_polynomial::IntegerPolynomial;
 use crate::analysis::local_knots::LocalKnots;
 use crate::analysis::roots::{IsolatedRoot, roots_of};
-use crate::analysis::sign::Sign;
+use crate::analysis::sign::{Sign, sign_changes};
 use crate::scalar::{Polynomial, Ring};
 
 use super::boxes::PartitionEvent;
 
 /// Numerators of the slope, N_s(u, t) for each span s from left to right, for 0 < t < 1.
 #[derive(Debug, Clone)]
-pub(super) struct Family {
+pub(super) struct RatioFamily {
     slopes: Vec<(usize, Polynomial<Polynomial<BigInt>>)>,
 }
 
-impl Family {
+impl RatioFamily {
     /// From local knots whose gaps and ratio are polynomials in t.
     ///
     /// Powers of u, of t and of 1 − t that divide N_s are positive and left out.
@@ -32,7 +34,7 @@ impl Family {
         self.slopes.iter().any(|(_, slope)| {
             let row = |row: &Polynomial<BigInt>| IntegerPolynomial::primitive(row.coefficients().to_vec());
             let rows = || slope.coefficients().iter().map(row);
-            let without_root = |p: &IntegerPolynomial| IntegerPolynomial::variations(p.coefficients()) == 0;
+            let without_root = |p: &IntegerPolynomial| sign_changes(p.coefficients()) == 0;
             !rows().any(|row| !row.is_zero() && without_root(&row))
                 && rows()
                     .reduce(|common, row| common.gcd(&row))
@@ -96,9 +98,10 @@ impl Family {
         local_maxima(shorter)
     }
 
-    /// The signs of the slope, span by span.
+    /// The signs of the slope, span by span; none where it is 0.
     fn signs(&self, t: &BigRational) -> Vec<Vec<Sign>> {
-        self.slopes.iter().map(|(_, slope)| signs(&at(slope, t))).collect()
+        let signs = |p: IntegerPolynomial| if p.is_zero() { Vec::new() } else { sign_sequence(&p) };
+        self.slopes.iter().map(|(_, slope)| signs(at(slope, t))).collect()
     }
 }
 
@@ -111,17 +114,10 @@ fn at_most_one(mut root: IsolatedRoot) -> bool {
     *root.lo() < half || root.exact() == Some(&half)
 }
 
-/// The function rises at first and falls at last: it has as many local maxima as the slope changes from + to −.
+/// The function rises at first.
 fn local_maxima<'a>(spans: impl Iterator<Item = &'a Vec<Sign>>) -> usize {
-    let mut maxima = 0;
-    let mut last = Sign::Positive;
-    for &sign in spans.flatten() {
-        if (last, sign) == (Sign::Positive, Sign::Negative) {
-            maxima += 1;
-        }
-        last = sign;
-    }
-    maxima
+    let signs = std::iter::once(Sign::Positive).chain(spans.flatten().copied());
+    turns(signs).filter(|turn| *turn == ExtremumKind::Maximum).count()
 }
 
 /// N at the end of the span that the event is about.
@@ -152,29 +148,6 @@ fn at(slope: &Polynomial<Polynomial<BigInt>>, t: &BigRational) -> IntegerPolynom
         sum
     };
     IntegerPolynomial::primitive(slope.coefficients().iter().map(value).collect())
-}
-
-/// The signs that p takes on (0, ∞) from left to right, zeros left out, without repetitions.
-fn signs(p: &IntegerPolynomial) -> Vec<Sign> {
-    let lowest = p.coefficients().iter().find(|c| !c.is_zero());
-    let Some(first) = lowest.map(Sign::of) else { return Vec::new() };
-    let mut signs = vec![first];
-    if IntegerPolynomial::variations(p.coefficients()) == 0 {
-        return signs;
-    }
-    let roots = roots_of(p.clone());
-    let last = p.coefficients().last().map_or(first, Sign::of);
-    let between = roots.windows(2).map(|pair| {
-        // Where two intervals share an end it is no root, and between them there is none.
-        let (_, low) = pair[0].interval();
-        let (high, _) = pair[1].interval();
-        let middle = (low + high) / BigInt::from(2);
-        p.sign_at(middle.numer(), middle.denom())
-    });
-    signs.extend(between);
-    signs.push(last);
-    signs.dedup();
-    signs
 }
 
 /// Without the powers of u, of t and of 1 − t that divide all of it.

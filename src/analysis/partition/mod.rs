@@ -7,12 +7,11 @@ mod parameter;
 mod sweep;
 
 use num_bigint::BigInt;
-use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::Signed;
 use thiserror::Error;
 
-use crate::scalar::{Polynomial, Ring, integer, rationals_between};
+use crate::scalar::{Polynomial, Ring, integer, over_one_denominator, rationals_between};
 use crate::spline::{Basis, Index, KnotVector};
 
 use super::algebraic::Algebraic;
@@ -21,9 +20,9 @@ use super::local_knots::LocalKnots;
 use super::pieces::Pieces;
 use super::roots::{IsolatedRoot, roots_of};
 use super::shape::Shape;
-use family::Family;
+use family::RatioFamily;
 use parameter::Parameter;
-use sweep::{Content, Part, sweep};
+use sweep::{Content, Stretch, sweep};
 
 pub use boxes::PartitionEvent;
 
@@ -53,13 +52,13 @@ pub use boxes::PartitionEvent;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Partition {
-    cells: Vec<PartitionCell>,
+    cells: Vec<RatioCell>,
     ends: Vec<PartitionEnd>,
 }
 
 /// An open interval of the parameter on which the number of local maxima is constant.
 #[derive(Debug, Clone, PartialEq)]
-pub struct PartitionCell {
+pub struct RatioCell {
     /// Its lower end, or an upper bound of that where it is no rational number: the cell is from the one
     /// [end](PartitionEnd) to the next.
     pub from: BigRational,
@@ -168,7 +167,7 @@ impl Partition {
                 partition.push(step, &high, &Parameter::Reciprocal, |s| i + last - s);
             }
         } else {
-            partition.cells.push(PartitionCell { from: integer(0), to: None, local_maxima: at(&integer(1)) });
+            partition.cells.push(RatioCell { from: integer(0), to: None, local_maxima: at(&integer(1)) });
         }
         partition.confirm(at);
         partition
@@ -207,7 +206,7 @@ impl Partition {
             }
             None => {
                 let local_maxima = rationals_between(&from, &to).next().and_then(|x| moved(&x));
-                partition.cells.push(PartitionCell { from, to: Some(to), local_maxima });
+                partition.cells.push(RatioCell { from, to: Some(to), local_maxima });
             }
         }
         partition.confirm(moved);
@@ -216,7 +215,7 @@ impl Partition {
 
     /// The cells, from left to right.
     #[must_use]
-    pub fn cells(&self) -> &[PartitionCell] {
+    pub fn cells(&self) -> &[RatioCell] {
         &self.cells
     }
 
@@ -233,7 +232,13 @@ impl Partition {
     }
 
     /// The next step, in terms of the parameter. Cells with the same number grow together.
-    fn push(&mut self, step: Step, family: &Family, parameter: &Parameter, knot: impl Fn(usize) -> usize) {
+    fn push(
+        &mut self,
+        step: Step,
+        family: &RatioFamily,
+        parameter: &Parameter,
+        knot: impl Fn(usize) -> usize,
+    ) {
         match step {
             Step::Cell { from, to, local_maxima } => {
                 let (from, to) = parameter.interval(&from, &to);
@@ -242,7 +247,7 @@ impl Partition {
                     Some(last) if last.local_maxima == local_maxima && last.to.as_ref() == Some(&from) => {
                         last.to = to
                     }
-                    _ => self.cells.push(PartitionCell { from, to, local_maxima }),
+                    _ => self.cells.push(RatioCell { from, to, local_maxima }),
                 }
             }
             Step::End { lo, hi, root, local_maxima, events } => {
@@ -290,14 +295,13 @@ fn count(basis: &Basis, i: usize) -> Option<usize> {
     Some(Shape::of(&Pieces::of(basis), i).local_maxima().count())
 }
 
-/// The gaps between the knots, times a positive number that makes them integers.
+/// The gaps between the knots, times a positive number that makes the knots integers.
 fn integer_gaps(knots: &[BigRational]) -> Vec<BigInt> {
-    let common = knots.iter().fold(BigInt::from(1), |common, t| common.lcm(t.denom()));
-    knots.windows(2).map(|pair| ((&pair[1] - &pair[0]) * &common).to_integer()).collect()
+    over_one_denominator(knots).0.windows(2).map(|pair| &pair[1] - &pair[0]).collect()
 }
 
 /// G_i^k with t_J = t_{J−1} + t·(t_{J+1} − t_{J−1}); `None` if it lives on one span only.
-fn knot_family(basis: &Basis, i: usize, knot: usize) -> Option<Family> {
+fn knot_family(basis: &Basis, i: usize, knot: usize) -> Option<RatioFamily> {
     let knots = basis.knots().knots();
     let local = i..=i + basis.degree() + 1;
     let mut gaps: Vec<_> = integer_gaps(knots).into_iter().map(Polynomial::constant).collect();
@@ -312,15 +316,18 @@ fn knot_family(basis: &Basis, i: usize, knot: usize) -> Option<Family> {
 
 /// The family of these local knots; `None` if there is one span only. There the function has no local maximum
 /// inside, or one, whatever the parameter is: G_i^k = C(k, j)·w^j(1 − w)^{k−j}, where w rises from 0 to 1.
-fn family(gaps: Vec<Polynomial<BigInt>>, ratio: (Polynomial<BigInt>, Polynomial<BigInt>)) -> Option<Family> {
+fn family(
+    gaps: Vec<Polynomial<BigInt>>,
+    ratio: (Polynomial<BigInt>, Polynomial<BigInt>),
+) -> Option<RatioFamily> {
     let local = LocalKnots::new(gaps, ratio).ok()?;
-    (local.spans().count() > 1).then(|| Family::new(&local))
+    (local.spans().count() > 1).then(|| RatioFamily::new(&local))
 }
 
 /// The cells and ends of a family from left to right, ends isolated to `width` in terms of the parameter.
-fn steps(family: &Family, closed_at_one: bool, parameter: &Parameter, width: &BigRational) -> Vec<Step> {
+fn steps(family: &RatioFamily, closed_at_one: bool, parameter: &Parameter, width: &BigRational) -> Vec<Step> {
     let mut steps = Vec::new();
-    for Part { from, to, content } in sweep(family, closed_at_one, DEPTH) {
+    for Stretch { from, to, content } in sweep(family, closed_at_one, DEPTH) {
         let events = match content {
             Content::Events(events) => events,
             Content::Constant => {
@@ -356,7 +363,7 @@ fn steps(family: &Family, closed_at_one: bool, parameter: &Parameter, width: &Bi
 /// end of its span, and otherwise by halving until the interval is `narrow` and lies inside of (from, to): so there is
 /// room for a cell before it and after it, even if the next events are close by.
 fn isolated(
-    family: &Family,
+    family: &RatioFamily,
     events: &[(usize, PartitionEvent)],
     (from, to): (&BigRational, &BigRational),
     narrow: impl Fn(&BigRational, &BigRational) -> bool,

@@ -6,7 +6,7 @@ use num_rational::BigRational;
 use num_traits::Signed;
 
 use crate::analysis::algebraic::Algebraic;
-use crate::analysis::pieces::constant;
+use crate::analysis::piece::constant;
 use crate::analysis::roots::IsolatedRoot;
 use crate::scalar::{Polynomial, RationalAlgebra, RationalFunction, Ring, integer};
 

@@ -6,11 +6,11 @@ use num_traits::{One, Zero};
 
 use super::bernstein_table::BernsteinTable;
 use super::boxes::{Closed, PartitionEvent, events};
-use super::family::Family;
+use super::family::RatioFamily;
 
 /// A closed interval of the parameter, without the ends at which the family stops.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Part {
+pub(super) struct Stretch {
     pub(super) from: BigRational,
     pub(super) to: BigRational,
     pub(super) content: Content,
@@ -32,11 +32,15 @@ const FIRST_DEPTH: u32 = 3;
 
 /// The parts of (0, 1], or of (0, 1) if the family is not defined at 1, from left to right; `depth` halvings in t
 /// at most.
-pub(super) fn sweep(family: &Family, closed_at_one: bool, depth: u32) -> Vec<Part> {
+pub(super) fn sweep(family: &RatioFamily, closed_at_one: bool, depth: u32) -> Vec<Stretch> {
     let tables = family.slopes().iter().map(|(s, slope)| (*s, BernsteinTable::on_unit_square(slope)));
     let mut parts = Vec::new();
     if family.may_be_constant() {
-        return vec![Part { from: BigRational::zero(), to: BigRational::one(), content: Content::Undecided }];
+        return vec![Stretch {
+            from: BigRational::zero(),
+            to: BigRational::one(),
+            content: Content::Undecided,
+        }];
     }
     let mut tasks = vec![(BigInt::zero(), 0_u32, tables.collect::<Vec<_>>())];
     while let Some((place, level, tables)) = tasks.pop() {
@@ -78,7 +82,7 @@ pub(super) fn sweep(family: &Family, closed_at_one: bool, depth: u32) -> Vec<Par
             tasks.push((&start + BigInt::one(), level + 1, high));
             tasks.push((start, level + 1, low));
         } else {
-            parts.push(Part { from, to, content });
+            parts.push(Stretch { from, to, content });
         }
     }
     parts

@@ -2,7 +2,6 @@
 
 mod text;
 
-use num_rational::BigRational;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -10,10 +9,11 @@ use crate::analysis::RationalBezier;
 use crate::spline::{Curve, Point};
 
 use super::error::CliError;
-use super::exact::{Exact, as_given};
+use super::exact::Exact;
 use super::exit::Exit;
 use super::instance::InstanceArgs;
 use super::notation::NotationArgs;
+use super::on_knots::{OnKnots, exact};
 use super::output::Output;
 use super::progress::Progress;
 
@@ -45,20 +45,14 @@ pub(super) struct Conversion {
     /// What this object is: `knotproof.bezier/1`.
     #[schemars(extend("const" = "knotproof.bezier/1"))]
     schema: &'static str,
-    /// k of the spline.
-    degree: usize,
-    /// t_0, …, t_m: exactly as given, as fractions in lowest terms, whatever the notation.
-    #[serde(serialize_with = "as_given")]
-    #[schemars(with = "Vec<String>")]
-    knots: Vec<Exact>,
+    #[serde(flatten)]
+    on: OnKnots,
     /// α: `inf`, or an exact number.
     alpha: String,
     /// The number of coordinates of a point.
     dimension: usize,
     /// From left to right, one for each span that is not empty.
     pieces: Vec<Piece>,
-    #[serde(skip)]
-    label: Option<String>,
 }
 
 /// The piece on [t_j, t_{j+1}].
@@ -108,12 +102,10 @@ fn convert(curve: &Curve, label: Option<String>) -> Result<Conversion, CliError>
     let pieces = RationalBezier::pieces(curve).map(checked).collect::<Result<_, _>>()?;
     Ok(Conversion {
         schema: "knotproof.bezier/1",
-        degree: basis.degree(),
-        knots: exact(knots.knots()),
+        on: OnKnots::of(basis, label),
         alpha: basis.index().to_string(),
         dimension: curve.dimension(),
         pieces,
-        label,
     })
 }
 
@@ -131,8 +123,4 @@ impl Piece {
             points: piece.points().iter().map(|point: &Point| exact(point)).collect(),
         }
     }
-}
-
-fn exact(numbers: &[BigRational]) -> Vec<Exact> {
-    numbers.iter().cloned().map(Exact).collect()
 }

@@ -7,6 +7,7 @@ use comfy_table::Table;
 
 use super::super::exact::Exact;
 use super::super::notation::Notation;
+use super::super::on_knots::tuple;
 use super::super::table::{plain, right_aligned};
 use super::{Conversion, Piece};
 
@@ -14,10 +15,7 @@ const HEADING: Style = Style::new().bold();
 
 impl fmt::Display for Conversion {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some(label) = &self.label {
-            writeln!(f, "Instance {label}")?;
-        }
-        writeln!(f, "Knots {}, degree {}, α = {}", tuple(&self.knots), self.degree, self.alpha)?;
+        writeln!(f, "{}, α = {}", self.on, self.alpha)?;
         let (count, are) = match self.pieces.len() {
             1 => ("1 rational Bézier curve".to_owned(), "It is"),
             more => (format!("{more} rational Bézier curves"), "Each is"),
@@ -47,21 +45,15 @@ impl Piece {
         let mut table = plain(["m", "weight", "≈", "point", "≈"].map(str::to_owned).to_vec());
         for (m, (weight, point)) in self.weights.iter().zip(&self.points).enumerate() {
             let decimals: Vec<_> = point.iter().map(|Exact(c)| notation.approximation(c)).collect();
-            let decimals = format!("({})", decimals.join(", "));
             table.add_row([
                 m.to_string(),
                 weight.to_string(),
                 notation.approximation(&weight.0),
                 tuple(point),
-                decimals,
+                tuple(&decimals),
             ]);
         }
         right_aligned(&mut table, 0);
         table
     }
-}
-
-fn tuple(numbers: &[Exact]) -> String {
-    let numbers: Vec<_> = numbers.iter().map(ToString::to_string).collect();
-    format!("({})", numbers.join(", "))
 }

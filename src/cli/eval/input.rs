@@ -5,7 +5,8 @@ use std::io::{self, BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
 
 use super::super::error::CliError;
-use super::line::{CsvLines, FilePoint, Form, PointError, from_json, is_head};
+use super::super::point_error::PointError;
+use super::line::{CsvLines, FilePoint, Syntax, from_json, is_head};
 
 /// The longest line that is read: a number of so many digits is the largest that makes sense, and a device or a
 /// film given by mistake does no harm.
@@ -19,7 +20,7 @@ pub(super) struct PointFile {
     name: PathBuf,
     input: BufReader<Box<dyn Read>>,
     /// `None` until a line has told.
-    form: Option<Form>,
+    form: Option<Syntax>,
     csv: CsvLines,
     line: Vec<u8>,
     /// The number of the line, from 1.
@@ -53,7 +54,7 @@ impl PointFile {
         Ok(Self {
             name,
             input: BufReader::new(input),
-            form: Form::of_file(path),
+            form: Syntax::of_file(path),
             csv: CsvLines::new(),
             line: Vec::new(),
             number: 0,
@@ -126,15 +127,15 @@ impl PointFile {
         if line.is_empty() {
             return Ok(None);
         }
-        let form = *self.form.get_or_insert(Form::of_line(line));
-        if form == Form::Csv && line.starts_with('#') {
+        let form = *self.form.get_or_insert(Syntax::of_line(line));
+        if form == Syntax::Csv && line.starts_with('#') {
             return Ok(None);
         }
         let first = !std::mem::replace(&mut self.begun, true);
         let header = first
             && match form {
-                Form::JsonLines => is_head(line),
-                Form::Csv => self.csv.is_header(line),
+                Syntax::JsonLines => is_head(line),
+                Syntax::Csv => self.csv.is_header(line),
             };
         self.answer |= header;
         if header {
@@ -144,8 +145,8 @@ impl PointFile {
             return Err(PointError::TooLong(LINE_LIMIT));
         }
         let point = match form {
-            Form::JsonLines => from_json(line, self.answer)?,
-            Form::Csv => self.csv.point(line)?,
+            Syntax::JsonLines => from_json(line, self.answer)?,
+            Syntax::Csv => self.csv.point(line)?,
         };
         Ok(Some(point))
     }

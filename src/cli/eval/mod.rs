@@ -18,14 +18,15 @@ use crate::scalar::parse_rational;
 use crate::spline::{Curve, Evaluator, Side};
 
 use super::error::CliError;
-use super::exact::{Exact, as_given};
+use super::exact::Exact;
 use super::exit::Exit;
-use super::instance::{FunctionArgs, InstanceArgs, whole_number};
+use super::instance::FunctionArgs;
 use super::notation::NotationArgs;
+use super::on_knots::exact;
 use super::output::Output;
 use super::progress::Progress;
+use super::whole_number::whole_number;
 
-pub use line::PointError;
 pub(super) use point::PointValues;
 use point::Request;
 pub(super) use stream::Head;
@@ -35,8 +36,6 @@ pub(super) use stream::Head;
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLE)]
 pub(super) struct Args {
-    #[command(flatten)]
-    instance: InstanceArgs,
     #[command(flatten)]
     function: FunctionArgs,
     /// The point x.
@@ -121,27 +120,13 @@ impl fmt::Display for OneSide {
 /// The result at one point: its fields are the JSON.
 #[derive(Debug, Serialize, JsonSchema)]
 pub(super) struct Evaluation {
-    /// What this object is: `knotproof.eval/1`.
-    #[schemars(extend("const" = "knotproof.eval/1"))]
-    schema: &'static str,
-    /// k.
-    degree: usize,
-    /// t_0, …, t_m: exactly as given, as fractions in lowest terms, whatever the notation.
-    #[serde(serialize_with = "as_given")]
-    #[schemars(with = "Vec<String>")]
-    knots: Vec<Exact>,
-    /// α: `inf`, or an exact number.
-    alpha: String,
-    /// i, where one function only was asked for.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    index: Option<usize>,
+    #[serde(flatten)]
+    head: Head,
     #[serde(flatten)]
     at: PointValues,
     /// With control points: the levels of de Boor's algorithm, r = 0, …, k; left out where x is in no span of it.
     #[serde(skip_serializing_if = "Option::is_none")]
     de_boor: Option<Vec<Level>>,
-    #[serde(skip)]
-    label: Option<String>,
 }
 
 /// The points d_i^r of one level of de Boor's algorithm (T4.1), i from `first`.
@@ -162,7 +147,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     }
     let notation = args.notation.notation()?;
     let output = output.in_notation(notation);
-    let subject = args.instance.resolve()?;
+    let subject = args.function.instance.resolve()?;
     let label = subject.label.clone();
     let case = subject.only_case()?;
     let index = args.function.chosen(&case.basis)?;
@@ -181,16 +166,10 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
 }
 
 fn evaluate(request: &Request<'_>, x: &BigRational, side: OneSide, label: Option<String>) -> Evaluation {
-    let basis = request.basis;
     Evaluation {
-        schema: SCHEMA,
-        degree: basis.degree(),
-        knots: exact(basis.knots().knots()),
-        alpha: basis.index().to_string(),
-        index: request.index,
-        at: request.at(&mut Evaluator::new(basis), x.clone(), side),
+        head: Head::of(request, label),
+        at: request.at(&mut Evaluator::new(request.basis), x.clone(), side),
         de_boor: request.curve.and_then(|curve| levels(curve, x, side.into())),
-        label,
     }
 }
 
@@ -202,8 +181,4 @@ fn levels(curve: &Curve, x: &BigRational, side: Side) -> Option<Vec<Level>> {
         points: points.values().iter().map(|point: &Vec<_>| exact(point)).collect(),
     };
     Some(levels.iter().enumerate().map(level).collect())
-}
-
-fn exact(numbers: &[BigRational]) -> Vec<Exact> {
-    numbers.iter().cloned().map(Exact).collect()
 }

@@ -10,13 +10,13 @@ use serde::Serialize;
 use crate::spline::Evaluator;
 
 use super::super::error::CliError;
-use super::super::exact::{Exact, as_given};
 use super::super::notation::Notation;
+use super::super::on_knots::OnKnots;
 use super::super::output::{Format, Output, Stamped};
 use super::super::progress::Progress;
 use super::input::PointFile;
 use super::point::{PointValues, Request};
-use super::{OneSide, SCHEMA, exact};
+use super::{OneSide, SCHEMA};
 
 /// The time between two steps of the progress bar.
 const PAUSE: Duration = Duration::from_millis(100);
@@ -27,17 +27,21 @@ pub(in super::super) struct Head {
     /// What this object is: `knotproof.eval/1`.
     #[schemars(extend("const" = "knotproof.eval/1"))]
     schema: &'static str,
-    /// k.
-    degree: usize,
-    /// t_0, …, t_m: exactly as given, as fractions in lowest terms, whatever the notation.
-    #[serde(serialize_with = "as_given")]
-    #[schemars(with = "Vec<String>")]
-    knots: Vec<Exact>,
+    #[serde(flatten)]
+    pub(super) on: OnKnots,
     /// α: `inf`, or an exact number.
-    alpha: String,
+    pub(super) alpha: String,
     /// i, where one function only was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
-    index: Option<usize>,
+    pub(super) index: Option<usize>,
+}
+
+impl Head {
+    pub(super) fn of(request: &Request<'_>, label: Option<String>) -> Self {
+        let basis = request.basis;
+        let (on, alpha) = (OnKnots::of(basis, label), basis.index().to_string());
+        Self { schema: SCHEMA, on, alpha, index: request.index }
+    }
 }
 
 /// Evaluates at all points of the file; `side` is for those that do not name one. What was done before an error is
@@ -86,10 +90,7 @@ fn write_json(
     first: bool,
 ) -> io::Result<()> {
     if first {
-        let basis = request.basis;
-        let (knots, alpha) = (exact(basis.knots().knots()), basis.index().to_string());
-        let head = Head { schema: SCHEMA, degree: basis.degree(), knots, alpha, index: request.index };
-        write_line(to, &Stamped::new(head))?;
+        write_line(to, &Stamped::new(Head::of(request, None)))?;
     }
     write_line(to, values)
 }

@@ -7,6 +7,7 @@ use comfy_table::Table;
 
 use super::super::exact::Exact;
 use super::super::notation::Notation;
+use super::super::on_knots::tuple;
 use super::super::table::{plain, right_aligned};
 use super::{Evaluation, Level, OneSide};
 
@@ -14,10 +15,7 @@ const HEADING: Style = Style::new().bold();
 
 impl fmt::Display for Evaluation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some(label) = &self.label {
-            writeln!(f, "Instance {label}")?;
-        }
-        writeln!(f, "Knots {}, degree {}, α = {}", point(&self.knots), self.degree, self.alpha)?;
+        writeln!(f, "{}, α = {}", self.head.on, self.head.alpha)?;
         writeln!(f, "x = {}, {}", self.at.x, self.limit())?;
         if let Some(note) = self.note() {
             writeln!(f, "Note: {note}")?;
@@ -42,7 +40,7 @@ impl fmt::Display for Evaluation {
 impl Evaluation {
     /// What the numbers are; at t_m the values are the limits from the left (D3.3).
     fn limit(&self) -> &'static str {
-        let at_last = self.knots.last().is_some_and(|last| last.0 == self.at.x.0);
+        let at_last = self.head.on.knots.last().is_some_and(|last| last.0 == self.at.x.0);
         match self.at.side {
             OneSide::Left => "limits from the left",
             OneSide::Right if at_last => "values (limits from the left)",
@@ -52,7 +50,7 @@ impl Evaluation {
 
     /// What is special about x.
     fn note(&self) -> Option<String> {
-        let (first, last) = (self.knots.first()?, self.knots.last()?);
+        let (first, last) = (self.head.on.knots.first()?, self.head.on.knots.last()?);
         let x = &self.at.x.0;
         if *x < first.0 || *x > last.0 {
             Some(format!("x lies outside of [t_0, t_m] = [{first}, {last}], where every function is 0."))
@@ -68,8 +66,9 @@ impl Evaluation {
     /// One row a function: i, the support, the exact value and an approximation.
     fn table(&self, values: &[Exact], heading: &str) -> Table {
         let mut table = plain(["i", "support", heading, "≈"].map(str::to_owned).to_vec());
-        for (i, value) in (self.index.unwrap_or(0)..).zip(values) {
-            let support = format!("[{}, {}]", self.knots[i], self.knots[i + self.degree + 1]);
+        for (i, value) in (self.head.index.unwrap_or(0)..).zip(values) {
+            let support =
+                format!("[{}, {}]", self.head.on.knots[i], self.head.on.knots[i + self.head.on.degree + 1]);
             table.add_row([
                 i.to_string(),
                 support,
@@ -88,8 +87,9 @@ impl Evaluation {
             std::iter::once(curve).chain(self.at.curve_derivatives.iter().map(Vec::as_slice)).enumerate()
         {
             let name = if order == 0 { "G(x)".to_owned() } else { derivative("G", order) };
-            let decimals = coordinates.iter().map(|c| Notation::in_force().approximation(&c.0)).collect();
-            table.add_row([name, point(coordinates), tuple(decimals)]);
+            let decimals: Vec<_> =
+                coordinates.iter().map(|c| Notation::in_force().approximation(&c.0)).collect();
+            table.add_row([name, tuple(coordinates), tuple(&decimals)]);
         }
         table
     }
@@ -114,17 +114,8 @@ fn triangle(levels: &[Level]) -> Table {
     let count = levels.first().map_or(0, |level| level.points.len());
     for i in first..first + count {
         let points = levels.iter().map_while(|level| level.points.get(i.checked_sub(level.first)?));
-        table.add_row(std::iter::once(i.to_string()).chain(points.map(|at| point(at))));
+        table.add_row(std::iter::once(i.to_string()).chain(points.map(|at| tuple(at))));
     }
     right_aligned(&mut table, 0);
     table
-}
-
-/// A table without lines: columns that line up, and nothing else.
-fn point(coordinates: &[Exact]) -> String {
-    tuple(coordinates.iter().map(ToString::to_string).collect())
-}
-
-fn tuple(parts: Vec<String>) -> String {
-    format!("({})", parts.join(", "))
 }

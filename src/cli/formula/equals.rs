@@ -14,6 +14,7 @@ use super::super::error::CliError;
 use super::super::exact::Exact;
 use super::super::exit::Exit;
 use super::super::file::read_up_to;
+use super::super::on_knots::OnKnots;
 use super::super::output::Output;
 
 /// The longest file.
@@ -25,10 +26,8 @@ pub(in super::super) struct Comparison {
     /// What this object is: `knotproof.formula.equals/1`.
     #[schemars(extend("const" = "knotproof.formula.equals/1"))]
     schema: &'static str,
-    /// k.
-    degree: usize,
-    /// t_0, …, t_m.
-    knots: Vec<Exact>,
+    #[serde(flatten)]
+    on: OnKnots,
     /// α; `symbolic` where α is a letter.
     alpha: String,
     /// Are all that were compared?
@@ -112,8 +111,7 @@ pub(super) fn run(
     let compared = |i: &usize| functions.iter().any(|function| function.index == *i);
     output.result(&Comparison {
         schema: "knotproof.formula.equals/1",
-        degree: basis.degree(),
-        knots: basis.knots().knots().iter().cloned().map(Exact).collect(),
+        on: OnKnots::of(basis, None),
         alpha: formal.index().map_or_else(|| "symbolic".to_owned(), ToString::to_string),
         equal,
         not_compared: (0..=n).filter(|i| !compared(i)).collect(),

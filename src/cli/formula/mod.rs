@@ -15,8 +15,10 @@ use crate::report::{Form, Language, expression, formula};
 use super::error::CliError;
 use super::exact::Exact;
 use super::exit::Exit;
-use super::instance::{FunctionArgs, InstanceArgs, whole_number};
+use super::instance::FunctionArgs;
+use super::on_knots::OnKnots;
 use super::output::Output;
+use super::whole_number::whole_number;
 
 pub(super) use equals::Comparison;
 
@@ -34,8 +36,6 @@ pub(super) use equals::Comparison;
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLE)]
 pub(super) struct Args {
-    #[command(flatten)]
-    instance: InstanceArgs,
     #[command(flatten)]
     function: FunctionArgs,
     /// Who reads the formulas.
@@ -100,10 +100,8 @@ pub(super) struct Formulas {
     /// What this object is: `knotproof.formula/1`.
     #[schemars(extend("const" = "knotproof.formula/1"))]
     schema: &'static str,
-    /// k.
-    degree: usize,
-    /// t_0, …, t_m.
-    knots: Vec<Exact>,
+    #[serde(flatten)]
+    on: OnKnots,
     /// α; `symbolic` where α is a letter.
     alpha: String,
     /// Who reads the formulas.
@@ -137,8 +135,8 @@ struct Piece {
 
 /// Finds the formulas and prints them.
 pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
-    let every_index = args.instance.symbolic_index();
-    let case = every_index.as_ref().unwrap_or(&args.instance).resolve()?.only_case()?;
+    let every_index = args.function.instance.symbolic_index();
+    let case = every_index.as_ref().unwrap_or(&args.function.instance).resolve()?.only_case()?;
     let basis = &case.basis;
     let index = args.function.chosen(basis)?;
     let reason = "a numerator has up to (k + 2)²/4 powers of x; eval gives values of every degree";
@@ -160,8 +158,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     });
     output.result(&Formulas {
         schema: "knotproof.formula/1",
-        degree: basis.degree(),
-        knots: basis.knots().knots().iter().cloned().map(Exact).collect(),
+        on: OnKnots::of(basis, None),
         alpha: formal.index().map_or_else(|| "symbolic".to_owned(), ToString::to_string),
         reader: args.reader,
         form: if args.expanded { "expanded" } else { "factored" },

@@ -8,16 +8,18 @@ use std::{fs, io};
 
 use clap::ValueEnum;
 
-use crate::search::{Goal, IndexSample, Limits, Part, PartError, Sample, Search, Shard, Space, SpaceError};
+use crate::search::{
+    Goal, IndexSample, Limits, Portion, PortionError, Sample, Search, Shard, Space, SpaceError,
+};
 use crate::spline::Index;
 
 use super::atomic::write_atomically;
 use super::error::CliError;
 use super::exit::Exit;
 use super::file::read_up_to;
-use super::instance::{WholeNumberError, whole_number};
 use super::output::{Format, Output};
 use super::progress::Progress;
+use super::whole_number::{WholeNumberError, whole_number};
 
 pub(super) use text::Summary;
 
@@ -172,13 +174,13 @@ struct StateFile {
 }
 
 impl StateFile {
-    fn save(&self, part: &Part) -> Result<(), CliError> {
+    fn save(&self, part: &Portion) -> Result<(), CliError> {
         write_atomically(self.option, &self.path, &part.to_text().map_err(io::Error::from)?)
     }
 }
 
-/// The part of a search in a file, as [`Part::to_text`] has written it.
-pub(super) fn read_part(option: &'static str, path: &Path) -> Result<Part, CliError> {
+/// The part of a search in a file, as [`Portion::to_text`] has written it.
+pub(super) fn read_portion(option: &'static str, path: &Path) -> Result<Portion, CliError> {
     let failed = |error| CliError::File { argument: option, action: "read", path: path.to_owned(), error };
     // Reading a pipe could wait for ever.
     if !fs::metadata(path).map_err(failed)?.is_file() {
@@ -186,7 +188,7 @@ pub(super) fn read_part(option: &'static str, path: &Path) -> Result<Part, CliEr
         return Err(failed(io::Error::new(io::ErrorKind::InvalidInput, message)));
     }
     let text = read_up_to(LONGEST, option, path)?;
-    Part::parse(&text).map_err(|error| CliError::SearchFile {
+    Portion::parse(&text).map_err(|error| CliError::SearchFile {
         argument: option,
         path: path.to_owned(),
         error: Box::new(error),
@@ -195,7 +197,7 @@ pub(super) fn read_part(option: &'static str, path: &Path) -> Result<Part, CliEr
 
 impl Args {
     /// What to do, and the file to keep it in.
-    fn part(&self) -> Result<(Part, Option<StateFile>), CliError> {
+    fn part(&self) -> Result<(Portion, Option<StateFile>), CliError> {
         let shard = match &self.shard {
             None => None,
             Some(text) => Some(text.parse::<Shard>().map_err(|error| blame(error.into()))?),
@@ -208,7 +210,7 @@ impl Args {
         if self.resume.is_none() && !path.exists() {
             return Ok((self.new_part(shard)?, Some(StateFile { option, path: path.clone() })));
         }
-        let found = read_part(option, path)?;
+        let found = read_portion(option, path)?;
         let mut differs = self.differs(&found, shard);
         if self.resume.is_none() {
             // What is not given counts as well, by its default.
@@ -222,8 +224,8 @@ impl Args {
         }
     }
 
-    fn new_part(&self, shard: Option<Shard>) -> Result<Part, CliError> {
-        Part::new(self.search()?, shard.unwrap_or(Shard::WHOLE)).map_err(blame)
+    fn new_part(&self, shard: Option<Shard>) -> Result<Portion, CliError> {
+        Portion::new(self.search()?, shard.unwrap_or(Shard::WHOLE)).map_err(blame)
     }
 
     /// What is asked for, with what is not given filled in.
@@ -252,7 +254,7 @@ impl Args {
     }
 
     /// The first option that asks for something else than what a file has.
-    fn differs(&self, found: &Part, shard: Option<Shard>) -> Option<&'static str> {
+    fn differs(&self, found: &Portion, shard: Option<Shard>) -> Option<&'static str> {
         let search = found.search();
         let (limits, sample, alpha) = match &search.space {
             Space::Exhaustive(limits) => (Some(limits), None, &[][..]),
@@ -279,18 +281,18 @@ impl Args {
 }
 
 /// The option that has to change.
-fn blame(error: PartError) -> CliError {
+fn blame(error: PortionError) -> CliError {
     let argument = match &error {
-        PartError::Shard(_) => "--shard",
-        PartError::Space(SpaceError::Degree(_)) => "--degree",
-        PartError::Space(SpaceError::Empty(_) | SpaceError::TooLarge(_) | SpaceError::TooMany(_)) => {
+        PortionError::Shard(_) => "--shard",
+        PortionError::Space(SpaceError::Degree(_)) => "--degree",
+        PortionError::Space(SpaceError::Empty(_) | SpaceError::TooLarge(_) | SpaceError::TooMany(_)) => {
             "--limit"
         }
-        PartError::Space(SpaceError::NoGap) => "--limit-gap",
-        PartError::Space(SpaceError::NoHeight) => "--limit-height",
-        PartError::Space(SpaceError::NoCase) => "--count",
-        PartError::Space(SpaceError::Spread(_)) => "--spread",
-        PartError::Space(SpaceError::Index) => "--alpha",
+        PortionError::Space(SpaceError::NoGap) => "--limit-gap",
+        PortionError::Space(SpaceError::NoHeight) => "--limit-height",
+        PortionError::Space(SpaceError::NoCase) => "--count",
+        PortionError::Space(SpaceError::Spread(_)) => "--spread",
+        PortionError::Space(SpaceError::Index) => "--alpha",
     };
     CliError::Search { argument, error }
 }

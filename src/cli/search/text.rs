@@ -5,19 +5,19 @@ use std::fmt;
 use anstyle::Style;
 
 use crate::scalar::{parse_rational, settled_digits};
-use crate::search::{FindingRecord, Goal, Part, Space};
+use crate::search::{FindingRecord, Goal, Portion, Space};
 
 use super::super::table::plain;
 
 const HEADING: Style = Style::new().bold();
 
 /// The result of a search, as text.
-pub(in super::super) struct Summary<'a>(pub(in super::super) &'a Part);
+pub(in super::super) struct Summary<'a>(pub(in super::super) &'a Portion);
 
 impl fmt::Display for Summary<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self(part) = self;
-        let (search, tally, findings) = (part.search(), part.tally(), part.findings());
+        let (search, tally, findings) = (part.search(), part.decided(), part.findings());
         writeln!(f, "Degree {}, {}", search.degree, space(&search.space))?;
         if !part.shard().is_whole() {
             writeln!(f, "Shard {} of these", part.shard())?;

@@ -11,7 +11,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::analysis::{
-    Extremum, ExtremumKind, Jump, KnotSlopes, Pieces, Place, Shape as FunctionShape, knot_slopes,
+    Extremum, ExtremumKind, Jump, KnotSlopes, Location, Pieces, Shape as FunctionShape, knot_slopes,
 };
 use crate::scalar::parse_rational;
 use crate::spline::Basis;
@@ -19,10 +19,12 @@ use crate::spline::Basis;
 use super::error::CliError;
 use super::exact::{Exact, as_given};
 use super::exit::Exit;
-use super::instance::{FunctionArgs, InstanceArgs, whole_number};
+use super::instance::FunctionArgs;
 use super::notation::{Decimal, Notation, NotationArgs};
+use super::on_knots::OnKnots;
 use super::output::Output;
 use super::progress::Progress;
+use super::whole_number::whole_number;
 
 pub(super) use partition::Partitions;
 
@@ -34,8 +36,6 @@ pub(super) use partition::Partitions;
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLE)]
 pub(super) struct Args {
-    #[command(flatten)]
-    instance: InstanceArgs,
     #[command(flatten)]
     function: FunctionArgs,
     /// The longest interval for a place or a value that is not known exactly.
@@ -67,21 +67,15 @@ pub(super) struct Shapes {
     /// What this object is: `knotproof.shape/1`.
     #[schemars(extend("const" = "knotproof.shape/1"))]
     schema: &'static str,
-    /// k.
-    degree: usize,
-    /// t_0, …, t_m: exactly as given, as fractions in lowest terms, whatever the notation.
-    #[serde(serialize_with = "as_given")]
-    #[schemars(with = "Vec<String>")]
-    knots: Vec<Exact>,
+    #[serde(flatten)]
+    on: OnKnots,
     /// One for each index i and α that was asked for.
-    functions: Vec<Function>,
-    #[serde(skip)]
-    label: Option<String>,
+    functions: Vec<FunctionRecord>,
 }
 
 /// One function with one index.
 #[derive(Debug, Serialize, JsonSchema)]
-struct Function {
+struct FunctionRecord {
     /// i of G_i^k.
     index: usize,
     /// α: `inf`, or an exact number.
@@ -157,37 +151,33 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     }
     let notation = args.notation.notation()?;
     let output = &output.in_notation(notation);
-    if let Some(every_index) = args.instance.every_index() {
+    if let Some(every_index) = args.function.instance.every_index() {
         return match args.free_knot {
             None => partition::by_ratio(args, every_index.resolve()?, notation, output),
             Some(_) => Err(CliError::TwoParameters),
         };
     }
-    let subject = args.instance.resolve()?;
+    let subject = args.function.instance.resolve()?;
     if let Some(knot) = args.free_knot {
         return partition::by_knot(args, subject, knot, notation, output);
     }
     let bases: Vec<Basis> = subject.cases.into_iter().map(|case| case.basis).collect();
     let mut functions = Vec::new();
-    let chosen =
-        |basis: &Basis| Ok::<_, CliError>(args.function.chosen(basis)?.map_or(0..=basis.n(), |i| i..=i));
     let mut steps = 0;
     for basis in &bases {
-        steps += chosen(basis)?.count();
+        steps += args.function.range(basis)?.count();
     }
     let progress = Progress::new(steps);
     for basis in &bases {
-        functions.extend(shapes(basis, chosen(basis)?, &args.width, notation, &progress));
+        functions.extend(shapes(basis, args.function.range(basis)?, &args.width, notation, &progress));
     }
     drop(progress);
     let Some(first) = bases.first() else { unreachable!("an instance has an index") };
     let all_strong = functions.iter().all(|function| function.strong);
     output.result(&Shapes {
         schema: "knotproof.shape/1",
-        degree: first.degree(),
-        knots: exact(first.knots().knots()),
+        on: OnKnots::of(first, subject.label),
         functions,
-        label: subject.label,
     })?;
     Ok(if all_strong { Exit::Holds } else { Exit::Refuted })
 }
@@ -199,19 +189,19 @@ fn shapes(
     width: &BigRational,
     notation: Notation,
     progress: &Progress,
-) -> Vec<Function> {
+) -> Vec<FunctionRecord> {
     let pieces = Pieces::of(basis);
     chosen
         .map(|i| {
             progress.step(&format!("G_{i}, α = {}", basis.index()));
             let mut shape = FunctionShape::of(&pieces, i);
             shape.refine_to(width);
-            Function::new(basis, i, &shape, notation)
+            FunctionRecord::new(basis, i, &shape, notation)
         })
         .collect()
 }
 
-impl Function {
+impl FunctionRecord {
     fn new(basis: &Basis, index: usize, shape: &FunctionShape, notation: Notation) -> Self {
         let (from, to) = basis.support(index);
         Self {
@@ -257,7 +247,7 @@ impl Turn {
             },
             interval: [lo, hi].map(|x| Exact(x.clone())),
             at_knot: extremum.at_knot,
-            plateau: matches!(extremum.place, Place::Plateau { .. }),
+            plateau: matches!(extremum.place, Location::Plateau { .. }),
             value: [least, most].map(|value| Exact(value.clone())),
             x,
             height,
@@ -276,8 +266,4 @@ impl From<KnotSlopes> for Slopes {
     fn from(slopes: KnotSlopes) -> Self {
         Self { at: Exact(slopes.at), left: slopes.left.map(Exact), right: slopes.right.map(Exact) }
     }
-}
-
-fn exact(numbers: &[BigRational]) -> Vec<Exact> {
-    numbers.iter().cloned().map(Exact).collect()
 }

@@ -6,18 +6,19 @@ use anstyle::Style;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::analysis::{Partition, PartitionCell, PartitionEnd, PartitionEvent};
+use crate::analysis::{Partition, PartitionEnd, PartitionEvent, RatioCell};
 use crate::scalar::parse_rational;
 use crate::spline::Basis;
 
 use super::super::error::CliError;
 use super::super::exact::{Exact, as_given};
 use super::super::exit::Exit;
-use super::super::instance::Subject;
+use super::super::instance::Subjects;
 use super::super::notation::{Decimal, Notation};
+use super::super::on_knots::OnKnots;
 use super::super::output::Output;
 use super::super::progress::Progress;
-use super::{Args, exact};
+use super::Args;
 
 /// The result: its fields are the JSON.
 #[derive(Debug, Serialize, JsonSchema)]
@@ -25,24 +26,18 @@ pub(in super::super) struct Partitions {
     /// What this object is: `knotproof.shape/1`.
     #[schemars(extend("const" = "knotproof.shape/1"))]
     schema: &'static str,
-    /// k.
-    degree: usize,
-    /// t_0, …, t_m: exactly as given, as fractions in lowest terms, whatever the notation.
-    #[serde(serialize_with = "as_given")]
-    #[schemars(with = "Vec<String>")]
-    knots: Vec<Exact>,
+    #[serde(flatten)]
+    on: OnKnots,
     /// J, where the knot t_J moves between its neighbours; otherwise α does.
     #[serde(skip_serializing_if = "Option::is_none")]
     free_knot: Option<usize>,
     /// One for each index i that was asked for.
-    functions: Vec<Function>,
-    #[serde(skip)]
-    label: Option<String>,
+    functions: Vec<FunctionPartition>,
 }
 
 /// One function, for every value of the parameter.
 #[derive(Debug, Serialize, JsonSchema)]
-struct Function {
+struct FunctionPartition {
     /// i of G_i^k.
     index: usize,
     /// α, where a knot moves.
@@ -118,7 +113,7 @@ struct Event {
 /// Every slope ratio.
 pub(super) fn by_ratio(
     args: &Args,
-    subject: Subject,
+    subject: Subjects,
     notation: Notation,
     output: &Output,
 ) -> Result<Exit, CliError> {
@@ -128,7 +123,7 @@ pub(super) fn by_ratio(
 /// Every place of one knot.
 pub(super) fn by_knot(
     args: &Args,
-    subject: Subject,
+    subject: Subjects,
     knot: usize,
     notation: Notation,
     output: &Output,
@@ -140,7 +135,7 @@ pub(super) fn by_knot(
 
 fn print(
     args: &Args,
-    subject: Subject,
+    subject: Subjects,
     (free_knot, notation): (Option<usize>, Notation),
     output: &Output,
     partition: impl Fn(&Basis, usize) -> Result<Partition, CliError>,
@@ -148,11 +143,11 @@ fn print(
     let mut functions = Vec::new();
     for case in &subject.cases {
         let basis = &case.basis;
-        let chosen = args.function.chosen(basis)?.map_or(0..=basis.n(), |i| i..=i);
+        let chosen = args.function.range(basis)?;
         let progress = Progress::new(chosen.clone().count());
         for i in chosen {
             progress.step(&format!("G_{i}"));
-            functions.push(Function::new(basis, i, (free_knot, notation), &partition(basis, i)?));
+            functions.push(FunctionPartition::new(basis, i, (free_knot, notation), &partition(basis, i)?));
         }
     }
     let Some(first) = subject.cases.first() else { unreachable!("an instance has an index") };
@@ -166,16 +161,14 @@ fn print(
     };
     output.result(&Partitions {
         schema: "knotproof.shape/1",
-        degree: first.basis.degree(),
-        knots: exact(first.basis.knots().knots()),
+        on: OnKnots::of(&first.basis, subject.label),
         free_knot,
         functions,
-        label: subject.label,
     })?;
     Ok(exit)
 }
 
-impl Function {
+impl FunctionPartition {
     fn new(
         basis: &Basis,
         index: usize,
@@ -183,7 +176,7 @@ impl Function {
         partition: &Partition,
     ) -> Self {
         let bounds = |range| if free_knot.is_some() { Bounds::Knot(range) } else { Bounds::Ratio(range) };
-        let cell = |cell: &PartitionCell| Cell {
+        let cell = |cell: &RatioCell| Cell {
             bounds: bounds([Some(Exact(cell.from.clone())), cell.to.clone().map(Exact)]),
             local_maxima: cell.local_maxima,
         };
@@ -229,11 +222,7 @@ const HEADING: Style = Style::new().bold();
 
 impl fmt::Display for Partitions {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some(label) = &self.label {
-            writeln!(f, "Instance {label}")?;
-        }
-        let knots: Vec<_> = self.knots.iter().map(ToString::to_string).collect();
-        writeln!(f, "Knots ({}), degree {}", knots.join(", "), self.degree)?;
+        writeln!(f, "{}", self.on)?;
         for function in &self.functions {
             write!(f, "\n{HEADING}G_{}", function.index)?;
             match (&function.alpha, self.free_knot) {
@@ -249,7 +238,7 @@ impl fmt::Display for Partitions {
 }
 
 /// The cells from left to right, each followed by its end.
-impl fmt::Display for Function {
+impl fmt::Display for FunctionPartition {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for cell in &self.cells {
             let (Bounds::Ratio([from, to]) | Bounds::Knot([from, to])) = &cell.bounds;

@@ -6,21 +6,18 @@ use anstyle::Style;
 
 use super::super::exact::Exact;
 use super::super::table::plain;
-use super::{Function, Shapes};
+use super::{FunctionRecord, Shapes};
 
 const HEADING: Style = Style::new().bold();
 
 impl fmt::Display for Shapes {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some(label) = &self.label {
-            writeln!(f, "Instance {label}")?;
-        }
-        writeln!(f, "Knots {}, degree {}", tuple(&self.knots), self.degree)?;
+        writeln!(f, "{}", self.on)?;
         self.functions.iter().try_for_each(|function| function.fmt(f))
     }
 }
 
-impl fmt::Display for Function {
+impl fmt::Display for FunctionRecord {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [from, to] = &self.support;
         writeln!(f, "\n{HEADING}G_{}, α = {}, on [{from}, {to}]{HEADING:#}", self.index, self.alpha)?;
@@ -57,9 +54,4 @@ impl fmt::Display for Function {
         }
         writeln!(f, "{}", slopes.trim_fmt())
     }
-}
-
-fn tuple(numbers: &[Exact]) -> String {
-    let numbers: Vec<_> = numbers.iter().map(ToString::to_string).collect();
-    format!("({})", numbers.join(", "))
 }

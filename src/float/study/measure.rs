@@ -4,8 +4,8 @@ use num_traits::{Signed, Zero};
 
 use super::super::point;
 use super::super::power::{exponent, power};
-use super::case::Case;
-use super::formula::Formula;
+use super::method::Method;
+use super::probe::Probe;
 use crate::scalar::{BigRational, exact_value, integer, ulp};
 
 /// An error in units in the last place. What is no number is worse than every number.
@@ -44,7 +44,7 @@ impl Errors {
     /// # Panics
     /// If the point of the case is not on its span, or that is none of its basis.
     #[must_use]
-    pub fn of(formula: Formula, case: &Case) -> Self {
+    pub fn of(formula: Method, case: &Probe) -> Self {
         let exact = Exact::of(case);
         exact.errors(&formula.values(case))
     }
@@ -62,7 +62,7 @@ impl Errors {
     }
 
     /// Is all of this within what is proved of the formula, where something is?
-    pub(super) fn keep(&self, formula: Formula, degree: usize) -> bool {
+    pub(super) fn keep(&self, formula: Method, degree: usize) -> bool {
         let Some(bound) = formula.bound(degree).and_then(exact_value).map(Ulps::Number) else { return true };
         let beside = exact_value(power(BESIDE)).is_some_and(|most| self.beside <= most);
         let signs = self.signs == 0 || !formula.keeps_signs();
@@ -88,7 +88,7 @@ const LEAST: i32 = -900;
 const BESIDE: i32 = -940;
 
 impl Exact {
-    pub(super) fn of(case: &Case) -> Self {
+    pub(super) fn of(case: &Probe) -> Self {
         let x = exact_value(case.x).unwrap_or_else(|| integer(0));
         let exact = case.basis.exact();
         // The knots in f64 are those of the exact basis, and so are the spans.
@@ -136,7 +136,7 @@ impl Exact {
 
 /// The largest error of a formula at a case in units in the last place, nearly: against values of about 100 bits; infinite
 /// where a result is no number. What the search for bad cases climbs by; nothing that is reported.
-pub(super) fn estimate(formula: Formula, case: &Case) -> f64 {
+pub(super) fn estimate(formula: Method, case: &Probe) -> f64 {
     let exact = point::unrounded(&case.basis, case.span, case.x);
     let existing = case.basis.existing(case.span);
     let floats = formula.values(case);

@@ -1,11 +1,11 @@
 //! The study: each way to compute in `f64` against exact arithmetic on the same floats, at random cases and at the
 //! worst that a search finds.
 
-mod case;
 mod climb;
-mod formula;
 mod hexadecimal;
 mod measure;
+mod method;
+mod probe;
 mod record;
 
 use num_traits::Zero;
@@ -13,15 +13,15 @@ use rayon::prelude::*;
 
 use super::basis::FloatBasis;
 use crate::scalar::BigRational;
-use case::Source;
 use climb::climb;
 use measure::Exact;
+use probe::Source;
 
-pub use case::Case;
-pub use formula::Formula;
 pub use hexadecimal::hexadecimal;
 pub use measure::{Errors, Ulps};
-pub use record::{CaseRecord, FormulaRecord, RangeRecord, WorstRecord};
+pub use method::Method;
+pub use probe::Probe;
+pub use record::{MethodRecord, ProbeRecord, RangeRecord, WorstRecord};
 
 /// How much of a study is done. The result depends on nothing else.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -36,7 +36,7 @@ pub struct Effort {
 
 /// What is measured.
 #[derive(Debug, Clone)]
-pub enum Field {
+pub enum Population {
     /// Random knots, α and x in one degree: 2k + 2 knots, x in the span in the middle. Gaps are 0 one time in eight (that of the
     /// span never) and otherwise m·2^e, with m even in [1, 2) and e in −10, …, 9; t_0 is the difference of two such
     /// numbers, and α is ∞ one time in eight and otherwise −s or 1 + s with s such a number; x is even in its span. The
@@ -45,7 +45,7 @@ pub enum Field {
     /// These bases: one of them evenly, a span of it evenly, and x evenly in the span. The search changes only x.
     Bases(Vec<FloatBasis<f64>>),
     /// These cases and nothing else.
-    Cases(Vec<Case>),
+    Cases(Vec<Probe>),
 }
 
 /// A largest value, and where.
@@ -54,7 +54,7 @@ pub struct Extreme {
     /// The value.
     pub error: Ulps,
     /// The case.
-    pub case: Case,
+    pub case: Probe,
     /// i of G_i^k.
     pub index: usize,
 }
@@ -63,7 +63,7 @@ pub struct Extreme {
 #[derive(Debug, Clone)]
 pub struct Figures {
     /// Which one.
-    pub formula: Formula,
+    pub formula: Method,
     /// How many cases were looked at: the random ones, and the steps of the search.
     pub tried: u64,
     /// The largest error in units in the last place that was found, over the random cases and the one that the search
@@ -86,26 +86,26 @@ pub struct Figures {
     pub left_out: usize,
     /// How many cases were measured: those that `worst` is the largest of.
     pub measured: usize,
-    /// To how many of them the proved bound does not apply ([`Formula::bound_applies`]); 0 where there is none.
+    /// To how many of them the proved bound does not apply ([`Method::bound_applies`]); 0 where there is none.
     pub outside: usize,
-    /// The proved bound of `worst`, where there is one ([`Formula::bound`]).
+    /// The proved bound of `worst`, where there is one ([`Method::bound`]).
     pub bound: Option<f64>,
     kept: bool,
 }
 
 /// Measures the formulas. A field without cases has no figures.
 #[must_use]
-pub fn study(field: &Field, formulas: &[Formula], effort: Effort) -> Vec<Figures> {
+pub fn study(field: &Population, formulas: &[Method], effort: Effort) -> Vec<Figures> {
     let draw = |stream: u64| {
         let mut source = Source::new(effort.seed, stream);
         match field {
-            Field::Degree(degree) => Some(source.case(*degree)),
-            Field::Bases(bases) => source.point(bases),
-            Field::Cases(_) => None,
+            Population::Degree(degree) => Some(source.case(*degree)),
+            Population::Bases(bases) => source.point(bases),
+            Population::Cases(_) => None,
         }
     };
-    let cases: Vec<Case> = match field {
-        Field::Cases(cases) => cases.clone(),
+    let cases: Vec<Probe> = match field {
+        Population::Cases(cases) => cases.clone(),
         _ => (0..effort.count.max(1)).filter_map(draw).collect(),
     };
     let measured: Vec<Vec<Errors>> = cases
@@ -116,14 +116,14 @@ pub fn study(field: &Field, formulas: &[Formula], effort: Effort) -> Vec<Figures
         })
         .collect();
     let figures = formulas.par_iter().enumerate().filter_map(|(f, &formula)| {
-        let errors: Vec<(&Case, &Errors)> = cases.iter().zip(measured.iter().map(|of| &of[f])).collect();
+        let errors: Vec<(&Probe, &Errors)> = cases.iter().zip(measured.iter().map(|of| &of[f])).collect();
         let mut figures = Figures::of(formula, &errors)?;
         let (start, _) = errors.iter().max_by(|a, b| a.1.worst().cmp(&b.1.worst()))?;
-        if !matches!(field, Field::Cases(_)) && effort.steps > 0 {
+        if !matches!(field, Population::Cases(_)) && effort.steps > 0 {
             figures.tried += effort.steps;
             // Streams from the end: no case is drawn from them.
             let mut source = Source::new(effort.seed, u64::MAX - u64::try_from(f).unwrap_or(0));
-            let fixed = matches!(field, Field::Bases(_));
+            let fixed = matches!(field, Population::Bases(_));
             let case = climb(formula, (*start).clone(), &mut source, effort.steps, fixed);
             figures.count(&case, &Errors::of(formula, &case));
         }
@@ -134,7 +134,7 @@ pub fn study(field: &Field, formulas: &[Formula], effort: Effort) -> Vec<Figures
 
 impl Figures {
     /// The figures of some cases; `None` if there are none.
-    fn of(formula: Formula, cases: &[(&Case, &Errors)]) -> Option<Self> {
+    fn of(formula: Method, cases: &[(&Probe, &Errors)]) -> Option<Self> {
         let degree = cases.first()?.0.basis.degree();
         let none = || Ulps::Number(BigRational::zero());
         let largest = |errors: &Errors| errors.worst().map_or_else(none, |(error, _)| error.clone());
@@ -162,7 +162,7 @@ impl Figures {
     }
 
     /// One more case.
-    fn count(&mut self, case: &Case, errors: &Errors) {
+    fn count(&mut self, case: &Probe, errors: &Errors) {
         self.signs += errors.signs;
         self.not_finite += errors.not_finite();
         self.left_out += errors.left_out;

@@ -4,19 +4,19 @@ use num_rational::BigRational;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::case::Case;
 use super::hexadecimal::hexadecimal;
+use super::probe::Probe;
 use super::{Extreme, Figures, Ulps};
 use crate::scalar::{decimal, exact_value};
 
 /// The digits of an error as text: exactly, it is a fraction of hundreds of digits.
 const DIGITS: usize = 6;
-/// Where the bound of the triangle is proved ([`Formula::bound_applies`](super::Formula::bound_applies)).
+/// Where the bound of the triangle is proved ([`Method::bound_applies`](super::Method::bound_applies)).
 const RANGE: &str = "every r(x − a) + (b − x) is between 2^-100 and 2^100";
 
 /// What one formula does wrong. Errors are decimals of six digits.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-pub struct FormulaRecord {
+pub struct MethodRecord {
     /// The formula.
     #[schemars(extend("enum" = ["paper", "ratio", "triangle", "fast", "accurate"]))]
     pub name: &'static str,
@@ -66,11 +66,11 @@ pub struct RangeRecord {
 pub struct WorstRecord {
     /// In exact numbers.
     #[serde(flatten)]
-    pub exact: CaseRecord,
+    pub exact: ProbeRecord,
     /// i of G_i^k.
     pub index: usize,
     /// In hexadecimal floats.
-    pub float: CaseRecord,
+    pub float: ProbeRecord,
     /// Measures it again.
     pub reproduce: String,
     /// Prints the exact values.
@@ -79,7 +79,7 @@ pub struct WorstRecord {
 
 /// A case, number by number.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
-pub struct CaseRecord {
+pub struct ProbeRecord {
     /// x.
     pub x: String,
     /// α.
@@ -88,7 +88,7 @@ pub struct CaseRecord {
     pub knots: Vec<String>,
 }
 
-impl FormulaRecord {
+impl MethodRecord {
     /// What is proved, for readers: the bound rounded up, or where it holds and is not known to hold here.
     #[must_use]
     pub fn proved(&self) -> String {
@@ -103,7 +103,7 @@ impl FormulaRecord {
     }
 }
 
-impl From<&Figures> for FormulaRecord {
+impl From<&Figures> for MethodRecord {
     fn from(figures: &Figures) -> Self {
         let text = |error: &BigRational| decimal(error, DIGITS);
         let ulps = |error: &Ulps| match error {
@@ -139,12 +139,12 @@ impl From<&Figures> for FormulaRecord {
 impl From<&Extreme> for WorstRecord {
     fn from(worst: &Extreme) -> Self {
         let exact = |value| exact_value(value).map_or_else(|| "inf".to_owned(), |value| value.to_string());
-        let float = CaseRecord::of(&worst.case, hexadecimal);
+        let float = ProbeRecord::of(&worst.case, hexadecimal);
         let (degree, knots) = (worst.case.basis.degree(), float.knots.join(" "));
         let (alpha, x) = (&float.alpha, &float.x);
         let arguments = format!("--degree {degree} --knots \"{knots}\" --alpha {alpha} --x {x}");
         Self {
-            exact: CaseRecord::of(&worst.case, exact),
+            exact: ProbeRecord::of(&worst.case, exact),
             index: worst.index,
             reproduce: format!("knotproof float {arguments}"),
             eval: format!("knotproof eval {arguments}"),
@@ -153,8 +153,8 @@ impl From<&Extreme> for WorstRecord {
     }
 }
 
-impl CaseRecord {
-    fn of(case: &Case, text: impl Fn(f64) -> String) -> Self {
+impl ProbeRecord {
+    fn of(case: &Probe, text: impl Fn(f64) -> String) -> Self {
         let knots = case.basis.knots().iter().map(|t| text(*t)).collect();
         Self { x: text(case.x), alpha: text(case.basis.alpha()), knots }
     }

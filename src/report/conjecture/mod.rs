@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 
 use rayon::prelude::*;
 
-use crate::analysis::{Partition, PartitionCell, PartitionEnd, settled};
+use crate::analysis::{Partition, PartitionEnd, RatioCell, settled};
 use crate::claims::Witness;
 use crate::scalar::{BigRational, decimal, integer, parse_rational, rational};
 use crate::spline::{Basis, Index, KnotVector};
@@ -253,7 +253,7 @@ fn numbers(list: impl Iterator<Item = Option<usize>>) -> String {
 }
 
 /// A cell by its ends, which are no rational numbers as a rule.
-fn interval(partition: &Partition, cell: &PartitionCell) -> String {
+fn interval(partition: &Partition, cell: &RatioCell) -> String {
     const DIGITS: usize = 6;
     let end = |at: &dyn Fn(&PartitionEnd) -> bool| {
         let end = partition.ends().iter().find(|end| at(end));
@@ -265,7 +265,7 @@ fn interval(partition: &Partition, cell: &PartitionCell) -> String {
     format!("({from}, {})", to.unwrap_or_else(bound))
 }
 
-fn drawn(cell: &PartitionCell) -> Option<Cell> {
+fn drawn(cell: &RatioCell) -> Option<Cell> {
     let to: Option<BigRational> = cell.to.clone();
     Some((cell.from.clone(), to, cell.local_maxima?))
 }

@@ -2,7 +2,7 @@
 
 use num_traits::One;
 
-use crate::analysis::{Pieces, Place, Shape};
+use crate::analysis::{Location, Pieces, Shape};
 use crate::scalar::{BigRational, decimal, integer, rational};
 use crate::spline::{Basis, Index, KnotVector, Side};
 
@@ -54,7 +54,7 @@ pub(super) fn example() -> Option<Example> {
     shape.refine_to(&rational(1, 1 << 60));
     let maxima: Vec<_> = shape.local_maxima().collect();
     let minimum = shape.local_minima().find_map(|minimum| match &minimum.place {
-        Place::Point(at) => Some((at.clone(), minimum.value.0.clone())),
+        Location::Point(at) => Some((at.clone(), minimum.value.0.clone())),
         _ => None,
     })?;
     let [left, right] = maxima.as_slice() else { return None };

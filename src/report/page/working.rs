@@ -2,7 +2,7 @@
 
 use num_traits::{One, Signed, Zero};
 
-use crate::analysis::{Pieces, Place, Shape};
+use crate::analysis::{Location, Pieces, Shape};
 use crate::claims::Witness;
 use crate::scalar::{BigRational, Jet, parse_rational};
 use crate::spline::{Active, Basis, Index, KnotVector, PointWeights, Side, Span, Weights, triangle, weight};
@@ -107,7 +107,7 @@ fn of_basis(witness: &Witness, setting: &Setting) -> Vec<Working> {
     // Where the function turns from falling to rising, or jumps: there the count of maxima is decided.
     let shape = Shape::of(&Pieces::of(basis), i);
     let minima = shape.local_minima().filter_map(|minimum| match &minimum.place {
-        Place::Point(x) => Some(x.clone()),
+        Location::Point(x) => Some(x.clone()),
         _ => None,
     });
     let places: Vec<_> = minima.chain(shape.jumps().iter().map(|jump| jump.at.clone())).take(2).collect();

@@ -1,0 +1,218 @@
+//! Floor 5: a sentence on instances in order of size. The first failure is the smallest witness; a sentence that fails nowhere
+//! and holds somewhere is proved at scope `instance` on those, every decision being about every x.
+
+mod cases;
+mod instantiated;
+mod verdict;
+mod witness;
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use rayon::prelude::*;
+
+use crate::language::Sentence;
+use crate::meaning::{Decided, Names, decide};
+
+pub use cases::{Case, Cases};
+pub use verdict::{Origin, Reach, Scope, Verdict};
+pub use witness::{Bind, Bound, Count, Looked, Shows, Term, Witness};
+
+/// A bug of this program, found by computing the same thing in two ways. No verdict is given.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("two computations disagree, so this program has a bug: {0}")]
+pub struct Fault(pub String);
+
+/// What a sentence comes to on one case.
+#[derive(Debug, Clone)]
+pub enum Outcome {
+    /// It is true, by so many decisions.
+    Holds(usize),
+    /// It says nothing there.
+    Nothing,
+    /// It is false.
+    Refuted(Box<Witness>),
+    /// A limit was hit.
+    Undecided(String),
+}
+
+/// Judges one case.
+///
+/// # Errors
+/// [`Fault`], if two computations disagree.
+pub fn judge_case(sentence: &Sentence, names: Names<'_>, case: &Case) -> Result<Outcome, Fault> {
+    let decided = decide(sentence, &case.on, names);
+    if let Some(fault) = case.on.fault() {
+        return Err(Fault(fault.to_owned()));
+    }
+    Ok(match decided {
+        Decided { failure: Some(failure), .. } => {
+            Outcome::Refuted(Box::new(Witness::of(sentence, names, &case.on, failure)?))
+        }
+        Decided { unknown: Some(why), .. } => Outcome::Undecided(why),
+        Decided { facts: 0, .. } => Outcome::Nothing,
+        // What was tried is not proved.
+        Decided { tried: true, facts, .. } => {
+            Outcome::Undecided(format!("no counterexample among {facts} tries of control values"))
+        }
+        Decided { facts, .. } => Outcome::Holds(facts),
+    })
+}
+
+/// Judges a sentence on cases that are sorted by size: see the head of this module.
+///
+/// # Errors
+/// [`Fault`], if two computations disagree.
+pub fn judge(sentence: &Sentence, names: Names<'_>, cases: &[Arc<Case>]) -> Result<Verdict, Fault> {
+    let cases: Vec<_> = cases.iter().collect();
+    Ok(summarise(&outcomes(sentence, names, &cases)?, &cases))
+}
+
+/// The same, and also for the cases of each degree by themselves, by rising degree.
+///
+/// # Errors
+/// [`Fault`], if two computations disagree.
+pub fn judge_by_degree(
+    sentence: &Sentence,
+    names: Names<'_>,
+    cases: &[Arc<Case>],
+) -> Result<(Verdict, Vec<(usize, Verdict)>), Fault> {
+    let mut by_degree: BTreeMap<Option<usize>, Vec<&Arc<Case>>> = BTreeMap::new();
+    for case in cases {
+        by_degree.entry(case.on.degree()).or_default().push(case);
+    }
+    let (mut decided, mut of, mut verdicts) = (Vec::new(), Vec::new(), Vec::new());
+    for (degree, cases) in by_degree {
+        let outcomes = outcomes(sentence, names, &cases)?;
+        verdicts.extend(degree.map(|degree| (degree, summarise(&outcomes, &cases))));
+        decided.extend(outcomes);
+        of.extend(cases);
+    }
+    Ok((summarise(&decided, &of), verdicts))
+}
+
+/// Decides the cases in parallel; once a refutation is found, larger cases are passed over.
+fn outcomes(sentence: &Sentence, names: Names<'_>, cases: &[&Arc<Case>]) -> Result<Vec<Outcome>, Fault> {
+    let first = AtomicUsize::new(usize::MAX);
+    let decide = |(place, case): (usize, &&Arc<Case>)| {
+        if place > first.load(Ordering::Relaxed) {
+            return Ok(Outcome::Nothing);
+        }
+        let outcome = judge_case(sentence, names, case)?;
+        if matches!(outcome, Outcome::Refuted(_)) {
+            first.fetch_min(place, Ordering::Relaxed);
+        }
+        Ok(outcome)
+    };
+    cases.par_iter().enumerate().map(decide).collect()
+}
+
+/// From the outcomes, in the order of the cases, to a verdict.
+fn summarise(outcomes: &[Outcome], cases: &[&Arc<Case>]) -> Verdict {
+    let (mut reach, mut degrees, mut undecided) = (Reach::default(), BTreeSet::new(), None);
+    for (outcome, case) in outcomes.iter().zip(cases) {
+        match outcome {
+            Outcome::Refuted(witness) => return Verdict::Refuted(witness.clone()),
+            Outcome::Undecided(limit) => _ = undecided.get_or_insert(limit),
+            Outcome::Nothing => {}
+            Outcome::Holds(facts) => {
+                reach.facts += facts;
+                match case.origin {
+                    Origin::Small => reach.small_cases += 1,
+                    Origin::Paper | Origin::User => reach.instances += 1,
+                }
+                degrees.extend(case.on.degree());
+            }
+        }
+    }
+    reach.degrees = degrees.into_iter().collect();
+    match undecided {
+        Some(limit) => Verdict::Undecided(limit.clone()),
+        None if reach.facts > 0 => Verdict::Proved { scope: Scope::Instance, reach },
+        None => Verdict::NotApplicable("the hypotheses hold in no case, or there is nothing to check".into()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::language::one_line;
+
+    fn judged(text: &str) -> Verdict {
+        let sentence = one_line(text).unwrap_or_else(|complaint| panic!("{text}: {complaint:?}"));
+        let cases = Cases::new([]).up_to(1);
+        judge(&sentence, Names::empty(), &cases.of(&sentence)).unwrap()
+    }
+
+    fn given(text: &str) -> String {
+        let Verdict::Refuted(witness) = judged(text) else { panic!("{text} is {:?}", judged(text)) };
+        let given: Vec<_> =
+            witness.given().into_iter().map(|(name, value)| format!("{name} = {value}")).collect();
+        given.join(", ")
+    }
+
+    #[test]
+    fn true_sentences_are_proved_for_every_x() {
+        for text in [
+            "k; U; i in 0..n; x in (t[i], t[i+k+1]) : G[i](x) > 0",
+            "k; U; j in k..n; x in [t[j], t[j+1]) : sum(i in 0..n: G[i](x)) = sum(i in j-k..j: G[i](x)) = 1",
+            "k; U symmetric; i in 0..n; x in [t[0], t[m]] | mult(x) = 0 or x = t[0] or x = t[m] : G[i](t[0]+t[m]-x) = G[n-i](x; alpha = 1-alpha)",
+            "a; b; x : 0 <= phi(x, a, b) < 1",
+            "a; b; s > 0; c; x : phi(s*x+c, s*a+c, s*b+c) = phi(x, a, b)",
+            "a; b; x in [a, b] | a < b : abs(f(x, a, b) - (x-a)/(b-a)) <= abs(r - 1)",
+            "a; b; x in (a, b) | a < b : abs(phi(x, a, b) - phi(x, a, b; alpha = infinity)) <= abs(sqrt(r) - 1)/(sqrt(r) + 1)",
+            "a; b | a < b; alpha != infinity : one(x in (a, b): abs(phi(x, a, b) - phi(x, a, b; alpha = infinity)) = abs(sqrt(r) - 1)/(sqrt(r) + 1))",
+            "k; U open; d points; x in [t[0], t[m]] : sum(i in 0..n: d[i]*G[i](x)) = sum(i in 0..n: d[n-i]*G[n-i](x))",
+            "k = 1; U clamped : G'[0](t[0]) = -r/(t[2]-t[0])",
+        ] {
+            assert!(matches!(judged(text), Verdict::Proved { .. }), "{text} is {:?}", judged(text));
+        }
+    }
+
+    #[test]
+    fn false_sentences_have_the_smallest_witness() {
+        for (text, witness) in [
+            (
+                "k; U; j in 0..m-1; x in [t[j], t[j+1]) : sum(i in 0..n: G[i](x)) = sum(i in j-k..j: G[i](x)) = 1",
+                "k = 1, U = (0, 0, 1, 2), α = -1, j = 2, x = 3/2",
+            ),
+            (
+                "k; U; i in 0..n; x | not x in (t[i], t[i+k+1]) : G[i](x) = 0",
+                "k = 1, U = (0, 0, 1, 1), α = -1, i = 0, x = 0",
+            ),
+            (
+                "k; U symmetric; i in 0..n; x in [t[0], t[m]] : G[i](t[0]+t[m]-x) = G[n-i](x; alpha = 1-alpha)",
+                "k = 1, U = (0, 0, 1, 1, 2, 2), α = -1, i = 1, x = 1",
+            ),
+            (
+                "k; U; i in 0..n | continuous(G[i]) : maxima(G[i]) = 1",
+                "k = 1, U = (0, 0, 0, 1, 1), α = -1, i = 0",
+            ),
+            // False at √2/2 only.
+            ("k; U; x in (0, 1) : 2*x^2 != 1", ""),
+            ("k; U open; d points; x in [t[0], t[m]] : sum(i in 0..n: d[i]*G[i](x)) >= 0", ""),
+        ] {
+            let found = given(text);
+            assert!(found == witness || witness.is_empty(), "{text}: {found}");
+        }
+    }
+
+    #[test]
+    fn what_does_not_exist_refutes_if_no_value_does() {
+        let Verdict::Refuted(witness) = judged("k; U; i in 0..n : t[i+k+2] >= t[i]") else {
+            panic!("t[m+1]")
+        };
+        assert!(matches!(witness.shows, Shows::Undefined(_)));
+        let vacuous = judged("k; U; i in 0..n | k > 5 : G[i](t[0]) = 2");
+        assert!(matches!(vacuous, Verdict::NotApplicable(_)), "{vacuous:?}");
+    }
+
+    #[test]
+    fn tried_control_values_prove_nothing() {
+        let verdict = judged(
+            "k; U open; d points; x in [t[0], t[m]] | mult(t[0]) = k+1; mult(t[m]) = k+1 : sum(i in 0..n: d[i]*G[i](x)) <= max(i in 0..n: d[i])",
+        );
+        assert!(matches!(verdict, Verdict::Undecided(_)), "{verdict:?}");
+    }
+}

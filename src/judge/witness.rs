@@ -1,0 +1,365 @@
+//! A counterexample as plain data: nothing reads its text again.
+
+use std::fmt;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::analysis::{Algebraic, settled};
+use crate::language::{Formula, Int, Name, Over, Real, Sentence, text};
+use crate::meaning::{Failure, Focus, Given, Instance, Look, Names, Plain, Reading, Truth, Value};
+use crate::scalar::BigRational;
+use crate::spline::{Basis, Side};
+
+use super::Fault;
+use super::instantiated::{formula, real, words};
+
+/// An exact counterexample that a reader can check by hand.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Witness {
+    /// The paper's name of the instance.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub instance: Option<String>,
+    /// k, where the sentence is about a basis.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub k: Option<usize>,
+    /// U; none where the sentence is about weights.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub knots: Vec<String>,
+    /// α, or `inf`.
+    pub alpha: String,
+    /// What is bound, in reading order: by `for`, then by `all` inside of the conclusion.
+    pub given: Vec<Bound>,
+    /// The conclusion that fails, by its place; without it a hypothesis is not defined.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub conclusion: Option<usize>,
+    /// What the sentence says there, with numbers in the place of names.
+    pub claimed: String,
+    /// What is so.
+    pub shows: Shows,
+    /// The values of basis functions that this rests on.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub looked: Vec<Looked>,
+    /// The words of the part that fails.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub words: Vec<String>,
+}
+
+/// A name and what it is.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Bound {
+    /// The name.
+    pub name: String,
+    /// Its value.
+    pub value: Bind,
+}
+
+/// The value of a name.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum Bind {
+    /// An integer.
+    Integer(i64),
+    /// An exact number.
+    Number(String),
+    /// An irrational number between two rational ones.
+    Between {
+        /// The lower one.
+        lo: String,
+        /// The higher one.
+        hi: String,
+    },
+    /// An index.
+    Index {
+        /// α, or `inf`.
+        alpha: String,
+    },
+    /// Control values.
+    List(Vec<String>),
+}
+
+/// What is so at a witness.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Shows {
+    /// The sides of the relation that fails.
+    Values(Vec<Term>),
+    /// Counts.
+    Counts(Vec<Count>),
+    /// What does not exist.
+    Undefined(String),
+    /// The formula is false, and has no sides.
+    Fails,
+}
+
+/// A side of a relation.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Term {
+    /// The term, with numbers in the place of names.
+    pub term: String,
+    /// Its exact value, or its first digits; none, if it does not exist.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub value: Option<String>,
+    /// Are these its first digits only?
+    #[serde(skip_serializing_if = "std::ops::Not::not", default)]
+    pub rounded: bool,
+}
+
+/// What is counted.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Count {
+    /// Of what.
+    pub what: String,
+    /// How many.
+    pub count: i64,
+}
+
+/// A value of a basis function that was looked at.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Looked {
+    /// i.
+    pub i: usize,
+    /// d.
+    pub degree: usize,
+    /// The order of the derivative.
+    pub order: usize,
+    /// x.
+    pub x: String,
+    /// Was the limit from the left taken?
+    pub left: bool,
+    /// α, or `inf`.
+    pub alpha: String,
+}
+
+impl From<Look> for Looked {
+    fn from(Look { i, degree, order, x, side, index }: Look) -> Self {
+        Self { i, degree, order, x: x.to_string(), left: side == Side::Left, alpha: index.to_string() }
+    }
+}
+
+impl Witness {
+    /// From a failure, replayed by the definition.
+    ///
+    /// # Errors
+    /// [`Fault`], if the definition does not show it.
+    pub(super) fn of(
+        sentence: &Sentence,
+        names: Names<'_>,
+        on: &Instance,
+        failure: Failure,
+    ) -> Result<Self, Fault> {
+        let own_knots = failure.knots.as_ref().zip(on.degree());
+        let basis = own_knots.and_then(|(knots, k)| Basis::new(knots.clone(), k, on.index.clone()).ok());
+        let own = basis.map(Instance::of);
+        let on = own.as_ref().unwrap_or(on);
+        let reference = on.by_definition();
+        let mut reading = Reading::with(&reference, names, &failure.given);
+        let mut given = failure.given;
+        let (mut claimed, mut kinds) = ("what is assumed is defined".to_owned(), Vec::new());
+        let mut shows = failure.undefined.map_or(Shows::Fails, Shows::Undefined);
+        if let Some(at) = failure.conclusion {
+            let conclusion = &sentence.then[at];
+            if shows == Shows::Fails {
+                if reading.truth(conclusion) != Truth::False {
+                    let (basis, index) = (&on.basis, &on.index);
+                    return Err(Fault(format!(
+                        "{} fails on {basis:?}, α = {index}, {given:?}, but not by the definition",
+                        text(conclusion)
+                    )));
+                }
+                let part = failing(&mut reading, conclusion, &mut given);
+                reading.looked = Some(Vec::new());
+                _ = reading.truth(&part);
+                shows = sides(&mut reading, &part);
+                claimed = text(&formula(&mut reading, &part));
+                kinds = words(&part);
+            } else {
+                claimed = text(&formula(&mut reading, conclusion));
+            }
+        }
+        let bound = |(name, given): (Name, Given)| Bound { name: name.to_string(), value: given.into() };
+        Ok(Self {
+            instance: on.name.as_ref().map(ToString::to_string),
+            k: on.degree(),
+            knots: on.knots().into_iter().flat_map(|knots| knots.knots()).map(ToString::to_string).collect(),
+            alpha: on.index.to_string(),
+            given: given.into_iter().map(bound).collect(),
+            conclusion: failure.conclusion,
+            claimed,
+            shows,
+            looked: reading.looked.take().unwrap_or_default().into_iter().map(Looked::from).collect(),
+            words: kinds,
+        })
+    }
+
+    /// Names and exact values in reading order: `k`, `U`, `α`, `i`, `x`.
+    #[must_use]
+    pub fn given(&self) -> Vec<(String, String)> {
+        let named = |name: &str, value: String| (name.to_owned(), value);
+        let mut all: Vec<_> = self.instance.iter().map(|name| named("instance", name.clone())).collect();
+        all.extend(self.k.map(|k| named("k", k.to_string())));
+        if !self.knots.is_empty() {
+            all.push(named("U", format!("({})", self.knots.join(", "))));
+        }
+        all.push(named("α", self.alpha.clone()));
+        let greek = |name: &str| if name == "beta" { "β".to_owned() } else { name.to_owned() };
+        all.extend(self.given.iter().map(|bound| (greek(&bound.name), bound.value.to_string())));
+        all
+    }
+
+    /// What is so, in words.
+    #[must_use]
+    pub fn found(&self) -> String {
+        let list = |all: Vec<String>| all.join(", ");
+        match &self.shows {
+            Shows::Undefined(what) => what.clone(),
+            Shows::Fails => "it is not so".into(),
+            Shows::Counts(counts) => {
+                list(counts.iter().map(|Count { what, count }| format!("{what} = {count}")).collect())
+            }
+            Shows::Values(terms) => {
+                let told = terms.iter().filter(|term| term.value.as_ref() != Some(&term.term));
+                list(told.map(ToString::to_string).collect())
+            }
+        }
+    }
+
+    /// The shortest command that shows it: `shape` where it is about maxima, `eval` where it is about values at one place;
+    /// elsewhere the claim is judged on the witness's knots, or with all its cases.
+    #[must_use]
+    pub fn again(&self, claim: &str) -> String {
+        const SHAPES: [&str; 4] = ["maxima", "minima", "maximisers", "tied"];
+        let basis =
+            self.k.map(|k| format!("--degree {k} --knots {} --alpha {}", self.knots.join(","), self.alpha));
+        let i = self.given.iter().find(|bound| bound.name == "i").map(|bound| &bound.value);
+        let one = |read: fn(&Looked) -> &str| {
+            let (first, rest) = self.looked.split_first()?;
+            rest.iter().all(|look| read(look) == read(first)).then(|| read(first))
+        };
+        let place = one(|look| &look.x).filter(|_| one(|look| &look.alpha) == Some(&self.alpha));
+        match (basis, i, place) {
+            (Some(basis), Some(Bind::Integer(i)), _)
+                if self.words.iter().any(|word| SHAPES.contains(&&**word)) =>
+            {
+                format!("knotproof shape {basis} --index {i}")
+            }
+            (Some(basis), _, Some(x)) => {
+                let order = self.looked.iter().map(|look| look.order).max().unwrap_or(0);
+                let derivatives = if order > 0 { format!(" --derivatives {order}") } else { String::new() };
+                let side = if self.looked.iter().all(|look| look.left) { " --side left" } else { "" };
+                format!("knotproof eval {basis} --x {x}{derivatives}{side}")
+            }
+            (Some(basis), ..) if self.instance.is_none() => {
+                format!("knotproof check {basis} --property {claim}")
+            }
+            _ => format!("knotproof report --claim {claim}"),
+        }
+    }
+}
+
+/// `k = 1, U = (0, 0, 1, 1), …: the claim says …, but …`
+impl fmt::Display for Witness {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let given: Vec<_> = self.given().iter().map(|(name, value)| format!("{name} = {value}")).collect();
+        write!(f, "{}: the claim says {}, but {}", given.join(", "), self.claimed, self.found())
+    }
+}
+
+impl fmt::Display for Term {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { term, value, rounded } = self;
+        match value {
+            Some(value) => write!(f, "{term} {} {value}", if *rounded { "≈" } else { "=" }),
+            None => write!(f, "{term} does not exist"),
+        }
+    }
+}
+
+impl fmt::Display for Bind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Integer(i) => write!(f, "{i}"),
+            Self::Number(text) | Self::Index { alpha: text } => f.write_str(text),
+            Self::Between { lo, hi } => write!(f, "an irrational number in ({lo}, {hi})"),
+            Self::List(all) => write!(f, "({})", all.join(", ")),
+        }
+    }
+}
+
+impl From<Given> for Bind {
+    fn from(given: Given) -> Self {
+        match given {
+            Given::Integer(i) => Self::Integer(i),
+            Given::Real(x) => Self::Number(x.to_string()),
+            Given::Index(index) => Self::Index { alpha: index.to_string() },
+            Given::Points(points) => Self::List(points.iter().map(ToString::to_string).collect()),
+            Given::Root(cell, root) => {
+                let (lo, hi) = root.interval();
+                let x = |u: BigRational| {
+                    cell.coordinate().evaluate(&u).map_or_else(String::new, |x| x.to_string())
+                };
+                Self::Between { lo: x(lo), hi: x(hi) }
+            }
+        }
+    }
+}
+
+/// The smallest part of a false formula that is false: of a conjunction the first, of `all` the first integer, which is bound.
+fn failing(own: &mut Reading<'_>, f: &Formula, given: &mut Vec<(Name, Given)>) -> Formula {
+    match f {
+        Formula::And(all) => match all.iter().find(|f| own.truth(f) == Truth::False) {
+            Some(part) => failing(own, part, given),
+            None => f.clone(),
+        },
+        Formula::Implies(_, then) => failing(own, then, given),
+        Formula::All(Over::Integers(range), body) => {
+            let ends = own.int(&range.from).and_then(|from| Ok((from, own.int(&range.to)?)));
+            for i in ends.map_or(1..=0, |(from, to)| from..=to) {
+                own.bound.integers.push((range.name.clone(), i));
+                if own.truth(body) == Truth::False {
+                    given.push((range.name.clone(), Given::Integer(i)));
+                    return failing(own, body, given);
+                }
+                own.bound.integers.pop();
+            }
+            f.clone()
+        }
+        _ => f.clone(),
+    }
+}
+
+fn sides(own: &mut Reading<'_>, f: &Formula) -> Shows {
+    let terms: Vec<&Real> = match f {
+        Formula::Chain(first, rest) => std::iter::once(first).chain(rest.iter().map(|(_, t)| t)).collect(),
+        Formula::Within(x, _) => vec![x],
+        _ => return Shows::Fails,
+    };
+    if terms.iter().any(|t| matches!(t, Real::Whole(Int::Word(_)))) {
+        let words = terms.into_iter().filter_map(|t| match t {
+            Real::Whole(i @ Int::Word(_)) => {
+                own.int(i).ok().map(|count| Count { what: text(&real(own, t)), count })
+            }
+            _ => None,
+        });
+        return Shows::Counts(words.collect());
+    }
+    let side = |term: &Real| {
+        let value = own.real(term).ok().and_then(|value| digits(own, &value));
+        let (value, rounded) = value.map_or((None, false), |(value, rounded)| (Some(value), rounded));
+        Term { term: text(&real(own, term)), value, rounded }
+    };
+    Shows::Values(terms.into_iter().map(side).collect())
+}
+
+/// A value in exact terms, or its first digits at an irrational place.
+fn digits(own: &Reading<'_>, value: &Value) -> Option<(String, bool)> {
+    /// As many as a reader can look at.
+    const DIGITS: usize = 12;
+    match (value, own.frame.as_ref().map(|frame| &frame.focus)) {
+        (Value { plain: Plain::Piece(piece), root: None }, Some(Focus::At(root))) => {
+            Some((settled(&mut Algebraic::at(piece.clone(), root.clone()), DIGITS), true))
+        }
+        (Value { plain: Plain::Piece(_), .. }, _) => None,
+        _ => Some((value.to_string(), false)),
+    }
+}

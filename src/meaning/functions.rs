@@ -1,0 +1,334 @@
+//! What functions are at an argument: a number, or a function of the coordinate of the cell.
+
+use crate::analysis::{Piece, Sign, constant};
+use crate::language::{Argument, Definition, Function, Int, Name, Pattern, Side};
+use crate::scalar::{BigRational, Polynomial, RationalAlgebra, RationalFunction, Ring, integer};
+use crate::spline;
+
+use super::cell::Cell;
+use super::reading::{Look, Reading, place};
+use super::truth::Stop;
+use super::value::{Plain, Value};
+
+/// Where an argument lies among the knots.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) enum Where {
+    /// Before t_0 or after t_m.
+    Outside,
+    /// At a knot.
+    Knot(BigRational),
+    /// Inside a span.
+    Span(usize),
+}
+
+/// A recursion of definitions that falls on no literal.
+const DEEPEST: usize = 60;
+
+impl Reading<'_> {
+    pub(super) fn apply(&mut self, f: &Function, argument: &Argument) -> Result<Value, Stop> {
+        let x = self.real(&argument.at)?;
+        let (base, order) = self.base_of(f)?;
+        match &argument.member {
+            None => self.function(base, order, &x, argument.side),
+            Some(member) => {
+                let index = self.member(member)?;
+                self.with_index(index, |own| own.function(base, order, &x, argument.side))
+            }
+        }
+    }
+
+    /// The function that derivatives are taken of, and their order.
+    pub(super) fn base_of<'f>(&mut self, mut f: &'f Function) -> Result<(&'f Function, usize), Stop> {
+        let mut order = 0;
+        while let Function::Derivative(inner, more) = f {
+            let more = self.int(more)?;
+            order += usize::try_from(more)
+                .map_err(|_| Stop::Undefined(format!("a derivative of order {more}")))?;
+            f = inner;
+        }
+        Ok((f, order))
+    }
+
+    /// The derivative of an order of a function at an argument.
+    pub(super) fn function(
+        &mut self,
+        f: &Function,
+        order: usize,
+        x: &Value,
+        side: Option<Side>,
+    ) -> Result<Value, Stop> {
+        if let Some(x) = x.number() {
+            return self.at_number(f, order, &x.clone(), side);
+        }
+        if order == 0 {
+            return self.along(f, x);
+        }
+        let (Plain::Piece(argument), None) = (&x.plain, &x.root) else {
+            return Err(Stop::Unknown("a derivative at an irrational number".into()));
+        };
+        if let (Function::Basis { i, degree }, Some(frame)) = (f, &self.frame)
+            && let (Some(j), true) = (frame.span, frame.coordinate == *argument)
+        {
+            let id = self.existing(i, degree.as_ref())?;
+            let piece = self.on.piece(&self.index, id, j, order);
+            return Ok(piece.map_or_else(|| 0.into(), Value::from));
+        }
+        let value = self.along(f, x)?;
+        let (Value { plain, root: None }, slope) = (value, argument.derivative()) else {
+            return Err(Stop::Unknown("a derivative of a square root".into()));
+        };
+        let derivative = |f: Piece| f.derivative().over(&slope);
+        let piece = (0..order).try_fold(plain.piece(), |f, _| derivative(f));
+        piece.map(Value::from).ok_or_else(|| Stop::Unknown("a derivative at a constant argument".into()))
+    }
+
+    /// (i, d) of a G_i^d that exists.
+    pub(super) fn existing(&mut self, i: &Int, degree: Option<&Int>) -> Result<(usize, usize), Stop> {
+        let (k, m, i) = (self.degree()?, self.knots()?.m(), self.int(i)?);
+        let d = degree.map_or(Ok(None), |d| self.int(d).map(Some))?;
+        let missing = || match d {
+            Some(d) => format!("G[{i},{d}] does not exist"),
+            None => format!("G[{i}] does not exist"),
+        };
+        let d = d.map_or(Ok(k), |d| place(d, k + 1, missing))?;
+        Ok((place(i, m - d, missing)?, d))
+    }
+
+    fn at_number(
+        &mut self,
+        f: &Function,
+        order: usize,
+        x: &BigRational,
+        side: Option<Side>,
+    ) -> Result<Value, Stop> {
+        match (f, order, side) {
+            (Function::Basis { i, degree }, ..) => {
+                let (i, degree) = self.existing(i, degree.as_ref())?;
+                let (side, index) = (of(side), self.index.clone());
+                let value = self.on.value(&index, (i, degree), x, side, order);
+                let look = Look { i, degree, order, x: x.clone(), side, index };
+                if let Some(looked) = self.looked.as_mut().filter(|looked| !looked.contains(&look)) {
+                    looked.push(look);
+                }
+                Ok(value.into())
+            }
+            (Function::Weight { i, degree }, 0, _) => {
+                let span = self.knots()?.span_at(x, of(side)).map(spline::Span::index);
+                self.weight(i, degree, &x.clone().into(), span)
+            }
+            (Function::Phi { cut: false, .. } | Function::Defined(..), 0, None) => {
+                self.along(f, &x.clone().into())
+            }
+            (Function::Phi { cut: true, from, to }, 0, _) => {
+                let (from, to) = (self.real(from)?, self.real(to)?);
+                self.phi(&x.clone().into(), &from, &to, side)
+            }
+            _ => self.limit(f, order, x, side),
+        }
+    }
+
+    /// The limit of a derivative at x: that of its piece on a cell beside it.
+    fn limit(
+        &mut self,
+        f: &Function,
+        order: usize,
+        x: &BigRational,
+        side: Option<Side>,
+    ) -> Result<Value, Stop> {
+        /// Halvings of the cell, until no cut of a definition lies in it.
+        const NARROWEST: usize = 60;
+        let knots = self.on.knots().filter(|_| !matches!(f, Function::Phi { .. }));
+        let at_end = knots.is_some_and(|knots| x == knots.last());
+        let left = side == Some(Side::Left) || (at_end && side.is_none());
+        let beyond = knots.and_then(|knots| {
+            let mut stops = knots.stop_knots().map(|(t, _)| t);
+            if left { stops.filter(|t| *t < x).last() } else { stops.find(|t| *t > x) }
+        });
+        let step = if left { -integer(1) } else { integer(1) };
+        let mut beyond = beyond.cloned().unwrap_or_else(|| x + step);
+        for _ in 0..NARROWEST {
+            let (from, to) = if left { (&beyond, x) } else { (x, &beyond) };
+            let cell = Cell::Open(Some(from.clone()), Some(to.clone()));
+            let value = self.within(&Name::from(""), &cell, |own| {
+                let coordinate = Value::from(cell.coordinate());
+                own.function(f, order, &coordinate, None)
+            });
+            match value {
+                Err(Stop::Cut) => beyond = (x + beyond) / integer(2),
+                Err(stop) => return Err(stop),
+                Ok(Value { plain: Plain::Number(q), root: None }) => return Ok(q.into()),
+                Ok(Value { plain, root: None }) => {
+                    let limit =
+                        if left { plain.piece().at_infinity() } else { plain.piece().evaluate(&integer(0)) };
+                    return limit
+                        .map(Value::from)
+                        .ok_or_else(|| Stop::Undefined(format!("there is no finite limit at {x}")));
+                }
+                Ok(_) => return Err(Stop::Unknown("the limit of a square root".into())),
+            }
+        }
+        Err(Stop::Unknown(format!("no cell beside {x} on which a definition is one function")))
+    }
+
+    /// The function itself at an argument that is no rational number, or at one of a function without jumps.
+    fn along(&mut self, f: &Function, x: &Value) -> Result<Value, Stop> {
+        match f {
+            Function::Basis { i, degree } => {
+                let id = self.existing(i, degree.as_ref())?;
+                match self.place(x)? {
+                    Where::Outside => Ok(0.into()),
+                    Where::Knot(t) => self.at_number(f, 0, &t, None),
+                    Where::Span(j) => {
+                        let Some(piece) = self.on.piece(&self.index, id, j, 0) else { return Ok(0.into()) };
+                        let Value { plain: Plain::Piece(argument), root: None } = x else {
+                            return Err(Stop::Unknown("a basis function at an irrational number".into()));
+                        };
+                        let own = self
+                            .frame
+                            .as_ref()
+                            .is_some_and(|frame| frame.span == Some(j) && frame.coordinate == *argument);
+                        let (from, to) = (self.knots()?.t(j), self.knots()?.t(j + 1));
+                        Ok(if own { piece } else { composed(&piece, argument, from, to) }.into())
+                    }
+                }
+            }
+            Function::Weight { i, degree } => {
+                let span = match self.place(x)? {
+                    Where::Span(j) => Some(j),
+                    Where::Knot(t) => return self.at_number(f, 0, &t, None),
+                    Where::Outside => None,
+                };
+                self.weight(i, degree, x, span)
+            }
+            Function::Phi { cut, from, to } => {
+                let (from, to) = (self.real(from)?, self.real(to)?);
+                if *cut { self.phi(x, &from, &to, None) } else { self.moebius(x, &from, &to) }
+            }
+            Function::Defined(name, of) => self.defined(name, of, Some(x)),
+            Function::Derivative(..) => {
+                let (base, order) = self.base_of(f)?;
+                self.function(base, order, x, None)
+            }
+        }
+    }
+
+    /// w_i^d(x) for an x in the limit on a span: φ where [t_i, t_{i+d}) contains that, else 0.
+    fn weight(&mut self, i: &Int, d: &Int, x: &Value, span: Option<usize>) -> Result<Value, Stop> {
+        let (i, d, knots) = (self.int(i)?, self.int(d)?, self.knots()?);
+        let missing = || format!("w[{i},{d}] does not exist");
+        let from = place(i, knots.m() + 1, missing)?;
+        let to = place(if d < 0 { d } else { i + d }, knots.m() + 1, missing)?;
+        match span {
+            Some(j) if from <= j && j < to => {
+                self.moebius(x, &knots.t(from).clone().into(), &knots.t(to).clone().into())
+            }
+            _ => Ok(0.into()),
+        }
+    }
+
+    /// φ(x, a, b) of D2.3, or its limit from the left.
+    fn phi(&mut self, x: &Value, a: &Value, b: &Value, side: Option<Side>) -> Result<Value, Stop> {
+        let outside = |sign: Sign, closed: bool| sign == Sign::Negative || (sign == Sign::Zero && !closed);
+        let left = side == Some(Side::Left);
+        let nowhere = self.sign(&b.minus(a)?)? != Sign::Positive
+            || outside(self.sign(&x.minus(a)?)?, !left)
+            || outside(self.sign(&b.minus(x)?)?, left);
+        if nowhere { Ok(0.into()) } else { self.moebius(x, a, b) }
+    }
+
+    /// f(x, a, b) = r(x − a)/(r(x − a) + (b − x)).
+    fn moebius(&mut self, x: &Value, a: &Value, b: &Value) -> Result<Value, Stop> {
+        let rise = x.minus(a)?.times(&self.index.ratio().clone().into())?;
+        let both = rise.plus(&b.minus(x)?)?;
+        self.quotient(&rise, &both)
+    }
+
+    /// A definition of the file for some indices, at an argument if it has a variable.
+    pub(super) fn defined(&mut self, name: &Name, of: &[Int], x: Option<&Value>) -> Result<Value, Stop> {
+        let of = of.iter().map(|i| self.int(i)).collect::<Result<Vec<_>, _>>()?;
+        let fits = |definition: &&Definition| {
+            let mut indices = definition.indices.iter().zip(&of);
+            definition.name == *name
+                && definition.indices.len() == of.len()
+                && indices.all(|(pattern, i)| !matches!(pattern, Pattern::Number(n) if n != i))
+        };
+        let found = self.names.definitions.iter().find(fits);
+        let definition = found.ok_or_else(|| Stop::Unbound(name.to_string()))?;
+        if self.depth > DEEPEST {
+            return Err(Stop::Unknown(format!("{name} calls itself without an end")));
+        }
+        let before = (self.bound.integers.len(), self.bound.reals.len());
+        for (pattern, i) in definition.indices.iter().zip(of) {
+            if let Pattern::Any(name) = pattern {
+                self.bound.integers.push((name.clone(), i));
+            }
+        }
+        if let (Some(variable), Some(x)) = (&definition.variable, x) {
+            let id = self.frame.as_ref().map_or(0, |frame| frame.id);
+            self.bound.reals.push((variable.clone(), x.clone(), id));
+        }
+        self.depth += 1;
+        let value = self.real(&definition.body);
+        self.depth -= 1;
+        self.bound.integers.truncate(before.0);
+        self.bound.reals.truncate(before.1);
+        value
+    }
+
+    /// Where an argument lies on the part that is looked at.
+    pub(super) fn place(&mut self, x: &Value) -> Result<Where, Stop> {
+        let knots = self.knots()?;
+        if let Some(x) = x.number() {
+            let span = knots.span_at(x, spline::Side::Right);
+            return Ok(match span {
+                _ if knots.multiplicity(x) > 0 => Where::Knot(x.clone()),
+                Some(span) => Where::Span(span.index()),
+                None => Where::Outside,
+            });
+        }
+        if let Some(frame) = &self.frame
+            && let Some(j) = frame.span
+            && x.root.is_none()
+            && matches!(&x.plain, Plain::Piece(piece) if *piece == frame.coordinate)
+        {
+            return Ok(Where::Span(j));
+        }
+        for (t, _) in knots.stop_knots() {
+            match self.sign(&x.minus(&t.clone().into())?)? {
+                Sign::Zero => return Ok(Where::Knot(t.clone())),
+                Sign::Negative => {
+                    let below = knots.knots().partition_point(|s| s < t);
+                    return Ok(below.checked_sub(1).map_or(Where::Outside, Where::Span));
+                }
+                Sign::Positive => {}
+            }
+        }
+        Ok(Where::Outside)
+    }
+}
+
+fn of(side: Option<Side>) -> spline::Side {
+    if side == Some(Side::Left) { spline::Side::Left } else { spline::Side::Right }
+}
+
+/// The piece on [a, b] at another argument: P/Q at (X − a)/(b − X), with both brought to one degree.
+fn composed(piece: &Piece, x: &Piece, a: &BigRational, b: &BigRational) -> Piece {
+    let inner = x.minus(&constant(a.clone())).over(&constant(b.clone()).minus(x));
+    let Some(inner) = inner else { unreachable!("an argument inside the span is not its end") };
+    let (n, d) = (inner.numerator(), inner.denominator());
+    let degree = piece.numerator().degree().max(piece.denominator().degree());
+    let powers = |p: &Polynomial<BigRational>| {
+        let mut powers = vec![p.one()];
+        (0..degree).for_each(|e| powers.push(powers[e].times(p)));
+        powers
+    };
+    let (n, d) = (powers(n), powers(d));
+    let form = |p: &Polynomial<BigRational>| {
+        let terms = p.coefficients().iter().enumerate();
+        terms.fold(p.zero(), |sum, (e, c)| sum.plus(&n[e].times(&d[degree - e]).scaled(c)))
+    };
+    match RationalFunction::new(&form(piece.numerator()), &form(piece.denominator())) {
+        Some(composed) => composed,
+        None => unreachable!("a denominator without zeros stays one"),
+    }
+}

@@ -1,0 +1,193 @@
+//! What sentences are read on: an index, and where there are any a degree, knots and control points.
+
+use std::collections::HashMap;
+use std::hash::Hash;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+
+use crate::analysis::{Piece, Pieces};
+use crate::language::Name;
+use crate::scalar::{BigRational, Jet, Ring, integer};
+use crate::spline::{Active, Basis, Evaluator, Index, KnotVector, Point, Side, by_definition};
+
+/// An index, with or without a degree on knots. What is computed for it is kept, for all sentences that are judged on it.
+#[derive(Debug)]
+pub struct Instance {
+    /// α.
+    pub index: Index,
+    /// The degree and U.
+    pub basis: Option<Basis>,
+    /// Its name, if the paper gives it one.
+    pub name: Option<Name>,
+    /// Control points, if it has some.
+    pub points: Option<Vec<Point>>,
+    pieces: Kept<(Index, usize), Pieces>,
+    definitions: Kept<Index, Vec<Vec<Vec<Piece>>>>,
+    derivatives: Kept<(Index, usize, usize, usize, usize), Piece>,
+    jets: Kept<(Index, usize, BigRational, bool, usize), Option<Active<Jet<BigRational>>>>,
+    fault: OnceLock<String>,
+    /// Are values computed by the definition, word for word?
+    reference: bool,
+}
+
+/// Computed when first asked for.
+#[derive(Debug)]
+struct Kept<K, V>(Mutex<HashMap<K, Arc<V>>>);
+
+impl<K: Eq + Hash, V> Kept<K, V> {
+    fn new() -> Self {
+        Self(Mutex::new(HashMap::new()))
+    }
+
+    fn get(&self, key: K, make: impl FnOnce(&K) -> V) -> Arc<V> {
+        let lock = || self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(known) = lock().get(&key) {
+            return Arc::clone(known);
+        }
+        // Not under the lock: others may ask for something else meanwhile.
+        let made = Arc::new(make(&key));
+        Arc::clone(lock().entry(key).or_insert(made))
+    }
+}
+
+impl Instance {
+    /// An index alone, for sentences about weights.
+    #[must_use]
+    pub fn index(index: Index) -> Self {
+        Self {
+            index,
+            basis: None,
+            name: None,
+            points: None,
+            pieces: Kept::new(),
+            definitions: Kept::new(),
+            derivatives: Kept::new(),
+            jets: Kept::new(),
+            fault: OnceLock::new(),
+            reference: false,
+        }
+    }
+
+    /// A degree and an index on knots.
+    #[must_use]
+    pub fn of(basis: Basis) -> Self {
+        Self { basis: Some(basis.clone()), ..Self::index(basis.index().clone()) }
+    }
+
+    /// With a name, and perhaps control points.
+    #[must_use]
+    pub fn named(self, name: &str, points: Option<Vec<Point>>) -> Self {
+        Self { name: Some(name.into()), points, ..self }
+    }
+
+    /// The same for another index.
+    #[must_use]
+    pub fn with_index(&self, index: Index) -> Self {
+        let basis = self.basis.as_ref().map(|basis| basis.with_index(index.clone()));
+        Self { basis, name: self.name.clone(), points: self.points.clone(), ..Self::index(index) }
+    }
+
+    /// The same with values by the definition: the slow reference, which a witness is read on once more.
+    #[must_use]
+    pub fn by_definition(&self) -> Self {
+        Self { reference: true, ..self.with_index(self.index.clone()) }
+    }
+
+    /// k.
+    #[must_use]
+    pub fn degree(&self) -> Option<usize> {
+        self.basis.as_ref().map(Basis::degree)
+    }
+
+    /// U.
+    #[must_use]
+    pub fn knots(&self) -> Option<&KnotVector> {
+        self.basis.as_ref().map(Basis::knots)
+    }
+
+    /// Two computations that disagreed: a bug of this program.
+    #[must_use]
+    pub fn fault(&self) -> Option<&str> {
+        self.fault.get().map(String::as_str)
+    }
+
+    /// What is found wrong with another one is wrong here.
+    pub(super) fn share_fault(&self, other: &Self) {
+        if let Some(fault) = other.fault() {
+            _ = self.fault.set(fault.to_owned());
+        }
+    }
+
+    /// The basis of a degree ≤ k and an index on the same knots.
+    #[must_use]
+    pub fn basis_of(&self, index: &Index, degree: usize) -> Option<Basis> {
+        Basis::new(self.knots()?.clone(), degree, index.clone()).ok()
+    }
+
+    /// The pieces of a degree ≤ k and an index, compared once with what the definition gives over the variable u.
+    #[must_use]
+    pub fn pieces(&self, index: &Index, degree: usize) -> Option<Arc<Pieces>> {
+        let basis = self.basis_of(index, degree)?;
+        Some(self.pieces.get((index.clone(), degree), |_| {
+            let pieces = Pieces::of(&basis);
+            let defined = self.definitions.get(index.clone(), |index| self.defined(index));
+            for (span, table) in pieces.spans().iter().zip(defined.iter()) {
+                let differs =
+                    |(i, g): (usize, &Piece)| span.functions.get(i).map_or(!g.is_zero(), |own| own != g);
+                if let Some(i) = table.get(degree).and_then(|row| row.iter().enumerate().position(differs)) {
+                    let (j, knots) = (span.span.index(), basis.knots());
+                    let fault =
+                        format!("two pieces of G_{i}^{degree} on span {j} of U = {knots}, α = {index}");
+                    _ = self.fault.set(fault);
+                }
+            }
+            pieces
+        }))
+    }
+
+    fn defined(&self, index: &Index) -> Vec<Vec<Vec<Piece>>> {
+        let Some(basis) = self.basis.as_ref().map(|basis| basis.with_index(index.clone())) else {
+            return Vec::new();
+        };
+        let knots = basis.knots();
+        let coordinate = |span| crate::analysis::positive_coordinate(knots, span).ok();
+        knots.spans().filter_map(|span| by_definition(&basis, span, &coordinate(span)?).ok()).collect()
+    }
+
+    /// The derivative of an order of G_i^d on span j in its coordinate; `None` where it is 0.
+    #[must_use]
+    pub fn piece(&self, index: &Index, (i, d): (usize, usize), j: usize, order: usize) -> Option<Piece> {
+        let pieces = self.pieces(index, d)?;
+        let on = pieces.on(self.knots()?.span(j)?)?;
+        let own = on.functions.get(i)?;
+        if order == 0 {
+            return Some(own.clone());
+        }
+        let key = (index.clone(), d, j, i, order);
+        let derived = self.derivatives.get(key, |_| (0..order).fold(own.clone(), |f, _| on.derivative(&f)));
+        Some((*derived).clone())
+    }
+
+    /// The derivative of an order of G_i^d at x from a side.
+    #[must_use]
+    pub fn value(
+        &self,
+        index: &Index,
+        (i, d): (usize, usize),
+        x: &BigRational,
+        side: Side,
+        order: usize,
+    ) -> BigRational {
+        let key = (index.clone(), d, x.clone(), side == Side::Left, order);
+        let jets = self.jets.get(key, |_| {
+            let basis = self.basis_of(index, d)?;
+            if self.reference {
+                let span = basis.knots().span_at(x, side)?;
+                let table = by_definition(&basis, span, &Jet::variable(x.clone(), order)).ok()?.pop()?;
+                return Some(Active::new(0, table));
+            }
+            Evaluator::new(&basis).jets(x, side, order)
+        });
+        let jet = (*jets).as_ref().and_then(|jets| jets.get(i));
+        jet.and_then(|jet| jet.derivatives().pop()).unwrap_or_else(|| integer(0))
+    }
+}

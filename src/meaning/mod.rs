@@ -1,0 +1,25 @@
+//! Floor 4: what a formula says on an instance: exact, for every x.
+//!
+//! An [`Instance`] has numbers for knots, degree and index; x runs over the cells of the line, on each of which every term is
+//! a rational function of one coordinate. [`decide`] reads a sentence on an instance; words have deciders in `words`. No
+//! claim is known here.
+
+mod cell;
+mod functions;
+mod instance;
+mod points;
+mod reading;
+mod reals;
+mod sentence;
+mod tries;
+mod truth;
+mod value;
+mod words;
+
+pub use cell::{Cell, Focus, Frame, Signs};
+pub use instance::Instance;
+pub use reading::{Bound, Library, Look, Names, Reading};
+pub use reals::Part;
+pub use sentence::{Decided, Failure, Given, concerns, decide, has};
+pub use truth::{Stop, Truth};
+pub use value::{Plain, Value};

@@ -1,0 +1,104 @@
+//! Words about knots, and about the graph of a basis function: multiplicity, maxima, minima, continuity.
+
+use num_traits::ToPrimitive;
+
+use crate::analysis::{Attained, Crossing, LocalKnots, Monotonicity, Shape};
+use crate::language::{Function, Int, Real};
+use crate::scalar::BigRational;
+use crate::spline::Side;
+
+use super::super::functions::Where;
+use super::super::reading::Reading;
+use super::super::truth::Stop;
+use super::OfMember;
+
+/// How often the number occurs among the knots.
+pub(super) fn multiplicity(own: &mut Reading<'_>, x: &Real) -> Result<usize, Stop> {
+    let x = own.real(x)?;
+    Ok(match own.place(&x)? {
+        Where::Knot(t) => own.knots()?.multiplicity(&t),
+        Where::Span(_) | Where::Outside => 0,
+    })
+}
+
+/// The i-th of the different knots.
+pub(super) fn stop(own: &mut Reading<'_>, i: &Int) -> Result<BigRational, Stop> {
+    let (i, mut stops) = (own.int(i)?, own.knots()?.stop_knots());
+    let missing = || Stop::Undefined(format!("there is no stop knot u_{i}"));
+    let at = usize::try_from(i).map_err(|_| missing())?;
+    stops.nth(at).map(|(t, _)| t.clone()).ok_or_else(missing)
+}
+
+/// Reads something of a basis function, with the index of a member.
+fn of_basis<T>(
+    own: &mut Reading<'_>,
+    (f, member): OfMember<'_>,
+    read: impl FnOnce(&Reading<'_>, (usize, usize)) -> Option<T>,
+) -> Result<T, Stop> {
+    let Function::Basis { i, degree } = f else {
+        return Err(Stop::Unknown("the shape of what is no basis function".into()));
+    };
+    let id = own.existing(i, degree.as_ref())?;
+    let index = match member {
+        None => own.index.clone(),
+        Some(member) => own.member(member)?,
+    };
+    let unknown = || Stop::Unknown("a degree that has too few knots".into());
+    own.with_index(index, |own| read(own, id)).ok_or_else(unknown)
+}
+
+fn shape(own: &mut Reading<'_>, (f, member): OfMember<'_>) -> Result<Shape, Stop> {
+    of_basis(own, (f, member), |own, (i, d)| Some(Shape::of(&*own.on.pieces(&own.index, d)?, i)))
+}
+
+/// Local maxima; an interval of constancy counts once.
+pub(super) fn maxima(own: &mut Reading<'_>, (f, member): OfMember<'_>) -> Result<usize, Stop> {
+    of_basis(own, (f, member), |own, (i, d)| {
+        let continuous = LocalKnots::of(&own.on.basis_of(&own.index, d)?, i);
+        let fast = continuous.and_then(|knots| Monotonicity::of(&knots).local_maxima());
+        fast.or_else(|| Some(Shape::of(&*own.on.pieces(&own.index, d)?, i).local_maxima().count()))
+    })
+}
+
+/// Local minima inside the support.
+pub(super) fn minima(own: &mut Reading<'_>, (f, member): OfMember<'_>) -> Result<usize, Stop> {
+    Ok(shape(own, (f, member))?.local_minima().count())
+}
+
+/// Points at which the largest value is taken; 0 where it is only a limit.
+pub(super) fn maximisers(own: &mut Reading<'_>, of: OfMember<'_>) -> Result<usize, Stop> {
+    match shape(own, of)?.maximisers() {
+        Some(Attained::Times(count)) => Ok(count),
+        Some(Attained::Throughout) => Err(Stop::Undefined("the number of points of an interval".into())),
+        None => Err(Stop::Unknown("two local maxima that lie too close to be told apart".into())),
+    }
+}
+
+/// For an index close by, is the largest value taken at two points? Not where there is one maximum at this index.
+pub(super) fn tied(own: &mut Reading<'_>, of: OfMember<'_>) -> Result<bool, Stop> {
+    if shape(own, of)?.local_maxima().count() < 2 {
+        return Ok(false);
+    }
+    let crossing = of_basis(own, of, |own, (i, d)| {
+        let knots = LocalKnots::of(&own.on.basis_of(&own.index, d)?, i)?;
+        let mut gaps: Vec<_> = knots.gaps().iter().map(ToPrimitive::to_u64).collect::<Option<_>>()?;
+        let (p, q) = knots.ratio();
+        let (p, q) = (p.to_u64()?, q.to_u64()?);
+        // The mirror image, if it has the r < 1 that is looked at.
+        if p > q {
+            gaps.reverse();
+        }
+        Some(Crossing::near(&gaps, (p.min(q), p.max(q))).is_some())
+    })?;
+    let unknown =
+        || Stop::Unknown("two local maxima of which none overtakes the other for an index close by".into());
+    crossing.then_some(true).ok_or_else(unknown)
+}
+
+/// Value and limit from the left agree at every knot inside (t_0, t_m).
+pub(super) fn continuous(own: &mut Reading<'_>, (f, member): OfMember<'_>) -> Result<bool, Stop> {
+    of_basis(own, (f, member), |own, id| {
+        let at = |t: &BigRational, side| own.on.value(&own.index, id, t, side, 0);
+        Some(own.on.knots()?.inner_stop_knots().all(|(t, _)| at(t, Side::Left) == at(t, Side::Right)))
+    })
+}

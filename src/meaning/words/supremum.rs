@@ -1,0 +1,101 @@
+//! Suprema, which are compared as real numbers: they need not be rational.
+
+use std::cmp::Ordering;
+
+use crate::analysis::{Enclosed, Greatest, compare};
+use crate::language::{Real, Relation, Use, Word};
+
+use super::super::reading::Reading;
+use super::super::truth::{Stop, Truth};
+use super::super::value::{Plain, Value};
+use super::{Expression, Of};
+
+/// A chain of relations in which suprema occur, each with its neighbour; `None` for any other chain.
+pub(in super::super) fn chain(
+    own: &mut Reading<'_>,
+    first: &Real,
+    rest: &[(Relation, Real)],
+) -> Option<Truth> {
+    let terms = || std::iter::once(first).chain(rest.iter().map(|(_, term)| term));
+    terms().find_map(supremum_in)?;
+    let mut values = match terms().map(|term| number(own, term)).collect::<Result<Vec<_>, _>>() {
+        Ok(values) => values,
+        Err(stop) => return Some(stop.into()),
+    };
+    let mut all = Truth::True;
+    for (at, (relation, _)) in rest.iter().enumerate() {
+        let [a, b] = &mut values[at..=at + 1] else { continue };
+        all = all.and(match compare(a, b) {
+            Some(order) => admits(*relation, order).into(),
+            None => Truth::Unknown("two suprema that agree to some 128 bits".into()),
+        });
+    }
+    Some(all)
+}
+
+fn supremum_in(term: &Real) -> Option<&Use> {
+    match term {
+        Real::Word(of) if of.word == Word::Supremum => Some(of),
+        _ => None,
+    }
+}
+
+fn number(own: &mut Reading<'_>, term: &Real) -> Result<Greatest, Stop> {
+    match supremum_in(term) {
+        Some(of) => greatest(own, Of(of).expression(0)?),
+        None => match own.real(term)?.number() {
+            Some(number) => Ok(number.clone().into()),
+            None => Err(Stop::Unknown("a supremum beside what is no rational number".into())),
+        },
+    }
+}
+
+fn admits(relation: Relation, order: Ordering) -> bool {
+    match relation {
+        Relation::Equal => order.is_eq(),
+        Relation::Unequal => order.is_ne(),
+        Relation::Less => order.is_lt(),
+        Relation::AtMost => order.is_le(),
+        Relation::Greater => order.is_gt(),
+        Relation::AtLeast => order.is_ge(),
+    }
+}
+
+/// The supremum of an expression on its interval, where it is known to be a rational number.
+pub(super) fn supremum(own: &mut Reading<'_>, of: Expression<'_>) -> Result<Value, Stop> {
+    match greatest(own, of)?.bounds() {
+        (lo, hi) if lo == hi => Ok(lo.into()),
+        (lo, hi) => Err(Stop::Unknown(format!("a supremum between {lo} and {hi}"))),
+    }
+}
+
+/// The supremum of |f| is the greater one of those of f and −f: so f is not cut at its zeros.
+fn greatest(own: &mut Reading<'_>, (term, name, interval): Expression<'_>) -> Result<Greatest, Stop> {
+    let interval = interval.ok_or_else(|| Stop::Unknown("a supremum without an interval".into()))?;
+    let (term, absolute) = match term {
+        Real::Absolute(inner) => (&**inner, true),
+        term => (term, false),
+    };
+    let mut all: Option<Greatest> = None;
+    for cell in own.cells(interval)? {
+        let value = own.within(name, &cell, |own| own.real(term))?;
+        for value in std::iter::once(value.clone()).chain(absolute.then(|| value.negated())) {
+            let next = on_cell(&value)?;
+            all = Some(match all {
+                Some(all) => all.join(next),
+                None => next,
+            });
+        }
+    }
+    all.ok_or_else(|| Stop::Undefined("the supremum on no point".into()))
+}
+
+fn on_cell(value: &Value) -> Result<Greatest, Stop> {
+    match value {
+        Value { plain: Plain::Number(number), root: None } => Ok(number.clone().into()),
+        Value { plain: Plain::Piece(f), root: None } => {
+            Greatest::of_function(f).ok_or_else(|| Stop::Undefined("a supremum beside a pole".into()))
+        }
+        Value { .. } => Err(Stop::Unknown("the supremum of a square root".into())),
+    }
+}
