@@ -277,7 +277,19 @@ impl Walk {
         for (at, part) in of.word.says().split('{').enumerate() {
             match (at, part.split_once('}')) {
                 (1.., Some((index, after))) => {
-                    row.extend(index.parse().ok().and_then(|index: usize| items.get(index)).cloned());
+                    let item = index.parse().ok().and_then(|index: usize| items.get(index)).cloned();
+                    // A template may have an item as an index: u_{0}.
+                    let base = match row.last_mut() {
+                        Some(Form::Words(words)) if words.ends_with('_') => {
+                            words.pop();
+                            words.pop().map(Form::atom)
+                        }
+                        _ => None,
+                    };
+                    row.extend(match base {
+                        Some(base) => Some(Form::script(base, item, None)),
+                        None => item,
+                    });
                     row.push(Form::words(after));
                 }
                 _ => row.push(Form::words(part)),
