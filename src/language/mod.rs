@@ -3,6 +3,7 @@
 //! It knows rationals and no spline: what a formula means is said in `meaning`. The language for its users is described in
 //! `docs/language.md`.
 
+mod apply;
 mod canonical;
 mod cause;
 mod claim;
