@@ -15,9 +15,9 @@ use rayon::prelude::*;
 use crate::language::Sentence;
 use crate::meaning::{Decided, Names, decide};
 
-pub use cases::{Case, Cases};
+pub use cases::{Case, Cases, NoCase};
 pub use verdict::{Origin, Reach, Scope, Verdict};
-pub use witness::{Bind, Bound, Count, Looked, Shows, Term, Witness};
+pub use witness::{Bind, Bound, Count, Flanked, Looked, Shows, Term, Tied, Witness};
 
 /// A bug of this program, found by computing the same thing in two ways. No verdict is given.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
