@@ -233,6 +233,36 @@ mod tests {
         }
     }
 
+    /// `k = 1, U = …: the claim says …, but …`, and the command.
+    #[test]
+    fn witnesses_say_what_is_so() {
+        for (text, says, command) in [
+            (
+                "k; U; j in 0..m-1; x in [t[j], t[j+1]) : sum(i in 0..n: G[i](x)) = 1",
+                "k = 1, U = (0, 0, 1, 2), α = -1, j = 2, x = 3/2: the claim says Σ_{i=0}^1 G_i^1(3/2) = 1, but Σ_{i=0}^1 G_i^1(3/2) = 2/3",
+                "knotproof eval --degree 1 --knots 0,0,1,2 --alpha -1 --x 3/2",
+            ),
+            (
+                "k; U; i in 0..n : G'[i](t[m]-) >= 0",
+                "k = 1, U = (0, 0, 1, 1), α = -1, i = 0: the claim says …",
+                "knotproof eval --degree 1 --knots 0,0,1,1 --alpha -1 --x 1 --derivatives 1 --side left",
+            ),
+            (
+                "k; U : all(i in 0..n: maxima(G[i]) = 1)",
+                "k = 1, U = (0, 0, 0, 1, 1), α = -1, i = 0: the claim says …",
+                "knotproof shape --degree 1 --knots 0,0,0,1,1 --alpha -1 --index 0",
+            ),
+        ] {
+            let Verdict::Refuted(witness) = judged(text) else { panic!("{text}") };
+            println!("{witness}");
+            let told = witness.to_string();
+            assert!(says.ends_with('…') || told == says, "{told}");
+            assert_eq!(witness.again("X"), command);
+            let json = serde_json::to_string(&witness).unwrap();
+            assert_eq!(serde_json::from_str::<Witness>(&json).unwrap(), *witness, "{json}");
+        }
+    }
+
     #[test]
     fn what_does_not_exist_refutes_if_no_value_does() {
         let Verdict::Refuted(witness) = judged("k; U; i in 0..n : t[i+k+2] >= t[i]") else {

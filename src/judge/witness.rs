@@ -215,7 +215,7 @@ impl Witness {
             Shows::Undefined(what) => what.clone(),
             Shows::Fails => "it is not so".into(),
             Shows::Counts(counts) => {
-                list(counts.iter().map(|Count { what, count }| format!("{what} = {count}")).collect())
+                list(counts.iter().map(|Count { what, count }| format!("{what} is {count}")).collect())
             }
             Shows::Values(terms) => {
                 let told = terms.iter().filter(|term| term.value.as_ref() != Some(&term.term));
@@ -293,8 +293,8 @@ impl From<Given> for Bind {
             Given::Real(x) => Self::Number(x.to_string()),
             Given::Index(index) => Self::Index { alpha: index.to_string() },
             Given::Points(points) => Self::List(points.iter().map(ToString::to_string).collect()),
-            Given::Root(cell, root) => {
-                let (lo, hi) = root.interval();
+            Given::Root(place) => {
+                let (cell, (lo, hi)) = (&place.0, place.1.interval());
                 let x = |u: BigRational| {
                     cell.coordinate().evaluate(&u).map_or_else(String::new, |x| x.to_string())
                 };
@@ -314,7 +314,7 @@ fn failing(own: &mut Reading<'_>, f: &Formula, given: &mut Vec<(Name, Given)>) -
         Formula::Implies(_, then) => failing(own, then, given),
         Formula::All(Over::Integers(range), body) => {
             let ends = own.int(&range.from).and_then(|from| Ok((from, own.int(&range.to)?)));
-            for i in ends.map_or(1..=0, |(from, to)| from..=to) {
+            for i in ends.into_iter().flat_map(|(from, to)| from..=to) {
                 own.bound.integers.push((range.name.clone(), i));
                 if own.truth(body) == Truth::False {
                     given.push((range.name.clone(), Given::Integer(i)));

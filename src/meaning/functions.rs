@@ -5,7 +5,7 @@ use crate::language::{Argument, Definition, Function, Int, Name, Pattern, Side};
 use crate::scalar::{BigRational, Polynomial, RationalAlgebra, RationalFunction, Ring, integer};
 use crate::spline;
 
-use super::cell::Cell;
+use super::cell::{Cell, Focus};
 use super::reading::{Look, Reading, place};
 use super::truth::Stop;
 use super::value::{Plain, Value};
@@ -257,21 +257,39 @@ impl Reading<'_> {
         if self.depth > DEEPEST {
             return Err(Stop::Unknown(format!("{name} calls itself without an end")));
         }
+        let key = (name.clone(), of, self.index.clone());
+        let argument = x.cloned().unwrap_or_else(|| 0.into());
+        let known = self.memo.known.get(&key).and_then(|known| known.iter().find(|(at, _)| *at == argument));
+        if let Some((_, value)) = known {
+            return Ok(value.clone());
+        }
         let before = (self.bound.integers.len(), self.bound.reals.len());
-        for (pattern, i) in definition.indices.iter().zip(of) {
+        for (pattern, i) in definition.indices.iter().zip(&key.1) {
             if let Pattern::Any(name) = pattern {
-                self.bound.integers.push((name.clone(), i));
+                self.bound.integers.push((name.clone(), *i));
             }
         }
         if let (Some(variable), Some(x)) = (&definition.variable, x) {
             let id = self.frame.as_ref().map_or(0, |frame| frame.id);
             self.bound.reals.push((variable.clone(), x.clone(), id));
         }
+        let outside = std::mem::replace(&mut self.memo.outermost, before);
+        let elsewhere = std::mem::take(&mut self.memo.elsewhere);
         self.depth += 1;
         let value = self.real(&definition.body);
         self.depth -= 1;
         self.bound.integers.truncate(before.0);
         self.bound.reals.truncate(before.1);
+        let own = self.memo.outermost;
+        self.memo.outermost = (outside.0.min(own.0), outside.1.min(own.1));
+        let closed = own == before && !self.memo.elsewhere;
+        self.memo.elsewhere |= elsewhere;
+        // On a part of a cell it is the value there only.
+        let whole =
+            self.frame.as_ref().is_none_or(|frame| frame.focus == Focus::Whole) || argument.is_constant();
+        if let (true, true, Ok(value)) = (closed, whole && self.looked.is_none(), &value) {
+            self.memo.known.entry(key).or_default().push((argument, value.clone()));
+        }
         value
     }
 

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::hash::Hash;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use crate::analysis::{Piece, Pieces};
+use crate::analysis::{Piece, Pieces, positive_coordinate};
 use crate::language::Name;
 use crate::scalar::{BigRational, Jet, Ring, integer};
 use crate::spline::{Active, Basis, Evaluator, Index, KnotVector, Point, Side, by_definition};
@@ -23,13 +23,16 @@ pub struct Instance {
     /// The indices that it is shown for.
     pub shown: Vec<Index>,
     pieces: Kept<(Index, usize), Pieces>,
-    definitions: Kept<Index, Vec<Vec<Vec<Piece>>>>,
+    definition: OnceLock<Vec<Vec<Vec<Piece>>>>,
     derivatives: Kept<(Index, usize, usize, usize, usize), Piece>,
-    jets: Kept<(Index, usize, BigRational, bool, usize), Option<Active<Jet<BigRational>>>>,
+    jets: Kept<(Index, usize, BigRational, bool, usize), Option<Jets>>,
     fault: OnceLock<String>,
     /// Are values computed by the definition, word for word?
     reference: bool,
 }
+
+/// All functions of a degree that live at a point.
+type Jets = Active<Jet<BigRational>>;
 
 /// Computed when first asked for.
 #[derive(Debug)]
@@ -62,7 +65,7 @@ impl Instance {
             points: None,
             shown: Vec::new(),
             pieces: Kept::new(),
-            definitions: Kept::new(),
+            definition: OnceLock::new(),
             derivatives: Kept::new(),
             jets: Kept::new(),
             fault: OnceLock::new(),
@@ -127,34 +130,40 @@ impl Instance {
         Basis::new(self.knots()?.clone(), degree, index.clone()).ok()
     }
 
-    /// The pieces of a degree ≤ k and an index, compared once with what the definition gives over the variable u.
+    /// The pieces of a degree ≤ k and an index; those of the own index are compared once with what the definition gives over
+    /// the variable u.
     #[must_use]
     pub fn pieces(&self, index: &Index, degree: usize) -> Option<Arc<Pieces>> {
         let basis = self.basis_of(index, degree)?;
         Some(self.pieces.get((index.clone(), degree), |_| {
             let pieces = Pieces::of(&basis);
-            let defined = self.definitions.get(index.clone(), |index| self.defined(index));
-            for (span, table) in pieces.spans().iter().zip(defined.iter()) {
-                let differs =
-                    |(i, g): (usize, &Piece)| span.functions.get(i).map_or(!g.is_zero(), |own| own != g);
-                if let Some(i) = table.get(degree).and_then(|row| row.iter().enumerate().position(differs)) {
-                    let (j, knots) = (span.span.index(), basis.knots());
-                    let fault =
-                        format!("two pieces of G_{i}^{degree} on span {j} of U = {knots}, α = {index}");
-                    _ = self.fault.set(fault);
-                }
+            if *index == self.index {
+                self.compare(&pieces, degree);
             }
             pieces
         }))
     }
 
-    fn defined(&self, index: &Index) -> Vec<Vec<Vec<Piece>>> {
-        let Some(basis) = self.basis.as_ref().map(|basis| basis.with_index(index.clone())) else {
-            return Vec::new();
-        };
-        let knots = basis.knots();
-        let coordinate = |span| crate::analysis::positive_coordinate(knots, span).ok();
-        knots.spans().filter_map(|span| by_definition(&basis, span, &coordinate(span)?).ok()).collect()
+    fn compare(&self, pieces: &Pieces, degree: usize) {
+        let defined = self.definition.get_or_init(|| self.by_variable());
+        for (span, table) in pieces.spans().iter().zip(defined) {
+            let differs =
+                |(i, g): (usize, &Piece)| span.functions.get(i).map_or(!g.is_zero(), |own| own != g);
+            let row = table.get(degree).into_iter().flatten();
+            if let Some(i) = row.enumerate().position(differs) {
+                let (j, knots) = (span.span.index(), pieces.basis().knots());
+                let fault =
+                    format!("two pieces of G_{i}^{degree} on span {j} of U = {knots}, α = {}", self.index);
+                _ = self.fault.set(fault);
+            }
+        }
+    }
+
+    /// G_i^d on every span by the definition.
+    fn by_variable(&self) -> Vec<Vec<Vec<Piece>>> {
+        let Some(basis) = &self.basis else { return Vec::new() };
+        let coordinate = |span| positive_coordinate(basis.knots(), span).ok();
+        basis.knots().spans().filter_map(|span| by_definition(basis, span, &coordinate(span)?).ok()).collect()
     }
 
     /// The derivative of an order of G_i^d on span j in its coordinate; `None` where it is 0.

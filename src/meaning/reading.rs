@@ -1,5 +1,7 @@
 //! The one walk over the trees: what terms and formulas are on an instance.
 
+use std::collections::HashMap;
+
 use crate::analysis::{Greatest, Sign};
 use crate::language::{
     Definition, File, Fold, Formula, Int, Member, Name, Over, Range, Real, Relation, Sentence,
@@ -115,6 +117,21 @@ pub struct Reading<'a> {
     pub(super) found: Vec<Found>,
     pub(super) frames: usize,
     pub(super) depth: usize,
+    pub(super) memo: Memo,
+}
+
+/// Arguments of a function and its values.
+pub(super) type Graph = Vec<(Value, Value)>;
+
+/// The values of definitions that depend on their indices, their argument and the index of the moment alone: these are found
+/// out while they are computed, by how far out the names lie that they look at.
+#[derive(Default)]
+pub(super) struct Memo {
+    pub(super) known: HashMap<(Name, Vec<i64>, Index), Graph>,
+    /// The outermost integer and real looked at since it was set.
+    pub(super) outermost: (usize, usize),
+    /// Was another index or a control value looked at?
+    pub(super) elsewhere: bool,
 }
 
 pub(super) fn find<'b, T>(list: &'b [(Name, T)], name: &Name) -> Result<&'b T, Stop> {
@@ -136,7 +153,18 @@ impl<'a> Reading<'a> {
     #[must_use]
     pub fn new(on: &'a Instance, names: Names<'a>) -> Self {
         let (index, bound) = (on.index.clone(), Bound::default());
-        Self { on, names, index, bound, frame: None, looked: None, found: Vec::new(), frames: 0, depth: 0 }
+        Self {
+            on,
+            names,
+            index,
+            bound,
+            frame: None,
+            looked: None,
+            found: Vec::new(),
+            frames: 0,
+            depth: 0,
+            memo: Memo::default(),
+        }
     }
 
     pub(super) fn knots(&self) -> Result<&'a KnotVector, Stop> {
@@ -156,7 +184,12 @@ impl<'a> Reading<'a> {
         let mut two = |a: &Int, b: &Int| Ok::<_, Stop>((self.int(a)?, self.int(b)?));
         match t {
             Int::Number(n) => Ok(*n),
-            Int::Bound(name) => find(&self.bound.integers, name).copied(),
+            Int::Bound(name) => {
+                let at = self.bound.integers.iter().rposition(|(known, _)| known == name);
+                let at = at.ok_or_else(|| Stop::Unbound(name.to_string()))?;
+                self.memo.outermost.0 = self.memo.outermost.0.min(at);
+                Ok(self.bound.integers[at].1)
+            }
             Int::Degree => signed(self.degree()?),
             Int::M => signed(self.knots()?.m()),
             Int::Last => Ok(signed(self.knots()?.m())? - signed(self.degree()?)? - 1),
@@ -257,20 +290,29 @@ impl<'a> Reading<'a> {
         }
     }
 
-    fn bound_real(&self, name: &Name) -> Result<Value, Stop> {
-        let found = self.bound.reals.iter().rev().find(|(known, ..)| known == name);
-        let Some((_, value, id)) = found else { return Err(Stop::Unbound(name.to_string())) };
+    fn bound_real(&mut self, name: &Name) -> Result<Value, Stop> {
+        let at = self.bound.reals.iter().rposition(|(known, ..)| known == name);
+        let at = at.ok_or_else(|| Stop::Unbound(name.to_string()))?;
+        self.memo.outermost.1 = self.memo.outermost.1.min(at);
+        let (_, value, id) = &self.bound.reals[at];
         if value.is_constant() || self.frame.as_ref().is_some_and(|frame| frame.id == *id) {
             return Ok(value.clone());
         }
         Err(Stop::Unknown(format!("{name} and another variable at once")))
     }
 
-    pub(super) fn index_named(&self, name: &Name) -> Result<Index, Stop> {
-        if &**name == "alpha" { Ok(self.index.clone()) } else { find(&self.bound.indices, name).cloned() }
+    pub(super) fn index_named(&mut self, name: &Name) -> Result<Index, Stop> {
+        if &**name == "alpha" {
+            return Ok(self.index.clone());
+        }
+        self.memo.elsewhere = true;
+        find(&self.bound.indices, name).cloned()
     }
 
     fn coefficient(&mut self, name: &Name, of: &[Int]) -> Result<Value, Stop> {
+        if !self.bound.points.is_empty() {
+            self.memo.elsewhere = true;
+        }
         let of = of.iter().map(|i| self.int(i)).collect::<Result<Vec<_>, _>>()?;
         let missing = || {
             let of: Vec<_> = of.iter().map(ToString::to_string).collect();
@@ -460,7 +502,7 @@ impl<'a> Reading<'a> {
     /// α = ∞, α = β, and their negations: ∞ is no number.
     fn chain_of_indices(&mut self, first: &Real, rest: &[(Relation, Real)]) -> Option<Truth> {
         let [(relation @ (Relation::Equal | Relation::Unequal), second)] = rest else { return None };
-        let of = |t: &Real| match t {
+        let mut of = |t: &Real| match t {
             Real::Index(name) => self.index_named(name).ok(),
             Real::Infinity => Some(Index::infinity()),
             _ => None,

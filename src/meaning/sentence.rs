@@ -24,7 +24,7 @@ pub enum Given {
     /// A rational number.
     Real(BigRational),
     /// The irrational number of a cell at a root in its coordinate.
-    Root(Cell, IsolatedRoot),
+    Root(Box<(Cell, IsolatedRoot)>),
     /// An index besides α.
     Index(Index),
     /// Control values.
@@ -171,9 +171,9 @@ impl<'a> Reading<'a> {
                 Given::Real(x) => reading.bound.reals.push((name.clone(), x.clone().into(), 0)),
                 Given::Index(index) => reading.bound.indices.push((name.clone(), index.clone())),
                 Given::Points(points) => reading.bound.points.push((name.clone(), points.clone())),
-                Given::Root(cell, root) => {
-                    reading.enter(name, cell);
-                    reading.focus(Focus::At(root.clone()));
+                Given::Root(place) => {
+                    reading.enter(name, &place.0);
+                    reading.focus(Focus::At(place.1.clone()));
                 }
             }
         }
@@ -419,7 +419,7 @@ impl<'a> Reading<'a> {
             }
         }
         let Part::Root(root) = first else { return Some(self.failure(known, sentence, None)) };
-        Some(self.failure(known, sentence, Some(Given::Root(cell, root.clone()))))
+        Some(self.failure(known, sentence, Some(Given::Root(Box::new((cell, root.clone()))))))
     }
 
     fn failure(&self, here: &Here, sentence: &Sentence, at: Option<Given>) -> Failure {
@@ -539,7 +539,7 @@ fn by_size(free: &[(&Name, Option<Relation>)], on_knots: bool) -> Vec<Vec<BigRat
             SIMPLE.iter().map(|(p, q)| rational(*p, *q)).filter(|q| fits(*sign, q)).take(each).collect();
         let longer = |(size, values): &(usize, Vec<BigRational>)| {
             let next = |(place, q): (usize, &BigRational)| {
-                (size + place, [values.as_slice(), &[q.clone()]].concat())
+                (size + place, [values.as_slice(), std::slice::from_ref(q)].concat())
             };
             list.iter().enumerate().map(next).collect::<Vec<_>>()
         };

@@ -135,6 +135,9 @@ impl Value {
     }
 
     /// a + b.
+    ///
+    /// # Errors
+    /// [`Stop::Unknown`], if their roots are different ones.
     pub fn plus(&self, other: &Self) -> Result<Self, Stop> {
         let plain = self.plain.plus(&other.plain);
         match (&self.root, &other.root) {
@@ -156,11 +159,17 @@ impl Value {
     }
 
     /// a − b.
+    ///
+    /// # Errors
+    /// [`Stop::Unknown`], if their roots are different ones.
     pub fn minus(&self, other: &Self) -> Result<Self, Stop> {
         self.plus(&other.negated())
     }
 
     /// a·b.
+    ///
+    /// # Errors
+    /// [`Stop::Unknown`], if their roots are different ones.
     pub fn times(&self, other: &Self) -> Result<Self, Stop> {
         let plain = self.plain.times(&other.plain);
         match (&self.root, &other.root) {
@@ -177,6 +186,9 @@ impl Value {
     }
 
     /// a/b, `None` if b is 0 everywhere: A/(D + E√c) = A(D − E√c)/(D² − cE²).
+    ///
+    /// # Errors
+    /// [`Stop::Unknown`], if their roots are different ones.
     pub fn over(&self, other: &Self) -> Result<Option<Self>, Stop> {
         let Some((e, c)) = &other.root else {
             let part = |plain: &Plain| plain.over(&other.plain);
@@ -199,6 +211,9 @@ impl Value {
     }
 
     /// √a of a rational number ≥ 0.
+    ///
+    /// # Errors
+    /// [`Stop`] of any other value.
     pub fn square_root(&self) -> Result<Self, Stop> {
         let radicand =
             self.number().ok_or_else(|| Stop::Unknown("the root of what is no rational number".into()))?;
