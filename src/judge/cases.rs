@@ -5,8 +5,8 @@ use std::ops::RangeInclusive;
 use std::sync::Arc;
 
 use crate::language::{Binder, Found, Name, Sentence};
-use crate::meaning::{Instance, concerns};
-use crate::scalar::{BigRational, integer};
+use crate::meaning::{Instance, concerns, listed};
+use crate::scalar::integer;
 use crate::spline::{Basis, Index, KnotVector};
 
 use super::verdict::Origin;
@@ -51,6 +51,13 @@ impl Cases {
     pub fn new(paper: impl IntoIterator<Item = Instance>) -> Self {
         let case = |origin| move |on| Arc::new(Case { on, origin });
         let small = small_bases().into_iter().map(Instance::of).map(case(Origin::Small)).collect();
+        let mut paper: Vec<_> = paper.into_iter().collect();
+        let of = |on: &Instance| (on.name.clone(), on.degree(), on.index.clone());
+        let all: Vec<_> = paper.iter().map(of).collect();
+        for on in &mut paper {
+            let same = all.iter().filter(|(name, degree, _)| *name == on.name && *degree == on.degree());
+            on.shown = same.map(|(_, _, index)| index.clone()).collect();
+        }
         let paper = paper.into_iter().map(case(Origin::Paper)).collect();
         let simple = INDICES[..4].iter().chain([&CLASSICAL]).map(|text| Instance::index(index(text)));
         let shown = SHOWN.iter().map(|text| Instance::index(index(text)));
@@ -120,11 +127,8 @@ impl Cases {
             let mut seen = HashSet::new();
             cases.retain(|case| seen.insert((case.on.degree(), case.on.index.clone())));
         }
-        let listed = binders
-            .iter()
-            .find_map(|binder| if let Binder::Indices(list) = binder { Some(list) } else { None });
-        if let Some(list) = listed {
-            cases = with_indices(&cases, list);
+        if let Some(list) = listed(sentence) {
+            cases = with_indices(&cases, &list);
         }
         cases.retain(|case| concerns(sentence, &case.on));
         cases
@@ -132,11 +136,7 @@ impl Cases {
 }
 
 /// The cases with these indices in place of theirs.
-fn with_indices(cases: &[Arc<Case>], list: &[Option<BigRational>]) -> Vec<Arc<Case>> {
-    let finite = |alpha: &Option<BigRational>| match alpha {
-        Some(alpha) => Index::from_alpha(alpha.clone()).ok(),
-        None => Some(Index::infinity()),
-    };
+fn with_indices(cases: &[Arc<Case>], list: &[Index]) -> Vec<Arc<Case>> {
     let mut seen: HashSet<(Option<Name>, Option<Basis>)> = HashSet::new();
     let classical = |case: &&Arc<Case>| {
         seen.insert((
@@ -146,11 +146,11 @@ fn with_indices(cases: &[Arc<Case>], list: &[Option<BigRational>]) -> Vec<Arc<Ca
     };
     let distinct: Vec<_> = cases.iter().filter(classical).collect();
     let each = |case: &Arc<Case>| {
-        let own = list.iter().filter_map(finite).map(|index| {
+        let own = list.iter().map(|index| {
             let known = cases.iter().find(|other| {
                 let same =
                     || other.on.basis == case.on.basis.as_ref().map(|basis| basis.with_index(index.clone()));
-                other.on.index == index && other.on.name == case.on.name && same()
+                other.on.index == *index && other.on.name == case.on.name && same()
             });
             let made = || Arc::new(Case { on: case.on.with_index(index.clone()), origin: case.origin });
             known.cloned().unwrap_or_else(made)

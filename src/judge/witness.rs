@@ -5,7 +5,7 @@ use std::fmt;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::analysis::{Algebraic, Flank, Tie, settled};
+use crate::analysis::{Algebraic, Enclosed, Flank, Tie, settled};
 use crate::language::{Formula, Int, Name, Over, Real, Sentence, text};
 use crate::meaning::{Failure, Focus, Given, Instance, Look, Names, Plain, Reading, Truth, Value, tie};
 use crate::scalar::BigRational;
@@ -379,6 +379,9 @@ fn failing(own: &mut Reading<'_>, f: &Formula, given: &mut Vec<(Name, Given)>) -
     }
 }
 
+/// As many as a reader can look at.
+const DIGITS: usize = 12;
+
 fn sides(own: &mut Reading<'_>, f: &Formula) -> Shows {
     if let Formula::Not(f) = f
         && let Formula::Word(of) = &**f
@@ -400,7 +403,13 @@ fn sides(own: &mut Reading<'_>, f: &Formula) -> Shows {
         return Shows::Counts(words.collect());
     }
     let side = |term: &Real| {
-        let value = own.real(term).ok().and_then(|value| digits(own, &value));
+        let value = match own.supremum(term) {
+            Some(mut supremum) => Some(match supremum.bounds() {
+                (lo, hi) if lo == hi => (lo.to_string(), false),
+                _ => (settled(&mut supremum, DIGITS), true),
+            }),
+            None => own.real(term).ok().and_then(|value| digits(own, &value)),
+        };
         let (value, rounded) = value.map_or((None, false), |(value, rounded)| (Some(value), rounded));
         Term { term: text(&real(own, term)), value, rounded }
     };
@@ -409,8 +418,6 @@ fn sides(own: &mut Reading<'_>, f: &Formula) -> Shows {
 
 /// A value in exact terms, or its first digits at an irrational place.
 fn digits(own: &Reading<'_>, value: &Value) -> Option<(String, bool)> {
-    /// As many as a reader can look at.
-    const DIGITS: usize = 12;
     match (value, own.frame.as_ref().map(|frame| &frame.focus)) {
         (Value { plain: Plain::Piece(piece), root: None }, Some(Focus::At(root))) => {
             Some((settled(&mut Algebraic::at(piece.clone(), root.clone()), DIGITS), true))

@@ -20,6 +20,8 @@ pub struct Instance {
     pub name: Option<Name>,
     /// Control points, if it has some.
     pub points: Option<Vec<Point>>,
+    /// The indices that it is shown for.
+    pub shown: Vec<Index>,
     pieces: Kept<(Index, usize), Pieces>,
     definition: OnceLock<Vec<Vec<Vec<Piece>>>>,
     weights: Kept<(Index, usize, usize, usize), Piece>,
@@ -62,6 +64,7 @@ impl Instance {
             basis: None,
             name: None,
             points: None,
+            shown: Vec::new(),
             pieces: Kept::new(),
             definition: OnceLock::new(),
             weights: Kept::new(),
@@ -88,7 +91,8 @@ impl Instance {
     #[must_use]
     pub fn with_index(&self, index: Index) -> Self {
         let basis = self.basis.as_ref().map(|basis| basis.with_index(index.clone()));
-        Self { basis, name: self.name.clone(), points: self.points.clone(), ..Self::index(index) }
+        let (name, points, shown) = (self.name.clone(), self.points.clone(), self.shown.clone());
+        Self { basis, name, points, shown, ..Self::index(index) }
     }
 
     /// The same with values by the definition: the slow reference, which a witness is read on once more.

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use crate::analysis::Sign;
+use crate::analysis::{Greatest, Sign};
 use crate::language::{
     Definition, File, Fold, Formula, Int, Member, Name, Over, Range, Real, Relation, Sentence,
 };
@@ -86,6 +86,19 @@ pub struct Look {
     pub index: Index,
 }
 
+/// A supremum on the way.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Found {
+    /// The term.
+    pub term: Real,
+    /// The integers that were bound.
+    pub integers: Vec<(Name, i64)>,
+    /// The indices.
+    pub indices: Vec<(Name, Index)>,
+    /// What it is.
+    pub value: Greatest,
+}
+
 /// An instance with the names that are bound: terms have values on it, formulas truths.
 pub struct Reading<'a> {
     /// What is read on.
@@ -100,6 +113,8 @@ pub struct Reading<'a> {
     pub frame: Option<Frame>,
     /// The values of basis functions at numbers that were asked for, if that is recorded.
     pub looked: Option<Vec<Look>>,
+    /// The suprema that were compared.
+    pub(super) found: Vec<Found>,
     pub(super) frames: usize,
     pub(super) depth: usize,
     pub(super) memo: Memo,
@@ -143,6 +158,7 @@ impl<'a> Reading<'a> {
             bound,
             frame: None,
             looked: None,
+            found: Vec::new(),
             frames: 0,
             depth: 0,
             memo: Memo::default(),
