@@ -94,6 +94,22 @@ impl Reading<'_> {
         Ok((place(i, m - d, missing)?, d))
     }
 
+    /// The derivative of an order of G_i^d at x; recorded, where what is looked at is.
+    pub(super) fn look(
+        &mut self,
+        (i, degree): (usize, usize),
+        x: &BigRational,
+        side: spline::Side,
+        order: usize,
+    ) -> BigRational {
+        let value = self.on.value(&self.index, (i, degree), x, side, order);
+        let look = Look { i, degree, order, x: x.clone(), side, index: self.index.clone() };
+        if let Some(looked) = self.looked.as_mut().filter(|looked| !looked.contains(&look)) {
+            looked.push(look);
+        }
+        value
+    }
+
     fn at_number(
         &mut self,
         f: &Function,
@@ -103,14 +119,8 @@ impl Reading<'_> {
     ) -> Result<Value, Stop> {
         match (f, order, side) {
             (Function::Basis { i, degree }, ..) => {
-                let (i, degree) = self.existing(i, degree.as_ref())?;
-                let (side, index) = (of(side), self.index.clone());
-                let value = self.on.value(&index, (i, degree), x, side, order);
-                let look = Look { i, degree, order, x: x.clone(), side, index };
-                if let Some(looked) = self.looked.as_mut().filter(|looked| !looked.contains(&look)) {
-                    looked.push(look);
-                }
-                Ok(value.into())
+                let id = self.existing(i, degree.as_ref())?;
+                Ok(self.look(id, x, of(side), order).into())
             }
             (Function::Weight { i, degree }, 0, _) => {
                 let span = self.knots()?.span_at(x, of(side)).map(spline::Span::index);

@@ -277,12 +277,12 @@ impl<'a> Reading<'a> {
                 }
             }
             Binder::Points(name) => {
-                let Some(pieces) = self.on.degree().and_then(|k| self.on.pieces(&self.index, k)) else {
+                let Some(basis) = self.on.degree().and_then(|k| self.on.basis_of(&self.index, k)) else {
                     return walk.unknown("control values without a basis".into());
                 };
                 walk.decided.tried |= !walk.linear;
-                let more = if walk.linear { Vec::new() } else { tries::control_values(&pieces) };
-                for values in points::units(pieces.basis().n() + 1).chain(more) {
+                let more = if walk.linear { Vec::new() } else { tries::control_values(&basis) };
+                for values in points::units(basis.n() + 1).chain(more) {
                     self.bound.points.push((name.clone(), values));
                     // Definitions may speak of them.
                     self.binders(others, &pending, walk);
