@@ -100,7 +100,7 @@ words! {
     /// Derivatives of all orders on its interval.
     Smooth "smooth" (Expression) -> Truth "{0} has derivatives of all orders";
     /// A stop knot u_i: the i-th of the different knots, from 0.
-    Stop "stop" (Int) -> Real "the stop knot u_{0}";
+    Stop "stop" (Int) -> Real "the stop knot of index {0}";
     /// How many different knots there are.
     Stops "stops" () -> Int "the number of stop knots";
     /// Is some point of a plane curve farther than a distance from all points of the curve for α = ∞?
