@@ -466,12 +466,12 @@ mod tests {
     /// The same function and its mirror image, on knots of another length that begin elsewhere.
     #[test]
     fn a_tie_is_a_crossing_on_the_functions_own_knots() {
-        let tie = |knots: [usize; 5], alpha: &str| {
+        let tie = |knots: [usize; 7], alpha: &str, i| {
             let knots =
                 KnotVector::new(knots.map(|t| integer(t) / integer(4) + integer(1)).to_vec()).unwrap();
-            Tie::near(&Basis::new(knots, 3, alpha.parse().unwrap()).unwrap(), 0).unwrap()
+            Tie::near(&Basis::new(knots, 3, alpha.parse().unwrap()).unwrap(), i).unwrap()
         };
-        let (one, other) = (tie([0, 0, 5, 7, 8], "-1"), tie([0, 1, 3, 8, 8], "2"));
+        let (one, other) = (tie([0, 0, 5, 7, 8, 8, 8], "-1", 0), tie([0, 0, 0, 1, 3, 8, 8], "2", 2));
         assert_eq!(
             other.indices.each_ref().map(|alpha| integer(1) - alpha),
             [&one.indices[1], &one.indices[0]].map(Clone::clone)
