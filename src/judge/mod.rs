@@ -69,7 +69,7 @@ fn suprema(found: Vec<Found>, names: Names<'_>, on: &Instance) -> Vec<Supremum> 
     let Some((instance, k)) = on.name.as_ref().zip(on.degree()) else { return Vec::new() };
     let mut greatest: Vec<Found> = Vec::new();
     for mut next in found {
-        match greatest.iter_mut().find(|known| known.term == next.term && known.indices == next.indices) {
+        match greatest.iter_mut().find(|known| known.term == next.term) {
             Some(known) => {
                 if compare(&mut known.value, &mut next.value) == Some(std::cmp::Ordering::Less) {
                     *known = next;
@@ -78,18 +78,13 @@ fn suprema(found: Vec<Found>, names: Names<'_>, on: &Instance) -> Vec<Supremum> 
             None => greatest.push(next),
         }
     }
-    let told = |Found { term, integers, indices, mut value }: Found| {
+    let told = |Found { term, integers, mut value }: Found| {
         let mut reading = Reading::new(on, names);
-        (reading.bound.integers, reading.bound.indices) = (integers, indices);
+        reading.bound.integers = integers;
+        let term = text(&instantiated::real(&mut reading, &term));
         let (lo, hi) = decimals_around(&mut value, DIGITS);
-        Supremum {
-            instance: instance.to_string(),
-            k,
-            alpha: on.index.to_string(),
-            term: text(&instantiated::real(&mut reading, &term)),
-            lo: decimal(&lo, DIGITS),
-            hi: decimal(&hi, DIGITS),
-        }
+        let [lo, hi] = [lo, hi].map(|end| decimal(&end, DIGITS));
+        Supremum { instance: instance.to_string(), k, alpha: on.index.to_string(), term, lo, hi }
     };
     greatest.into_iter().map(told).collect()
 }
