@@ -1,10 +1,10 @@
 //! The cases that sentences are judged on, in order of size: small ones, then the paper's.
 
-use std::collections::HashSet;
+use std::collections::{BTreeMap, HashSet};
 use std::ops::RangeInclusive;
 use std::sync::Arc;
 
-use crate::language::{Binder, Name, Sentence};
+use crate::language::{Binder, Found, Name, Sentence};
 use crate::meaning::{Instance, concerns, listed};
 use crate::scalar::integer;
 use crate::spline::{Basis, Index, KnotVector};
@@ -29,6 +29,20 @@ pub struct Cases {
     paper: Vec<Arc<Case>>,
     /// Indices alone: small ones, then those of Fig. 1 to 3.
     indices: Vec<Arc<Case>>,
+    /// Further ones, by the file that they stand in.
+    found: BTreeMap<String, Vec<Arc<Case>>>,
+}
+
+/// A case of a file that is none.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("case {number} of {file}: {why}")]
+pub struct NoCase {
+    /// The file.
+    pub file: String,
+    /// The how-manyth one of it, from 1.
+    pub number: usize,
+    /// The rule that is broken.
+    pub why: String,
 }
 
 impl Cases {
@@ -48,7 +62,34 @@ impl Cases {
         let simple = INDICES[..4].iter().chain([&CLASSICAL]).map(|text| Instance::index(index(text)));
         let shown = SHOWN.iter().map(|text| Instance::index(index(text)));
         let indices = simple.map(case(Origin::Small)).chain(shown.map(case(Origin::Paper))).collect();
-        Self { small, paper, indices }
+        Self { small, paper, indices, found: BTreeMap::new() }
+    }
+
+    /// With the cases of a file, for the stanzas that ask for it.
+    ///
+    /// # Errors
+    /// [`NoCase`], for what is no degree, knot vector or index.
+    pub fn with_found(mut self, file: &str, found: Vec<Found>) -> Result<Self, NoCase> {
+        let case = |(at, found): (usize, Found)| {
+            let no_case = |why: String| NoCase { file: file.to_owned(), number: at + 1, why };
+            let index = match found.alpha {
+                Some(alpha) => Index::from_alpha(alpha).map_err(|error| no_case(error.to_string()))?,
+                None => Index::infinity(),
+            };
+            let knots = KnotVector::new(found.knots).map_err(|error| no_case(error.to_string()))?;
+            let basis = Basis::new(knots, found.degree, index).map_err(|error| no_case(error.to_string()))?;
+            Ok(Arc::new(Case { on: Instance::of(basis), origin: Origin::Small }))
+        };
+        let cases = found.into_iter().enumerate().map(case).collect::<Result<_, _>>()?;
+        self.found.insert(file.to_owned(), cases);
+        Ok(self)
+    }
+
+    /// The cases of a file that the binders of a sentence speak of: they are tried after [the others](Self::of).
+    #[must_use]
+    pub fn of_file(&self, file: &str, sentence: &Sentence) -> Vec<Arc<Case>> {
+        let all = self.found.get(file).into_iter().flatten();
+        all.filter(|case| concerns(sentence, &case.on)).cloned().collect()
     }
 
     /// Only the cases of these degrees.

@@ -17,9 +17,9 @@ use crate::language::{Sentence, text};
 use crate::meaning::{Decided, Found, Instance, Names, Reading, decide};
 use crate::scalar::{BigRational, decimal};
 
-pub use cases::{Case, Cases};
+pub use cases::{Case, Cases, NoCase};
 pub use verdict::{Origin, Reach, Scope, Supremum, Verdict};
-pub use witness::{Bind, Bound, Count, Looked, Shows, Term, Witness};
+pub use witness::{Bind, Bound, Count, Flanked, Looked, Shows, Term, Tied, Witness};
 
 /// A bug of this program, found by computing the same thing in two ways. No verdict is given.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]

@@ -23,3 +23,4 @@ pub use reals::Part;
 pub use sentence::{Decided, Failure, Given, concerns, decide, has, listed};
 pub use truth::{Stop, Truth};
 pub use value::{Plain, Value};
+pub use words::tie;

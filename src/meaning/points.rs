@@ -1,7 +1,7 @@
 //! Control values: all of them where a conclusion is linear in them, and some otherwise.
 
 use crate::language::{
-    Argument, Binder, Definition, Formula, Function, Interval, Item, Name, Real, Relation, Sentence,
+    Argument, Binder, Definition, Formula, Function, Int, Interval, Item, Name, Real, Relation, Sentence, Use,
 };
 use crate::scalar::{BigRational, integer};
 
@@ -130,7 +130,8 @@ impl Order<'_> {
 fn walk<'t>(t: &'t Real, see: &mut dyn FnMut(&'t Name)) {
     match t {
         Real::Coefficient(name, _) | Real::Bound(name) | Real::Defined(name, _) => see(name),
-        Real::Number(_) | Real::Whole(_) | Real::Index(_) | Real::Ratio | Real::Infinity | Real::Knot(_) => {}
+        Real::Whole(i) => walk_int(i, see),
+        Real::Number(_) | Real::Index(_) | Real::Ratio | Real::Infinity | Real::Knot(_) => {}
         Real::Plus(a, b)
         | Real::Minus(a, b)
         | Real::Times(a, b)
@@ -148,15 +149,34 @@ fn walk<'t>(t: &'t Real, see: &mut dyn FnMut(&'t Name)) {
             walk(at, see);
             walk_function(f, see);
         }
-        Real::Word(of) => {
-            for item in &of.of {
-                match item {
-                    Item::Function(f, _) => walk_function(f, see),
-                    Item::Expression(t, _, _) | Item::Real(t) => walk(t, see),
-                    Item::Coefficients(name) => see(name),
-                    Item::Int(_) => {}
-                }
-            }
+        Real::Word(of) => walk_word(of, see),
+    }
+}
+
+/// In integers names of this kind occur inside of words only.
+fn walk_int<'t>(t: &'t Int, see: &mut dyn FnMut(&'t Name)) {
+    match t {
+        Int::Word(of) => walk_word(of, see),
+        Int::Plus(a, b)
+        | Int::Minus(a, b)
+        | Int::Times(a, b)
+        | Int::Least(a, b)
+        | Int::Greatest(a, b)
+        | Int::Binomial(a, b) => {
+            walk_int(a, see);
+            walk_int(b, see);
+        }
+        Int::Number(_) | Int::Bound(_) | Int::Degree | Int::Last | Int::M => {}
+    }
+}
+
+fn walk_word<'t>(of: &'t Use, see: &mut dyn FnMut(&'t Name)) {
+    for item in &of.of {
+        match item {
+            Item::Function(f, _) => walk_function(f, see),
+            Item::Expression(t, _, _) | Item::Real(t) => walk(t, see),
+            Item::Coefficients(name) => see(name),
+            Item::Int(i) => walk_int(i, see),
         }
     }
 }

@@ -121,15 +121,13 @@ pub struct Reading<'a> {
 /// Arguments of a function and its values.
 pub(super) type Graph = Vec<(Value, Value)>;
 
-/// The values of definitions that depend on their indices, their argument and the index of the moment alone: these are found
-/// out while they are computed, by how far out the names lie that they look at.
+/// The values of definitions that depend on their indices, their argument, the index of the moment, and on what changes
+/// seldom, control values and other indices: found out while they are computed, by how far out the names lie that they look at.
 #[derive(Default)]
 pub(super) struct Memo {
     pub(super) known: HashMap<(Name, Vec<i64>, Index), Graph>,
     /// The outermost integer and real looked at since it was set.
     pub(super) outermost: (usize, usize),
-    /// Was another index or a control value looked at?
-    pub(super) elsewhere: bool,
 }
 
 pub(super) fn find<'b, T>(list: &'b [(Name, T)], name: &Name) -> Result<&'b T, Stop> {
@@ -303,14 +301,10 @@ impl<'a> Reading<'a> {
         if &**name == "alpha" {
             return Ok(self.index.clone());
         }
-        self.memo.elsewhere = true;
         find(&self.bound.indices, name).cloned()
     }
 
     fn coefficient(&mut self, name: &Name, of: &[Int]) -> Result<Value, Stop> {
-        if !self.bound.points.is_empty() {
-            self.memo.elsewhere = true;
-        }
         let of = of.iter().map(|i| self.int(i)).collect::<Result<Vec<_>, _>>()?;
         let missing = || {
             let of: Vec<_> = of.iter().map(ToString::to_string).collect();

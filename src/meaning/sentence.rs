@@ -238,6 +238,7 @@ impl<'a> Reading<'a> {
                     self.bound.indices.push((name.clone(), index));
                     self.binders(others, &pending, walk);
                     self.bound.indices.pop();
+                    self.memo.known.clear();
                 }
             }
             Binder::Integer(range) => match self.range(range) {
@@ -276,15 +277,17 @@ impl<'a> Reading<'a> {
                 }
             }
             Binder::Points(name) => {
-                let Some(pieces) = self.on.degree().and_then(|k| self.on.pieces(&self.index, k)) else {
+                let Some(basis) = self.on.degree().and_then(|k| self.on.basis_of(&self.index, k)) else {
                     return walk.unknown("control values without a basis".into());
                 };
                 walk.decided.tried |= !walk.linear;
-                let more = if walk.linear { Vec::new() } else { tries::control_values(&pieces) };
-                for values in points::units(pieces.basis().n() + 1).chain(more) {
+                let more = if walk.linear { Vec::new() } else { tries::control_values(&basis) };
+                for values in points::units(basis.n() + 1).chain(more) {
                     self.bound.points.push((name.clone(), values));
+                    // Definitions may speak of them.
                     self.binders(others, &pending, walk);
                     self.bound.points.pop();
+                    self.memo.known.clear();
                 }
             }
         }
@@ -523,7 +526,7 @@ fn by_size(free: &[(&Name, Option<Relation>)], on_knots: bool) -> Vec<Vec<BigRat
     /// How many of these, for one, two, … names.
     const EACH: [usize; 5] = [12, 7, 6, 4, 3];
     let each = EACH[free.len().clamp(1, EACH.len()) - 1];
-    let each = if on_knots { each.div_ceil(2) } else { each };
+    let each = if on_knots { each.div_ceil(4).max(2) } else { each };
     let fits = |sign: Option<Relation>, q: &BigRational| match sign {
         Some(Relation::Greater) => q.is_positive(),
         Some(Relation::Less) => q.is_negative(),

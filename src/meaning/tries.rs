@@ -1,17 +1,13 @@
 //! What is tried where a sentence speaks of any numbers: control values, and numbers beside knots. It knows functions, and no
 //! sentence; what is tried can refute, and proves nothing.
 
-use crate::analysis::{
-    ExtremumKind, LocalKnots, Monotonicity, NegativeMinor, Pieces, Shape, determinant, negative_minor,
-};
+use crate::analysis::{NegativeMinor, determinant, negative_minor};
 use crate::scalar::{BigRational, integer};
-use crate::spline::{Basis, KnotVector, binomial};
+use crate::spline::{Basis, KnotVector};
 
-/// Control values for a basis: constant, rising, of alternating signs, a step; without interior knots the coefficients of
-/// Chebyshev's polynomial; a function with two maxima, cut between them; and what a negative minor shows.
-pub(super) fn control_values(pieces: &Pieces) -> Vec<Vec<BigRational>> {
-    let basis = pieces.basis();
-    let (k, n, knots) = (basis.degree(), basis.n(), basis.knots());
+/// Control values for a basis: constant, rising, of alternating signs, a step; and what a negative minor shows.
+pub(super) fn control_values(basis: &Basis) -> Vec<Vec<BigRational>> {
+    let n = basis.n();
     let list = |value: &dyn Fn(usize) -> BigRational| (0..=n).map(value).collect();
     let mut all: Vec<Vec<_>> = vec![
         list(&|_| integer(1)),
@@ -20,8 +16,6 @@ pub(super) fn control_values(pieces: &Pieces) -> Vec<Vec<BigRational>> {
         list(&|i| integer(i * i)),
     ];
     all.extend((1..=n).map(|step| list(&|i| integer(usize::from(i >= step)))));
-    all.extend((knots.is_open(k) && knots.m() == 2 * k + 1).then(|| chebyshev(k)));
-    all.extend(two_maxima_cut(pieces));
     all.extend(from_negative_minor(basis));
     all
 }
@@ -35,50 +29,6 @@ pub(super) fn numbers(knots: &KnotVector) -> Vec<BigRational> {
 
 fn signed(i: usize, size: BigRational) -> BigRational {
     if i.is_multiple_of(2) { size } else { -size }
-}
-
-/// The coefficients of Chebyshev's polynomial T_k(2w − 1) in the Bernstein basis: (−1)^(k−i) C(2k, 2i)/C(k, i).
-fn chebyshev(k: usize) -> Vec<BigRational> {
-    (0..=k).map(|i| signed(k - i, binomial(2 * k, 2 * i) / binomial(k, i))).collect()
-}
-
-/// A function with two local maxima, cut by a line between the lower one and the minimum between them: e_i − c, with the
-/// shortest decimal c, since the functions of an open vector have the sum 1.
-fn two_maxima_cut(pieces: &Pieces) -> Option<Vec<BigRational>> {
-    /// Maxima and minima that are closer than 10^−40 are passed over.
-    const DIGITS: usize = 40;
-    let basis = pieces.basis();
-    let several = |i: &usize| {
-        let maxima = LocalKnots::of(basis, *i).and_then(|knots| Monotonicity::of(&knots).local_maxima());
-        maxima.is_some_and(|maxima| maxima > 1)
-    };
-    let i = (0..=basis.n()).find(several)?;
-    let mut shape = Shape::of(pieces, i);
-    let height = (1..=DIGITS).find_map(|digits| {
-        shape.refine_to(&power_of_ten(digits).recip());
-        shape.extrema().windows(3).find_map(|three| {
-            let [first, minimum, second] = three else { return None };
-            let between = (first.kind, second.kind) == (ExtremumKind::Maximum, ExtremumKind::Maximum);
-            let low = &minimum.value.1;
-            let high = (&first.value.0).min(&second.value.0);
-            (between && low < high).then(|| shortest_decimal(low, high))
-        })
-    })?;
-    Some((0..=basis.n()).map(|l| integer(usize::from(l == i)) - &height).collect())
-}
-
-fn power_of_ten(digits: usize) -> BigRational {
-    num_traits::pow(integer(10), digits)
-}
-
-/// The number with the fewest decimals strictly between the two, and of these the one next to the middle.
-fn shortest_decimal(low: &BigRational, high: &BigRational) -> BigRational {
-    let middle = (low + high) / integer(2);
-    let rounded = (0..).map(|digits| {
-        let unit = power_of_ten(digits);
-        (&middle * &unit).round() / unit
-    });
-    rounded.take_while(|_| low < high).find(|x| low < x && x < high).unwrap_or(middle)
 }
 
 /// From a negative minor: with f = Σ c_i G_i equal to 1, −1, 1 at its points, the c_i have the signs −, +, −, so f changes
@@ -100,39 +50,22 @@ fn from_negative_minor(basis: &Basis) -> Option<Vec<BigRational>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scalar::{parse_rational, rational};
+    use crate::scalar::rational;
 
-    fn pieces(degree: usize, knots: &[usize], alpha: &str) -> Pieces {
-        let knots = KnotVector::new(knots.iter().map(|t| integer(*t)).collect()).unwrap();
-        Pieces::of(&Basis::new(knots, degree, alpha.parse().unwrap()).unwrap())
+    fn knots(knots: &[usize]) -> KnotVector {
+        KnotVector::new(knots.iter().map(|t| integer(*t)).collect()).unwrap()
     }
 
-    /// The function of the conjecture, cut between its maxima: the line has eight decimals.
+    /// Four changes of sign of the curve, two of the polygon.
     #[test]
-    fn a_function_with_two_maxima_is_cut_by_a_short_number() {
-        let height = parse_rational("0.63616075").unwrap();
-        let expected: Vec<_> = (0..6).map(|l| integer(usize::from(l == 2)) - &height).collect();
-        assert!(control_values(&pieces(3, &[0, 0, 0, 0, 1, 2, 4, 4, 4, 4], "5/2")).contains(&expected));
-    }
-
-    #[test]
-    fn chebyshev_in_bernstein_form() {
-        assert_eq!(chebyshev(2), [1, -3, 1].map(|c| rational(c, 1)));
-        assert_eq!(chebyshev(4)[2], rational(35, 3));
-        assert!(control_values(&pieces(2, &[0, 0, 0, 1, 1, 1], "-1")).contains(&chebyshev(2)));
-    }
-
-    #[test]
-    fn decimals() {
-        let number = |text: &str| parse_rational(text).unwrap();
-        assert_eq!(shortest_decimal(&number("0.3"), &number("1.2")), number("1"));
-        assert_eq!(shortest_decimal(&number("0.31"), &number("0.39")), number("0.35"));
-        assert_eq!(shortest_decimal(&number("-0.39"), &number("-0.31")), number("-0.35"));
+    fn a_negative_minor_gives_control_values() {
+        let basis = Basis::new(knots(&[0, 0, 0, 0, 1, 2, 3, 3, 3, 3]), 3, "-1".parse().unwrap()).unwrap();
+        let expected = [-1, -371_664, 769_061, -3_162_035, -1, -1].map(|c| rational(c, 1));
+        assert_eq!(control_values(&basis).pop().unwrap(), expected);
     }
 
     #[test]
     fn numbers_are_middles_and_knots() {
-        let knots = KnotVector::new([0, 0, 1, 3].map(integer).to_vec()).unwrap();
-        assert_eq!(numbers(&knots), [rational(1, 2), rational(2, 1), integer(0), integer(1), integer(3)]);
+        assert_eq!(numbers(&knots(&[0, 0, 1, 3])), [rational(1, 2), rational(2, 1), integer(0), integer(1), integer(3)]);
     }
 }

@@ -2,7 +2,7 @@
 
 use num_traits::Signed;
 
-use crate::analysis::{Pieces, SpanPieces, coefficient_rows, common_numerators, negative_minor, rank};
+use crate::analysis::{NegativeMinor, Pieces, SpanPieces, coefficient_rows, common_numerators, negative_minor, rank};
 use crate::language::{Int, Real};
 use crate::scalar::{Polynomial, Ring, integer};
 use crate::spline::{Basis, KnotVector, Side};
@@ -17,12 +17,15 @@ fn basis(own: &mut Reading<'_>, degree: &Int) -> Result<Basis, Stop> {
     own.on.basis_of(&own.index, d).ok_or_else(|| Stop::Unknown("too few knots".into()))
 }
 
-/// Has no minor a negative value? Looked for close to the knots: where none is found there, it can't be told.
+/// Is no minor negative? Looked for close to the knots: where none is found there, it can't be told.
 pub(super) fn totally_positive(own: &mut Reading<'_>, degree: &Int) -> Result<bool, Stop> {
-    match negative_minor(&basis(own, degree)?) {
-        Some(_) => Ok(false),
-        None => Err(Stop::Unknown("no negative minor of order 3 was found near any knot".into())),
+    let basis = basis(own, degree)?;
+    let unknown = || Stop::Unknown("no negative minor of order 3 was found near any knot".into());
+    let NegativeMinor { first, points, .. } = negative_minor(&basis).ok_or_else(unknown)?;
+    for (x, i) in points.iter().flat_map(|x| (first..first + 3).map(move |i| (x, i))) {
+        own.look((i, basis.degree()), x, Side::Right, 0);
     }
+    Ok(false)
 }
 
 /// Is every function of a basis a combination of those of a finer one, whose knots are its own and perhaps more?
