@@ -86,7 +86,7 @@ pub struct Look {
     pub index: Index,
 }
 
-/// A supremum on the way, which depends on no other index and on no control values but those of the instance.
+/// A supremum on the way, with nothing bound but integers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Found {
     /// The term.

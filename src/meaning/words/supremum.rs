@@ -55,20 +55,22 @@ fn number(own: &mut Reading<'_>, term: &Real) -> Result<Greatest, Stop> {
             None => Err(Stop::Unknown("a supremum beside what is no rational number".into())),
         };
     };
-    // What depends on nothing but integers is found once.
-    let at_home = own.index == own.on.index && own.bound.reals.is_empty();
-    let integers = own.bound.integers.clone();
-    let known = own.found.iter().find(|known| at_home && known.term == *term && known.integers == integers);
+    // What depends on nothing but integers is found once, and told.
+    let bound = &own.bound;
+    let home = own.index == own.on.index
+        && bound.reals.is_empty()
+        && bound.indices.is_empty()
+        && bound.points.is_empty();
+    let integers = bound.integers.clone();
+    let known = own.found.iter().find(|known| home && known.term == *term && known.integers == integers);
     if let Some(known) = known {
         return Ok(known.value.clone());
     }
-    let outside = std::mem::take(&mut own.memo.elsewhere);
-    let value = greatest(own, Of(of).expression(0)?);
-    if let (Ok(value), true, false) = (&value, at_home, own.memo.elsewhere) {
+    let value = greatest(own, Of(of).expression(0)?)?;
+    if home {
         own.found.push(Found { term: term.clone(), integers, value: value.clone() });
     }
-    own.memo.elsewhere |= outside;
-    value
+    Ok(value)
 }
 
 fn admits(relation: Relation, order: Ordering) -> bool {
