@@ -12,10 +12,10 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 
-use crate::analysis::{compare, decimals_around};
+use crate::analysis::decimals_around;
 use crate::language::{Sentence, text};
 use crate::meaning::{Decided, Found, Instance, Names, Reading, decide};
-use crate::scalar::decimal;
+use crate::scalar::{BigRational, decimal};
 
 pub use cases::{Case, Cases};
 pub use verdict::{Origin, Reach, Scope, Supremum, Verdict};
@@ -67,29 +67,22 @@ fn suprema(found: Vec<Found>, names: Names<'_>, on: &Instance) -> Vec<Supremum> 
     /// As many digits as a reader can look at.
     const DIGITS: usize = 6;
     let Some((instance, k)) = on.name.as_ref().zip(on.degree()) else { return Vec::new() };
-    let mut greatest: Vec<Found> = Vec::new();
+    // By the digits that are told: many are equal, and irrational.
+    let mut greatest: Vec<(Found, [BigRational; 2])> = Vec::new();
     for mut next in found {
-        match greatest.iter_mut().find(|known| known.term == next.term && known.indices == next.indices) {
-            Some(known) => {
-                if compare(&mut known.value, &mut next.value) == Some(std::cmp::Ordering::Less) {
-                    *known = next;
-                }
-            }
-            None => greatest.push(next),
+        let (lo, hi) = decimals_around(&mut next.value, DIGITS);
+        match greatest.iter_mut().find(|(known, _)| known.term == next.term) {
+            Some(known) if known.1[0] < lo => *known = (next, [lo, hi]),
+            Some(_) => {}
+            None => greatest.push((next, [lo, hi])),
         }
     }
-    let told = |Found { term, integers, indices, mut value }: Found| {
+    let told = |(Found { term, integers, .. }, ends): (Found, [BigRational; 2])| {
         let mut reading = Reading::new(on, names);
-        (reading.bound.integers, reading.bound.indices) = (integers, indices);
-        let (lo, hi) = decimals_around(&mut value, DIGITS);
-        Supremum {
-            instance: instance.to_string(),
-            k,
-            alpha: on.index.to_string(),
-            term: text(&instantiated::real(&mut reading, &term)),
-            lo: decimal(&lo, DIGITS),
-            hi: decimal(&hi, DIGITS),
-        }
+        reading.bound.integers = integers;
+        let term = text(&instantiated::real(&mut reading, &term));
+        let [lo, hi] = ends.map(|end| decimal(&end, DIGITS));
+        Supremum { instance: instance.to_string(), k, alpha: on.index.to_string(), term, lo, hi }
     };
     greatest.into_iter().map(told).collect()
 }

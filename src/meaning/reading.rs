@@ -92,15 +92,13 @@ pub struct Look {
     pub index: Index,
 }
 
-/// A supremum on the way.
+/// A supremum on the way, with nothing bound but integers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Found {
     /// The term.
     pub term: Real,
     /// The integers that were bound.
     pub integers: Vec<(Name, i64)>,
-    /// The indices.
-    pub indices: Vec<(Name, Index)>,
     /// What it is.
     pub value: Greatest,
 }

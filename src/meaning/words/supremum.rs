@@ -22,10 +22,6 @@ pub(in super::super) fn chain(
         Ok(values) => values,
         Err(stop) => return Some(stop.into()),
     };
-    for (term, value) in terms().zip(&values).filter(|(term, _)| supremum_in(term).is_some()) {
-        let (integers, indices) = (own.bound.integers.clone(), own.bound.indices.clone());
-        own.found.push(Found { term: term.clone(), integers, indices, value: value.clone() });
-    }
     let mut all = Truth::True;
     for (at, (relation, _)) in rest.iter().enumerate() {
         let [a, b] = &mut values[at..=at + 1] else { continue };
@@ -53,13 +49,28 @@ impl Reading<'_> {
 }
 
 fn number(own: &mut Reading<'_>, term: &Real) -> Result<Greatest, Stop> {
-    match supremum_in(term) {
-        Some(of) => greatest(own, Of(of).expression(0)?),
-        None => match own.real(term)?.number() {
+    let Some(of) = supremum_in(term) else {
+        return match own.real(term)?.number() {
             Some(number) => Ok(number.clone().into()),
             None => Err(Stop::Unknown("a supremum beside what is no rational number".into())),
-        },
+        };
+    };
+    // What depends on nothing but integers is found once, and told.
+    let bound = &own.bound;
+    let home = own.index == own.on.index
+        && bound.reals.is_empty()
+        && bound.indices.is_empty()
+        && bound.points.is_empty();
+    let integers = bound.integers.clone();
+    let known = own.found.iter().find(|known| home && known.term == *term && known.integers == integers);
+    if let Some(known) = known {
+        return Ok(known.value.clone());
     }
+    let value = greatest(own, Of(of).expression(0)?)?;
+    if home {
+        own.found.push(Found { term: term.clone(), integers, value: value.clone() });
+    }
+    Ok(value)
 }
 
 fn admits(relation: Relation, order: Ordering) -> bool {
