@@ -500,10 +500,9 @@ fn other_indices() -> impl Iterator<Item = Index> {
 fn by_size(free: &[(&Name, Option<Relation>)], on_knots: bool) -> Vec<Vec<BigRational>> {
     const SIMPLE: [(i64, i64); 12] =
         [(0, 1), (1, 1), (-1, 1), (2, 1), (1, 2), (-2, 1), (3, 1), (-1, 2), (1, 3), (3, 2), (-3, 1), (4, 1)];
-    /// How many of these, for one, two, … names.
-    const EACH: [usize; 5] = [12, 7, 6, 4, 3];
-    let each = EACH[free.len().clamp(1, EACH.len()) - 1];
-    let each = if on_knots { each.div_ceil(2) } else { each };
+    /// How many of these, for one, two, … names; and beside knots, where everything takes longer.
+    const EACH: [[usize; 5]; 2] = [[12, 7, 6, 4, 3], [3, 4, 3, 2, 2]];
+    let each = EACH[usize::from(on_knots)][free.len().clamp(1, 5) - 1];
     let fits = |sign: Option<Relation>, q: &BigRational| match sign {
         Some(Relation::Greater) => q.is_positive(),
         Some(Relation::Less) => q.is_negative(),
