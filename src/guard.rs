@@ -86,7 +86,7 @@ fn stanza(sentence: &Sentence, names: Names<'_>, case: &Case) -> Says {
         return Says::Nothing;
     }
     match judge_case(sentence, names, case) {
-        Ok(judge::Outcome::Holds(_)) => Says::Holds,
+        Ok(judge::Outcome::Holds(..)) => Says::Holds,
         Ok(judge::Outcome::Nothing) => Says::Nothing,
         Ok(judge::Outcome::Refuted(witness)) => Says::Refuted(listed(&witness.given())),
         Ok(judge::Outcome::Undecided(why)) => Says::Undecided(why),

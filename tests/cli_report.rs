@@ -7,7 +7,7 @@ use std::fs;
 use std::path::Path;
 
 use assert_cmd::Command;
-use knotproof::report::{Baseline, END, START};
+use knotproof::report::Baseline;
 use serde_json::Value;
 
 fn knotproof(arguments: &[&str]) -> Command {
@@ -344,21 +344,12 @@ fn a_folder_that_cannot_be_made_is_refused_before_the_work() {
 
 /// What `--record` needs is looked for first: nothing is judged, and nothing written.
 #[test]
-fn recording_needs_a_readme_with_the_marks_and_the_folders() {
+fn recording_needs_the_folders() {
     let folder = tempfile::tempdir().unwrap();
     let refusal = || refused(knotproof(&["report", "--record"]).current_dir(folder.path()), "--record");
     assert!(refusal().starts_with("--record: cannot write proofs: "), "no folder proofs");
     fs::create_dir(folder.path().join("proofs")).unwrap();
     assert!(refusal().starts_with("--record: cannot write docs: "), "no folder docs");
-    fs::create_dir(folder.path().join("docs")).unwrap();
-    assert!(refusal().starts_with("--record: cannot read README.md: "), "no README.md");
-    let readme = folder.path().join("README.md");
-    for text in ["# A title\n", &format!("{START}\n"), &format!("{END}\n{START}\n")] {
-        fs::write(&readme, text).unwrap();
-        let message = refusal();
-        assert!(message.contains(START) && message.contains(END), "{message}");
-        assert_eq!(fs::read_to_string(&readme).unwrap(), text, "it is left as it is");
-    }
     assert_eq!(fs::read_dir(folder.path().join("proofs")).unwrap().count(), 0);
 }
 

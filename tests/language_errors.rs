@@ -54,7 +54,7 @@ const SENTENCES: &[(&str, &str, &str)] = &[
     ("k; U; x in [t[0], t[m]] : ‸mutl(x) = 1", "nothing is called `mutl`", "did you mean `mult`?"),
     ("k; U; x : ‸y = 1", "nothing is called `y`", "bind it in `for`"),
     ("k; U; i in 0..n : ‸U[i] = 0", "`U` has no indices", "a knot is `t[i]`"),
-    ("k; U : ‸U = 0", "`U` is no number", "a knot is `t[i]`"),
+    ("k; U : ‸U = 0", "without what belongs to it", "write `t[i]`"),
     ("k; U : ‸t = 0", "without what belongs to it", "write `t[i]`"),
     ("x : ‸t[0] = x", "`t` needs knots", "`k; U`"),
     ("x : ‸k = 1", "`k` is not bound", "begin `for` with `k`"),
@@ -99,7 +99,7 @@ const SENTENCES: &[(&str, &str, &str)] = &[
     ("k in ‸3..1; U : k = 1", "this range is empty", "write `1..3`"),
     ("k >= ‸m; U : k = 1", "bounded by a number", "`k >= 1`"),
     // What can be seen without any knots.
-    ("k; U; x : G[‸-1](x) = 0", "no index is -1", "begin at 0"),
+    ("k; U; x : G[‸-1](x) = 0", "no index is below 0", "begin at 0"),
     ("k; U; i in ‸3..1 : t[i] = 0", "this range is empty", "write `1..3`"),
     ("x in ‸[1, 0] : x = 0", "this interval is empty", "left end"),
     ("x in ‸[1, 1) : x = 0", "this interval is empty", "left end"),

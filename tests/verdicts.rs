@@ -7,7 +7,7 @@ use std::path::Path;
 use std::sync::LazyLock;
 
 use knotproof::claims::{Source, Witness, claims};
-use knotproof::report::{Baseline, END, Finding, Record, Report, START, markdown, with_verdict_table};
+use knotproof::report::{Baseline, Finding, Record, Report, markdown, verdicts_page};
 
 /// The claims of the paper and the questions, in the order in which the register lists them. Written down here once
 /// more, so that none can get lost.
@@ -273,17 +273,19 @@ fn every_question_is_settled_degree_by_degree() {
 }
 
 #[test]
-fn the_table_in_the_readme_is_the_recorded_one() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md");
-    let readme = fs::read_to_string(path).expect("there is a README.md");
+fn the_page_of_verdicts_is_the_recorded_one() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/verdicts.md");
+    let page = fs::read_to_string(path).expect("there is a docs/verdicts.md");
     let recorded = Baseline::recorded().expect("proofs/verdicts.json can be read");
-    let expected = with_verdict_table(&readme, &recorded).expect("README.md has the two marks");
-    assert!(readme == expected, "the table is out of date: run `cargo run --release -- report --record`");
+    assert!(
+        page == verdicts_page(&recorded),
+        "the table is out of date: run `cargo run --release -- report --record`"
+    );
     for id in IDS {
-        assert_eq!(readme.matches(&format!("| `{id}` |")).count(), 1, "{id}");
+        assert_eq!(page.matches(&format!("| `{id}` |")).count(), 1, "{id}");
     }
     // What the table says of a claim is its verdict with its reach, and where the certificates are.
-    for (row, entry) in readme.lines().filter(|line| line.starts_with("| `")).zip(&recorded.claims) {
+    for (row, entry) in page.lines().filter(|line| line.starts_with("| `")).zip(&recorded.claims) {
         let said = |finding: &Finding| match finding.reach() {
             Some(reach) => format!("{} ({reach})", finding.status),
             None => finding.status.clone(),
@@ -293,35 +295,8 @@ fn the_table_in_the_readme_is_the_recorded_one() {
         let degrees = entry.by_degree.iter().map(|of| &of.finding);
         let all = std::iter::once(&entry.as_printed).chain(&entry.amended).chain(degrees);
         for certificate in all.filter_map(|finding| finding.certificate.as_ref()) {
-            let link = format!("(proofs/certs/{certificate}.statement)");
+            let link = format!("(../proofs/certs/{certificate}.statement)");
             assert!(row.contains(&link), "{row}: {link}");
         }
-    }
-}
-
-#[test]
-fn the_table_replaces_what_is_between_the_marks_and_nothing_else() {
-    let recorded = Baseline::recorded().expect("proofs/verdicts.json can be read");
-    let before = "# A title\n\nText with | a bar and `code`.\n\n";
-    let after = "\n\nMore text.\n";
-    let fresh = format!("{before}{START}\n{END}{after}");
-    let filled = with_verdict_table(&fresh, &recorded).expect("both marks are there");
-    assert!(
-        filled.starts_with(&format!("{before}{START}\n")) && filled.ends_with(&format!("\n{END}{after}"))
-    );
-    let rows = filled.lines().filter(|line| line.starts_with("| `")).count();
-    assert_eq!(rows, recorded.claims.len());
-    for entry in &recorded.claims {
-        let row = format!("| `{}` | {} | {}", entry.id, entry.locator, entry.as_printed.status);
-        assert!(filled.contains(&row), "{row}");
-    }
-    assert_eq!(with_verdict_table(&filled, &recorded).as_ref(), Some(&filled), "once more changes nothing");
-    // An outdated table goes.
-    let outdated = format!("{before}{START}\n\n| `gone` | 1 | proved | |\n{END}{after}");
-    assert_eq!(with_verdict_table(&outdated, &recorded).as_ref(), Some(&filled));
-
-    let (only_start, only_end) = (format!("{before}{START}{after}"), format!("{before}{END}{after}"));
-    for text in ["", before, &only_start, &only_end, &format!("{END}\n{START}\n")] {
-        assert_eq!(with_verdict_table(text, &recorded), None, "{text}");
     }
 }

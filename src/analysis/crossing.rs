@@ -8,6 +8,7 @@ use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 use crate::scalar::{Polynomial, RationalFunction, Ring, height, integer, rationals_between, spend};
+use crate::spline::Basis;
 
 use super::decision::always_positive;
 use super::extremum::{Extremum, ExtremumKind};
@@ -207,6 +208,55 @@ impl Crossing {
     }
 }
 
+/// A [`Crossing`] of a basis function, on the function's own knots and for its own indices.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Tie {
+    /// Two indices between which, for some index, the largest value is taken at two points.
+    pub indices: [BigRational; 2],
+    /// c: for every index between, the function is smaller there than at d.
+    pub lower: BigRational,
+    /// d.
+    pub higher: BigRational,
+    /// For each of the two indices the side of c on which the function is the larger, and a value that it exceeds there only.
+    pub at_ends: [(Flank, BigRational); 2],
+}
+
+impl Tie {
+    /// Looks for one near the index of a basis, as [`Crossing::near`] does, for G_i^k or, where r > 1, its mirror image.
+    ///
+    /// # Panics
+    /// If i > n.
+    #[must_use]
+    pub fn near(basis: &Basis, i: usize) -> Option<Self> {
+        let knots = LocalKnots::of(basis, i)?;
+        let mut gaps: Vec<_> = knots.gaps().iter().map(ToPrimitive::to_u64).collect::<Option<_>>()?;
+        let (p, q) = (knots.ratio().0.to_u64()?, knots.ratio().1.to_u64()?);
+        let mirrored = p > q;
+        if mirrored {
+            gaps.reverse();
+        }
+        let crossing = Crossing::near(&gaps, (p.min(q), p.max(q)))?;
+        let (start, end) = basis.support(i);
+        let unit = (end - start) / BigRational::from_integer(gaps.iter().sum::<u64>().into());
+        let place = |x: &BigRational| if mirrored { end - x * &unit } else { start + x * &unit };
+        let [lower, higher] = crossing.points().each_ref().map(place);
+        let at_ends = crossing.at_ends().map(|(side, value)| (side, value.clone()));
+        let tie = Self { indices: crossing.indices(), lower, higher, at_ends };
+        Some(if mirrored { tie.mirrored() } else { tie })
+    }
+
+    /// With 1 − α for α, which turns the interval round, and the sides exchanged.
+    fn mirrored(self) -> Self {
+        let ([from, to], [first, second]) = (self.indices, self.at_ends);
+        let side = |(side, value): (Flank, BigRational)| (side.other(), value);
+        Self {
+            indices: [to, from].map(|alpha| integer(1) - alpha),
+            at_ends: [side(second), side(first)],
+            ..self
+        }
+    }
+}
+
 /// α = r/(r − 1) for r < 1.
 fn alpha((p, q): (u64, u64)) -> BigRational {
     BigRational::new(p.into(), BigInt::from(p) - q)
@@ -391,6 +441,7 @@ fn is_lower_throughout(
 mod tests {
     use super::*;
     use crate::scalar::rational;
+    use crate::spline::KnotVector;
 
     /// The two maxima of gaps 0, 5, 2, 1 are equal for some α between −53/47 and −12/13.
     #[test]
@@ -410,6 +461,27 @@ mod tests {
         assert_eq!(new(ends, [c, rational(8, 1)]), None);
         let sides = crossing.at_ends().map(|(side, _)| side);
         assert_ne!(sides[0], sides[1]);
+    }
+
+    /// The same function and its mirror image, on knots of another length that begin elsewhere.
+    #[test]
+    fn a_tie_is_a_crossing_on_the_functions_own_knots() {
+        let tie = |knots: [usize; 5], alpha: &str| {
+            let knots =
+                KnotVector::new(knots.map(|t| integer(t) / integer(4) + integer(1)).to_vec()).unwrap();
+            Tie::near(&Basis::new(knots, 3, alpha.parse().unwrap()).unwrap(), 0).unwrap()
+        };
+        let (one, other) = (tie([0, 0, 5, 7, 8], "-1"), tie([0, 1, 3, 8, 8], "2"));
+        assert_eq!(
+            other.indices.each_ref().map(|alpha| integer(1) - alpha),
+            [&one.indices[1], &one.indices[0]].map(Clone::clone)
+        );
+        assert_eq!(
+            (integer(4) - &other.lower, integer(4) - &other.higher),
+            (one.lower.clone(), one.higher.clone())
+        );
+        assert_eq!(other.at_ends[0], (one.at_ends[1].0.other(), one.at_ends[1].1.clone()));
+        assert_eq!(other.mirrored().indices, one.indices);
     }
 
     #[test]

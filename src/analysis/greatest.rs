@@ -74,8 +74,8 @@ impl Enclosed for Greatest {
     }
 
     fn narrow(&mut self) -> bool {
-        // Each of them, and so not `any`.
-        self.0.iter_mut().fold(false, |moved, number| number.narrow() || moved)
+        // Each of them: `any` would stop at the first.
+        self.0.iter_mut().map(Enclosed::narrow).fold(false, std::ops::BitOr::bitor)
     }
 }
 

@@ -26,7 +26,7 @@ mod supremum;
 
 pub use algebraic::{Algebraic, Enclosed, decimals_around, settled, settled_apart};
 pub use contenders::Attained;
-pub use crossing::{Crossing, Flank};
+pub use crossing::{Crossing, Flank, Tie};
 pub use decision::{
     Decision, PositivePoint, SignPattern, Zeros, always_nonnegative, always_positive, common_positive_roots,
     sign_pattern,

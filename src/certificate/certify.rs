@@ -2,15 +2,13 @@
 
 use thiserror::Error;
 
-use crate::claims::{
-    Claim, Form as ClaimForm, Formal, Judged, Verdict, Witness, formal, formal_for_degree, refutation,
-};
+use crate::claims::{Claim, Form as ClaimForm, Judged, Verdict, Witness};
 
-use super::error::StatementError;
 use super::proof::{SectionProof, to_sexp};
 use super::prove::{ProofError, prove};
 use super::sexp::Sexp;
 use super::statement::{Form, Statement};
+use super::windows::{Windows, WindowsError, windows};
 
 /// A statement with its proof.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,6 +35,9 @@ pub struct CertificateError {
 /// What can go wrong on the way to a certificate.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum Uncertified {
+    /// The windows of the claim.
+    #[error(transparent)]
+    Windows(#[from] WindowsError),
     /// The statement or the search for its proof.
     #[error(transparent)]
     Proof(#[from] ProofError),
@@ -46,14 +47,17 @@ pub enum Uncertified {
 }
 
 impl Certificate {
+    fn of(statement: Statement) -> Result<Self, CertificateError> {
+        match prove(&statement) {
+            Ok(proof) => Ok(Self { statement, proof }),
+            Err(error) => Err(failed(&statement.claim, statement.form, error)),
+        }
+    }
+
     /// The name of its two files, without their extension: `T3.5.3.amended`.
     #[must_use]
     pub fn name(&self) -> String {
-        let Statement { claim, form, .. } = &self.statement;
-        match form {
-            Form::Printed | Form::Amended => format!("{claim}.{form}"),
-            Form::Degree(k) => format!("{claim}.degree-{k}"),
-        }
+        format!("{}.{}", self.statement.claim, self.statement.form.name())
     }
 
     /// The text of the statement.
@@ -68,42 +72,40 @@ impl Certificate {
         to_sexp(&self.proof).pretty()
     }
 
-    fn error(&self, error: Uncertified) -> CertificateError {
-        CertificateError { claim: self.statement.claim.clone(), form: self.statement.form, error }
-    }
-
     /// Has the independent checker read both texts.
     ///
     /// # Errors
     /// [`CertificateError`], if it rejects them.
     pub fn check(&self) -> Result<knotproof_checker::Checked, CertificateError> {
-        knotproof_checker::check(&self.statement_text(), &self.proof_text())
-            .map_err(|rejected| self.error(Uncertified::Rejected(rejected.to_string())))
+        knotproof_checker::check(&self.statement_text(), &self.proof_text()).map_err(|rejected| {
+            let Statement { claim, form, .. } = &self.statement;
+            failed(claim, *form, Uncertified::Rejected(rejected.to_string()))
+        })
     }
+}
+
+fn failed(claim: &str, form: Form, error: impl Into<Uncertified>) -> CertificateError {
+    CertificateError { claim: claim.to_owned(), form, error: error.into() }
 }
 
 /// The formal statement of a claim: that it is true, or, with a witness, that it is false. `None` if it is not stated
 /// formally.
 ///
 /// # Errors
-/// [`StatementError`], if the text is none of the language: a bug of this program.
+/// [`CertificateError`], if the windows are no text of the language, or are about another witness.
 pub fn statement(
     claim: &Claim,
     form: Form,
     witness: Option<&Witness>,
-) -> Result<Option<Statement>, StatementError> {
-    let formal = match (witness, form) {
-        (Some(witness), _) => refutation(claim.id, witness),
-        (None, Form::Degree(k)) => formal_for_degree(claim.id, k),
-        (None, form) => formal(claim.id, form == Form::Amended),
+) -> Result<Option<Statement>, CertificateError> {
+    let found = windows(claim.id, form, witness).map_err(|error| failed(claim.id, form, error))?;
+    let stated = |Windows { claim: id, scope, degrees, because, sections, refutes, .. }| {
+        let sections = Sexp::parse_all(&sections)
+            .map_err(|error| failed(&id, form, ProofError::Statement(error.into())))?;
+        let (text, refuted) = (in_words(claim, form), refutes.is_some());
+        Ok(Statement { claim: id, form, refuted, scope, degrees, text, because, sections })
     };
-    let text = in_words(claim, form);
-    let stated = |Formal { scope, degrees, because, sections }| {
-        let sections = Sexp::parse_all(&sections)?;
-        let (claim, refuted) = (claim.id.to_owned(), witness.is_some());
-        Ok(Statement { claim, form, refuted, scope, degrees, text, because, sections })
-    };
-    formal.map(stated).transpose()
+    found.cloned().map(stated).transpose()
 }
 
 /// The statement in words, with everything that has to be known to read it.
@@ -138,12 +140,8 @@ pub fn certify(claim: &Claim, judged: &Judged) -> Result<Vec<Certificate>, Certi
             (Verdict::Proved { .. }, _) | (Verdict::Undecided(_), Form::Degree(_)) => None,
             _ => continue,
         };
-        let failed = |error| CertificateError { claim: claim.id.to_owned(), form, error };
-        let stated =
-            statement(claim, form, witness).map_err(|error| failed(ProofError::from(error).into()))?;
-        if let Some(statement) = stated {
-            let proof = prove(&statement).map_err(|error| failed(error.into()))?;
-            certificates.push(Certificate { statement, proof });
+        if let Some(statement) = statement(claim, form, witness)? {
+            certificates.push(Certificate::of(statement)?);
         }
     }
     Ok(certificates)
@@ -161,15 +159,12 @@ pub fn certify_for_degree(
 ) -> Result<Option<Certificate>, CertificateError> {
     let of_degree = form == Form::Printed && claim.is_settled_by_degree();
     let form = if of_degree { Form::Degree(k) } else { form };
-    let failed = |error| CertificateError { claim: claim.id.to_owned(), form, error };
-    let stated = statement(claim, form, None).map_err(|error| failed(ProofError::from(error).into()))?;
-    let Some(mut statement) = stated else { return Ok(None) };
+    let Some(mut statement) = statement(claim, form, None)? else { return Ok(None) };
     if matches!(claim.printed, ClaimForm::Basis(_)) {
         statement.degrees.retain(|degree| *degree == k);
     }
     if statement.degrees.is_empty() {
         return Ok(None);
     }
-    let proof = prove(&statement).map_err(|error| failed(error.into()))?;
-    Ok(Some(Certificate { statement, proof }))
+    Certificate::of(statement).map(Some)
 }

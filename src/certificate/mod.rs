@@ -1,6 +1,6 @@
 //! Floor 4: certificates, written (`proofs/FORMAT.md`).
 //!
-//! A claim's formal statement is unrolled into sections, every goal is decided by the library's own triangle over
+//! A claim's formal statement, which the paper's file of windows gives, is unrolled into sections, every goal is decided by the library's own triangle over
 //! quotients of polynomials in all parameters, and the rule that shows it is written down. The checker, which shares no code
 //! with this, then reads both.
 
@@ -13,6 +13,7 @@ mod prove;
 mod sexp;
 mod statement;
 mod term;
+mod windows;
 
 pub use certify::{Certificate, CertificateError, Uncertified, certify, certify_for_degree, statement};
 pub use error::StatementError;
@@ -22,3 +23,4 @@ pub use prove::{GoalError, ProofError, prove};
 pub use sexp::{Sexp, SyntaxError};
 pub use statement::{Class, Form, Gap, Hint, Section, Statement, Window};
 pub use term::{Formula, OfWeight, Place, Term, Where};
+pub use windows::{Windows, WindowsError, windows};

@@ -23,6 +23,14 @@ pub enum Form {
     Degree(usize),
 }
 
+impl Form {
+    /// The name in those of certificates and windows: `printed`, `amended`, `degree-3`.
+    #[must_use]
+    pub fn name(self) -> String {
+        self.to_string().replace(' ', "-")
+    }
+}
+
 impl fmt::Display for Form {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

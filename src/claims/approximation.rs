@@ -45,7 +45,7 @@ fn order_one(case: &BasisCase, ledger: &mut Ledger) -> Judgement {
 }
 
 /// Every knot once more.
-pub(super) fn raised(knots: &KnotVector) -> KnotVector {
+fn raised(knots: &KnotVector) -> KnotVector {
     knots.stop_knots().fold(knots.clone(), |raised, (t, _)| raised.with_knot(t))
 }
 
@@ -101,7 +101,7 @@ fn elevates_exactly(least: fn(k: usize) -> usize) -> impl Fn(&BasisCase, &mut Le
 }
 
 /// The coefficients of Chebyshev's polynomial T_k(2w − 1) in the Bernstein basis: (−1)^(k−i) C(2k, 2i)/C(k, i).
-pub(super) fn chebyshev(k: usize) -> Vec<BigRational> {
+fn chebyshev(k: usize) -> Vec<BigRational> {
     let coefficient = |i: usize| {
         let size = binomial(2 * k, 2 * i) / binomial(k, i);
         if (k - i).is_multiple_of(2) { size } else { -size }

@@ -9,13 +9,13 @@ use super::verdict::{Judgement, Ledger};
 
 /// What a caption says.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Caption {
+struct Caption {
     /// The instance that the figure shows.
-    pub(super) name: &'static str,
+    name: &'static str,
     /// "U uniform and open"; otherwise "U symmetric and open with double node".
-    pub(super) uniform: bool,
+    uniform: bool,
     /// "Π symmetric with double point"; otherwise "with no multiple point".
-    pub(super) double_point: bool,
+    double_point: bool,
 }
 
 const fn caption(name: &'static str, uniform: bool, double_point: bool) -> Caption {
@@ -23,7 +23,7 @@ const fn caption(name: &'static str, uniform: bool, double_point: bool) -> Capti
 }
 
 /// Fig. 27 to 33.
-pub(super) const CAPTIONS: [Caption; 7] = [
+const CAPTIONS: [Caption; 7] = [
     caption("S1", true, false),
     caption("S2", true, true),
     caption("S3", false, true),
@@ -34,14 +34,14 @@ pub(super) const CAPTIONS: [Caption; 7] = [
 ];
 
 /// The pairs of control points that are at the same place.
-pub(super) fn equal_points(instance: &Instance) -> Vec<(usize, usize)> {
+fn equal_points(instance: &Instance) -> Vec<(usize, usize)> {
     let points = instance.points.as_deref().unwrap_or_default();
     let pairs = (0..points.len()).flat_map(|i| (i + 1..points.len()).map(move |j| (i, j)));
     pairs.filter(|(i, j)| points[*i] == points[*j]).collect()
 }
 
 /// The reflection that exchanges two control points d_i ≠ d_{n−i}.
-pub(super) fn axis(instance: &Instance) -> Option<Reflection> {
+fn axis(instance: &Instance) -> Option<Reflection> {
     let points = instance.points.as_deref().unwrap_or_default();
     points.iter().zip(points.iter().rev()).find_map(|(p, q)| Reflection::between(p, q))
 }

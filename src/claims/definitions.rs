@@ -63,7 +63,7 @@ fn is_node_vector(factor: usize) -> impl Fn(&Illustration, &mut Ledger) -> Judge
 }
 
 /// The examples of the paper, each by itself; without those that are no node vectors by D3.2 if `meeting`.
-pub(super) fn examples(meeting: bool) -> Vec<Illustration> {
+fn examples(meeting: bool) -> Vec<Illustration> {
     let is_exception = |name: &str, degree: usize| name == "U0" && degree == 3;
     let all = instances().into_iter().filter(|of| !(meeting && is_exception(of.name, of.degree)));
     all.map(|instance| Illustration { instances: vec![instance] }).collect()

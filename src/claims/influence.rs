@@ -18,7 +18,7 @@ use super::instances::{Instance, instances_named};
 use super::verdict::{Judgement, Ledger, Stop};
 
 /// The indices of Fig. 22 below 0.
-pub(super) const BELOW: [&str; 4] = ["-4", "-1/2", "-1/5", "-1/7"];
+const BELOW: [&str; 4] = ["-4", "-1/2", "-1/5", "-1/7"];
 /// Those of Fig. 23 and 24.
 const BY_DEGREE: [&str; 5] = ["-4", "-1", "-1/2", "-1/5", "-1/7"];
 
@@ -83,7 +83,7 @@ fn felt_more_than_conjugate(
 }
 
 /// The instance with its control points in the opposite order.
-pub(super) fn reversed(instance: &Instance) -> Instance {
+fn reversed(instance: &Instance) -> Instance {
     let points = instance.points.as_ref().map(|points| points.iter().rev().cloned().collect());
     Instance { points, ..instance.clone() }
 }
@@ -122,7 +122,7 @@ fn exchanges_columns(other: fn(&Index) -> Index) -> impl Fn(&Illustration, &mut 
 }
 
 /// A knot inside, in the middle of the knots or after it: there the distance is looked at for all α.
-pub(super) fn middle_knot(instance: &Instance) -> Option<BigRational> {
+fn middle_knot(instance: &Instance) -> Option<BigRational> {
     let inner: Vec<_> = instance.knots.inner_stop_knots().map(|(t, _)| t.clone()).collect();
     inner.get(inner.len() / 2).cloned()
 }

@@ -183,7 +183,7 @@ fn mirrored_weight(
 }
 
 /// The points −1, 1/2, 0, …, 0, 1 of a line: as a set of points their polygon is the segment from −1 to 1.
-pub(super) fn segment(n: usize) -> Vec<BigRational> {
+fn segment(n: usize) -> Vec<BigRational> {
     let inner = std::iter::once(integer(1) / integer(2)).chain(std::iter::repeat(integer(0)));
     let inner = inner.take(n.saturating_sub(1));
     std::iter::once(-integer(1)).chain(inner).chain([integer(1)]).collect()

@@ -62,7 +62,7 @@ fn mirror_images(by_ends: bool) -> impl Fn(&Illustration, &mut Ledger) -> Judgem
 }
 
 /// The first control point that equals its successor; or the first one, if it equals the last.
-pub(super) fn double_point(instance: &Instance) -> Option<&Point> {
+fn double_point(instance: &Instance) -> Option<&Point> {
     let points = instance.points.as_deref()?;
     let successive = points.windows(2).find(|pair| pair[0] == pair[1]).map(|pair| &pair[0]);
     successive.or_else(|| points.first().filter(|first| points.last() == Some(first)))

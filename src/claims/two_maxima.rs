@@ -120,7 +120,7 @@ fn at_most(most: fn(k: usize) -> usize) -> impl Fn(&BasisCase, &mut Ledger) -> J
 /// For B → ∞ the derivative on the short spans tends to a multiple of n − (n + 1)X, where X = Σ x_i for the distances
 /// x_i from the knots t_1, …, t_n before the point: it is negative at the end of such a span and positive at the start of the
 /// next one if n/(n + 1) < X < (n + 1)/(n + 2) there, and the h_n make X the mediant (2n + 1)/(2n + 3).
-pub(super) fn most_gaps(k: usize) -> (Vec<BigRational>, BigRational) {
+fn most_gaps(k: usize) -> (Vec<BigRational>, BigRational) {
     let b = integer(2 * k * k);
     let short = |n: usize| match n {
         1 => rational(3, 5),

@@ -11,7 +11,7 @@ use crate::certificate::CertificateError;
 use crate::claims::Fault;
 use crate::float::FloatError;
 use crate::json::JsonError;
-use crate::report::{BaselineError, END, PageError, PictureError, ReportError, START, ScriptError};
+use crate::report::{BaselineError, PageError, PictureError, ReportError, ScriptError};
 use crate::scalar::NumberError;
 use crate::search::{AuditError, MergeError, PortionError, RecordError};
 use crate::spline::{BasisError, CurveError, KnotError};
@@ -273,9 +273,6 @@ pub enum CliError {
     /// A claim that has no verdict among those the program was built with.
     #[error("no verdict on {0} is recorded with this program; `knotproof report --claim {0}` judges it")]
     NotRecorded(&'static str),
-    /// README.md has no place for the table of verdicts.
-    #[error("--record: README.md has no lines `{START}` and `{END}` to put the table between")]
-    NoTable,
     /// A converted piece is not the curve: a bug.
     #[error(
         "internal error: the rational Bézier curve differs from the curve at x = {x}; \
@@ -434,7 +431,6 @@ impl CliError {
             Self::UnknownClaim { argument, .. } | Self::File { argument, .. } => Some(argument),
             Self::NotGeneral { .. } => Some("--property"),
             Self::Baseline { .. } => Some("--baseline"),
-            Self::NoTable => Some("--record"),
             Self::Needed { argument, .. }
             | Self::Limits { argument, .. }
             | Self::Search { argument, .. }

@@ -6,7 +6,8 @@ use std::path::Path;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::claims::{Cause, Claim, Form, Severity, claims, formal, formal_for_degree, refutation};
+use crate::certificate::{Form as Of, statement};
+use crate::claims::{Cause, Claim, Form, Severity, claims};
 use crate::report::{Baseline, DegreeFinding, Finding, Record, again};
 
 use super::error::CliError;
@@ -92,12 +93,12 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     let Some(entry) = recorded.claims.iter().find(|entry| entry.id == claim.id) else {
         return Err(CliError::NotRecorded(claim.id));
     };
-    let mut parts = vec![part(claim, AS_PRINTED.into(), &claim.printed, &entry.as_printed, args.goals)];
+    let mut parts = vec![part(claim, Of::Printed, &claim.printed, &entry.as_printed, args.goals)?];
     if let (Some(form), Some(finding)) = (&claim.amended, &entry.amended) {
-        parts.push(part(claim, "as amended".into(), form, finding, args.goals));
+        parts.push(part(claim, Of::Amended, form, finding, args.goals)?);
     }
     for DegreeFinding { degree, finding, .. } in &entry.by_degree {
-        parts.push(part(claim, format!("degree {degree}"), &claim.printed, finding, args.goals));
+        parts.push(part(claim, Of::Degree(*degree), &claim.printed, finding, args.goals)?);
     }
     let record = Record::recorded(claim, entry);
     let explanation = Explanation {
@@ -114,21 +115,20 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     Ok(Exit::Holds)
 }
 
-fn part(claim: &Claim, of: String, form: &Form, finding: &Finding, goals: bool) -> Part {
-    let stated = match (&finding.witness, of.strip_prefix("degree ").and_then(|k| k.parse().ok())) {
-        (Some(witness), _) => refutation(claim.id, witness),
-        (None, Some(k)) => formal_for_degree(claim.id, k),
-        (None, None) => formal(claim.id, of == "as amended"),
-    };
-    let stated = stated.filter(|_| finding.certificate.is_some());
-    Part {
-        of,
+fn part(claim: &Claim, of: Of, form: &Form, finding: &Finding, goals: bool) -> Result<Part, CliError> {
+    let certified = finding.certificate.is_some();
+    let stated = statement(claim, of, finding.witness.as_ref())?.filter(|_| certified);
+    let (idea, sections) = stated.map(|stated| (stated.because, stated.sections)).unzip();
+    Ok(Part {
+        of: if let Of::Degree(_) = of { of.to_string() } else { format!("as {of}") },
         statement: form.text().to_owned(),
         hypotheses: form.hypotheses(),
         finding: finding.clone(),
-        idea: stated.as_ref().map(|formal| formal.because.clone()),
-        goals: stated.filter(|_| goals).map(|formal| formal.sections),
-    }
+        idea,
+        goals: sections
+            .filter(|_| goals)
+            .map(|sections| sections.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")),
+    })
 }
 
 impl fmt::Display for Explanation {
@@ -160,7 +160,7 @@ impl fmt::Display for Explanation {
                 writeln!(f, "  {remark}")?;
             }
             if let Some(goals) = &part.goals {
-                writeln!(f, "  goals: {goals}")?;
+                writeln!(f, "  goals: {}", goals.replace('\n', "\n         "))?;
             }
             if let Some(certificate) = &finding.certificate {
                 let checked_by = finding.checked_by.join(", ");

@@ -10,7 +10,7 @@ use serde::Serialize;
 use crate::claims::{Claim, Source, claims};
 use crate::report::{
     Baseline, Difference, Drift, Errata, PageSource, Record, Report, by_severity, conjecture_page,
-    dependence_picture, errata_page, figures, markdown, opening, page, with_verdict_table,
+    dependence_picture, errata_page, figures, markdown, opening, page, verdicts_page,
 };
 
 use super::atomic::{Folder, write_atomically};
@@ -42,7 +42,7 @@ pub(super) struct Args {
     #[arg(long, conflicts_with = "record")]
     errata: bool,
     /// Accepts the verdicts: rewrites proofs/verdicts.json, docs/conjecture.md with its pictures, and the table in
-    /// README.md below the current folder.
+    /// docs/verdicts.md below the current folder.
     #[arg(long, conflicts_with_all = ["claim", "baseline"])]
     record: bool,
 }
@@ -62,13 +62,13 @@ const ERRATA_JSON: &str = "errata.json";
 const CONJECTURE: &str = "conjecture.md";
 const SCHEMA: &str = "instance.schema.json";
 const DEPENDENCE: &str = "dependence.svg";
-/// The folder and the file of the recorded verdicts, and the file with their table, below the current folder.
+/// The folder and the file of the recorded verdicts, below the current folder.
 const PROOFS: &str = "proofs";
 const VERDICTS: &str = "verdicts.json";
 const CERTIFICATES: &str = "proofs/certs";
-const README: &str = "README.md";
-/// The folder of the page on the conjecture.
+/// The folder of the pages that are written from the verdicts, and the one with their table.
 const DOCS: &str = "docs";
+const VERDICTS_PAGE: &str = "verdicts.md";
 
 /// The result: its fields are the JSON.
 #[derive(Debug, Serialize, JsonSchema)]
@@ -208,30 +208,24 @@ fn certificates_from(folder: &Path) -> Option<String> {
     Path::new(CERTIFICATES).is_dir().then(|| "../".repeat(depth) + CERTIFICATES)
 }
 
-/// Are README.md, with its two marks, and the folders where `--record` looks for them?
+/// Are the folders there where `--record` looks for them?
 fn recordable() -> Result<(), CliError> {
     for folder in [PROOFS, DOCS] {
         let folder = Path::new(folder);
         fs::read_dir(folder).map_err(|error| unwritable("--record", folder, error))?;
     }
-    readme_with(&Baseline::of(&[])).map(|_| ())
+    Ok(())
 }
 
-/// README.md with the table of these verdicts.
-fn readme_with(verdicts: &Baseline) -> Result<String, CliError> {
-    let old = read("--record", Path::new(README))?;
-    with_verdict_table(&old, verdicts).ok_or(CliError::NoTable)
-}
-
-/// Rewrites the recorded verdicts, and the table and the page made from them.
+/// Rewrites the recorded verdicts, and the pages made from them.
 fn record(found: &Baseline, written: &mut Vec<PathBuf>) -> Result<(), CliError> {
-    let readme = readme_with(found)?;
-    let page = conjecture_page(found)?;
+    let mut pages = conjecture_page(found)?;
+    pages.push((VERDICTS_PAGE.to_owned(), verdicts_page(found)));
     write_file("--record", &Path::new(PROOFS).join(VERDICTS), &pretty(found)?, written)?;
-    for (name, text) in page {
+    for (name, text) in pages {
         write_file("--record", &Path::new(DOCS).join(name), &text, written)?;
     }
-    write_file("--record", Path::new(README), &readme, written)
+    Ok(())
 }
 
 fn write_file(

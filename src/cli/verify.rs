@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::certificate::{Certificate, CertificateError, Form, ProofError, Sexp, statement};
+use crate::certificate::{Certificate, CertificateError, Form, Sexp, statement};
 use crate::claims::claims;
 use crate::report::{Baseline, Finding};
 
@@ -226,10 +226,7 @@ fn own_statements() -> Result<Vec<Own>, CliError> {
         findings.extend(entry.by_degree.iter().map(|of| (Form::Degree(of.degree), &of.finding)));
         for (form, finding) in findings {
             let Some(certificate) = finding.certificate.clone() else { continue };
-            let stated = statement(&claim, form, finding.witness.as_ref()).map_err(|error| {
-                let (claim, error) = (claim.id.to_owned(), ProofError::from(error).into());
-                CertificateError { claim, form, error }
-            })?;
+            let stated = statement(&claim, form, finding.witness.as_ref())?;
             let statement = stated.map(|statement| statement.to_sexp());
             all.push(Own { claim: claim.id, certificate, statement });
         }

@@ -1,12 +1,12 @@
 //! The cases that sentences are judged on, in order of size: small ones, then the paper's.
 
-use std::collections::HashSet;
+use std::collections::{BTreeMap, HashSet};
 use std::ops::RangeInclusive;
 use std::sync::Arc;
 
-use crate::language::{Binder, Name, Sentence};
-use crate::meaning::{Instance, concerns};
-use crate::scalar::{BigRational, integer};
+use crate::language::{Binder, Found, Name, Sentence};
+use crate::meaning::{Instance, concerns, listed};
+use crate::scalar::integer;
 use crate::spline::{Basis, Index, KnotVector};
 
 use super::verdict::Origin;
@@ -29,6 +29,20 @@ pub struct Cases {
     paper: Vec<Arc<Case>>,
     /// Indices alone: small ones, then those of Fig. 1 to 3.
     indices: Vec<Arc<Case>>,
+    /// Further ones, by the file that they stand in.
+    found: BTreeMap<String, Vec<Arc<Case>>>,
+}
+
+/// A case of a file that is none.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("case {number} of {file}: {why}")]
+pub struct NoCase {
+    /// The file.
+    pub file: String,
+    /// The how-manyth one of it, from 1.
+    pub number: usize,
+    /// The rule that is broken.
+    pub why: String,
 }
 
 impl Cases {
@@ -37,11 +51,45 @@ impl Cases {
     pub fn new(paper: impl IntoIterator<Item = Instance>) -> Self {
         let case = |origin| move |on| Arc::new(Case { on, origin });
         let small = small_bases().into_iter().map(Instance::of).map(case(Origin::Small)).collect();
+        let mut paper: Vec<_> = paper.into_iter().collect();
+        let of = |on: &Instance| (on.name.clone(), on.degree(), on.index.clone());
+        let all: Vec<_> = paper.iter().map(of).collect();
+        for on in &mut paper {
+            let same = all.iter().filter(|(name, degree, _)| *name == on.name && *degree == on.degree());
+            on.shown = same.map(|(_, _, index)| index.clone()).collect();
+        }
         let paper = paper.into_iter().map(case(Origin::Paper)).collect();
         let simple = INDICES[..4].iter().chain([&CLASSICAL]).map(|text| Instance::index(index(text)));
         let shown = SHOWN.iter().map(|text| Instance::index(index(text)));
         let indices = simple.map(case(Origin::Small)).chain(shown.map(case(Origin::Paper))).collect();
-        Self { small, paper, indices }
+        Self { small, paper, indices, found: BTreeMap::new() }
+    }
+
+    /// With the cases of a file, for the stanzas that ask for it.
+    ///
+    /// # Errors
+    /// [`NoCase`], for what is no degree, knot vector or index.
+    pub fn with_found(mut self, file: &str, found: Vec<Found>) -> Result<Self, NoCase> {
+        let case = |(at, found): (usize, Found)| {
+            let no_case = |why: String| NoCase { file: file.to_owned(), number: at + 1, why };
+            let index = match found.alpha {
+                Some(alpha) => Index::from_alpha(alpha).map_err(|error| no_case(error.to_string()))?,
+                None => Index::infinity(),
+            };
+            let knots = KnotVector::new(found.knots).map_err(|error| no_case(error.to_string()))?;
+            let basis = Basis::new(knots, found.degree, index).map_err(|error| no_case(error.to_string()))?;
+            Ok(Arc::new(Case { on: Instance::of(basis), origin: Origin::Small }))
+        };
+        let cases = found.into_iter().enumerate().map(case).collect::<Result<_, _>>()?;
+        self.found.insert(file.to_owned(), cases);
+        Ok(self)
+    }
+
+    /// The cases of a file that the binders of a sentence speak of: they are tried after [the others](Self::of).
+    #[must_use]
+    pub fn of_file(&self, file: &str, sentence: &Sentence) -> Vec<Arc<Case>> {
+        let all = self.found.get(file).into_iter().flatten();
+        all.filter(|case| concerns(sentence, &case.on)).cloned().collect()
     }
 
     /// Only the cases of these degrees.
@@ -79,11 +127,8 @@ impl Cases {
             let mut seen = HashSet::new();
             cases.retain(|case| seen.insert((case.on.degree(), case.on.index.clone())));
         }
-        let listed = binders
-            .iter()
-            .find_map(|binder| if let Binder::Indices(list) = binder { Some(list) } else { None });
-        if let Some(list) = listed {
-            cases = with_indices(&cases, list);
+        if let Some(list) = listed(sentence) {
+            cases = with_indices(&cases, &list);
         }
         cases.retain(|case| concerns(sentence, &case.on));
         cases
@@ -91,11 +136,7 @@ impl Cases {
 }
 
 /// The cases with these indices in place of theirs.
-fn with_indices(cases: &[Arc<Case>], list: &[Option<BigRational>]) -> Vec<Arc<Case>> {
-    let finite = |alpha: &Option<BigRational>| match alpha {
-        Some(alpha) => Index::from_alpha(alpha.clone()).ok(),
-        None => Some(Index::infinity()),
-    };
+fn with_indices(cases: &[Arc<Case>], list: &[Index]) -> Vec<Arc<Case>> {
     let mut seen: HashSet<(Option<Name>, Option<Basis>)> = HashSet::new();
     let classical = |case: &&Arc<Case>| {
         seen.insert((
@@ -105,11 +146,11 @@ fn with_indices(cases: &[Arc<Case>], list: &[Option<BigRational>]) -> Vec<Arc<Ca
     };
     let distinct: Vec<_> = cases.iter().filter(classical).collect();
     let each = |case: &Arc<Case>| {
-        let own = list.iter().filter_map(finite).map(|index| {
+        let own = list.iter().map(|index| {
             let known = cases.iter().find(|other| {
                 let same =
                     || other.on.basis == case.on.basis.as_ref().map(|basis| basis.with_index(index.clone()));
-                other.on.index == index && other.on.name == case.on.name && same()
+                other.on.index == *index && other.on.name == case.on.name && same()
             });
             let made = || Arc::new(Case { on: case.on.with_index(index.clone()), origin: case.origin });
             known.cloned().unwrap_or_else(made)

@@ -12,12 +12,14 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 
-use crate::language::Sentence;
-use crate::meaning::{Decided, Names, decide};
+use crate::analysis::{compare, decimals_around};
+use crate::language::{Sentence, text};
+use crate::meaning::{Decided, Found, Instance, Names, Reading, decide};
+use crate::scalar::decimal;
 
-pub use cases::{Case, Cases};
-pub use verdict::{Origin, Reach, Scope, Verdict};
-pub use witness::{Bind, Bound, Count, Looked, Shows, Term, Witness};
+pub use cases::{Case, Cases, NoCase};
+pub use verdict::{Origin, Reach, Scope, Supremum, Verdict};
+pub use witness::{Bind, Bound, Count, Flanked, Looked, Shows, Term, Tied, Witness};
 
 /// A bug of this program, found by computing the same thing in two ways. No verdict is given.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -27,8 +29,8 @@ pub struct Fault(pub String);
 /// What a sentence comes to on one case.
 #[derive(Debug, Clone)]
 pub enum Outcome {
-    /// It is true, by so many decisions.
-    Holds(usize),
+    /// It is true, by so many decisions, with suprema that were compared.
+    Holds(usize, Vec<Supremum>),
     /// It says nothing there.
     Nothing,
     /// It is false.
@@ -56,8 +58,40 @@ pub fn judge_case(sentence: &Sentence, names: Names<'_>, case: &Case) -> Result<
         Decided { tried: true, facts, .. } => {
             Outcome::Undecided(format!("no counterexample among {facts} tries of control values"))
         }
-        Decided { facts, .. } => Outcome::Holds(facts),
+        Decided { facts, found, .. } => Outcome::Holds(facts, suprema(found, names, &case.on)),
     })
+}
+
+/// Of each term the greatest supremum that it was on an instance with a name.
+fn suprema(found: Vec<Found>, names: Names<'_>, on: &Instance) -> Vec<Supremum> {
+    /// As many digits as a reader can look at.
+    const DIGITS: usize = 6;
+    let Some((instance, k)) = on.name.as_ref().zip(on.degree()) else { return Vec::new() };
+    let mut greatest: Vec<Found> = Vec::new();
+    for mut next in found {
+        match greatest.iter_mut().find(|known| known.term == next.term && known.indices == next.indices) {
+            Some(known) => {
+                if compare(&mut known.value, &mut next.value) == Some(std::cmp::Ordering::Less) {
+                    *known = next;
+                }
+            }
+            None => greatest.push(next),
+        }
+    }
+    let told = |Found { term, integers, indices, mut value }: Found| {
+        let mut reading = Reading::new(on, names);
+        (reading.bound.integers, reading.bound.indices) = (integers, indices);
+        let (lo, hi) = decimals_around(&mut value, DIGITS);
+        Supremum {
+            instance: instance.to_string(),
+            k,
+            alpha: on.index.to_string(),
+            term: text(&instantiated::real(&mut reading, &term)),
+            lo: decimal(&lo, DIGITS),
+            hi: decimal(&hi, DIGITS),
+        }
+    };
+    greatest.into_iter().map(told).collect()
 }
 
 /// Judges a sentence on cases that are sorted by size: see the head of this module.
@@ -116,8 +150,9 @@ fn summarise(outcomes: &[Outcome], cases: &[&Arc<Case>]) -> Verdict {
             Outcome::Refuted(witness) => return Verdict::Refuted(witness.clone()),
             Outcome::Undecided(limit) => _ = undecided.get_or_insert(limit),
             Outcome::Nothing => {}
-            Outcome::Holds(facts) => {
+            Outcome::Holds(facts, found) => {
                 reach.facts += facts;
+                reach.found.extend_from_slice(found);
                 match case.origin {
                     Origin::Small => reach.small_cases += 1,
                     Origin::Paper | Origin::User => reach.instances += 1,
@@ -244,5 +279,22 @@ mod tests {
             "k; U open; d points; x in [t[0], t[m]] | mult(t[0]) = k+1; mult(t[m]) = k+1 : sum(i in 0..n: d[i]*G[i](x)) <= max(i in 0..n: d[i])",
         );
         assert!(matches!(verdict, Verdict::Undecided(_)), "{verdict:?}");
+    }
+
+    #[test]
+    fn suprema_of_named_instances_are_told() {
+        let sentence = one_line(
+            "U in {E}; i in 0..n : sup(abs(G[i](x) - G[i](x; alpha = infinity)), x in [t[0], t[m]]) < 1/5",
+        );
+        let knots = crate::spline::KnotVector::new([0, 0, 1, 1, 2].map(crate::scalar::integer).to_vec());
+        let basis = crate::spline::Basis::new(knots.unwrap(), 1, "-1".parse().unwrap()).unwrap();
+        let sentence = sentence.unwrap();
+        let cases = Cases::new([Instance::of(basis).named("E", None)]);
+        let Ok(Verdict::Proved { reach, .. }) = judge(&sentence, Names::empty(), &cases.of(&sentence)) else {
+            panic!("3 − 2√2 < 1/5");
+        };
+        let [found] = reach.found.as_slice() else { panic!("one for all i: {:?}", reach.found) };
+        assert_eq!((found.lo.as_str(), found.hi.as_str(), found.k), ("0.171572", "0.171573", 1));
+        assert!(found.term.contains("G_0"), "{found:?}");
     }
 }

@@ -70,6 +70,26 @@ pub struct Reach {
     /// What was found on the way in the cases that have a name, such as certified suprema.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub remarks: Vec<String>,
+    /// The suprema that were compared, on instances with a name: of each kind the greatest.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub found: Vec<Supremum>,
+}
+
+/// A supremum on an instance, between two decimals that are next to each other, or equal if it is one.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Supremum {
+    /// The paper's name of the instance.
+    pub instance: String,
+    /// k.
+    pub k: usize,
+    /// α, or `inf`.
+    pub alpha: String,
+    /// Of what, with numbers in the place of names.
+    pub term: String,
+    /// The decimal below it.
+    pub lo: String,
+    /// The decimal above it.
+    pub hi: String,
 }
 
 /// What is known of a sentence.

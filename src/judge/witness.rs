@@ -5,9 +5,9 @@ use std::fmt;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::analysis::{Algebraic, settled};
+use crate::analysis::{Algebraic, Enclosed, Flank, Tie, settled};
 use crate::language::{Formula, Int, Name, Over, Real, Sentence, text};
-use crate::meaning::{Failure, Focus, Given, Instance, Look, Names, Plain, Reading, Truth, Value};
+use crate::meaning::{Failure, Focus, Given, Instance, Look, Names, Plain, Reading, Truth, Value, tie};
 use crate::scalar::BigRational;
 use crate::spline::{Basis, Side};
 
@@ -88,8 +88,58 @@ pub enum Shows {
     Counts(Vec<Count>),
     /// What does not exist.
     Undefined(String),
+    /// The largest value is taken at two points for an index close by.
+    Tied(Tied),
     /// The formula is false, and has no sides.
     Fails,
+}
+
+/// For some index between two the largest value of the function is taken on both sides of a point.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Tied {
+    /// The point c.
+    pub lower: String,
+    /// A point at which the function is larger than at c for all of these indices.
+    pub higher: String,
+    /// Both indices.
+    pub at: [Flanked; 2],
+}
+
+/// An index for which the largest value is on one side of c.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Flanked {
+    /// α.
+    pub alpha: String,
+    /// Is it on the left?
+    pub left: bool,
+    /// What is exceeded on that side only.
+    pub exceeds: String,
+}
+
+impl From<Tie> for Tied {
+    fn from(Tie { indices: [first, second], lower, higher, at_ends: [left, right] }: Tie) -> Self {
+        let flanked = |alpha: BigRational, (side, value): (Flank, BigRational)| Flanked {
+            alpha: alpha.to_string(),
+            left: side == Flank::Left,
+            exceeds: value.to_string(),
+        };
+        let at = [flanked(first, left), flanked(second, right)];
+        Self { lower: lower.to_string(), higher: higher.to_string(), at }
+    }
+}
+
+impl fmt::Display for Tied {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { lower, higher, at } = self;
+        let [first, second] = at.each_ref().map(|Flanked { alpha, left, exceeds }| {
+            let side = if *left { "left" } else { "right" };
+            format!("for α = {alpha} it exceeds {exceeds} on the {side} of {lower} only")
+        });
+        write!(
+            f,
+            "for an index between it takes it on both sides of {lower}: {first}, {second}, and for all between it is larger at {higher} than at {lower}"
+        )
+    }
 }
 
 /// A side of a relation.
@@ -213,6 +263,7 @@ impl Witness {
         let list = |all: Vec<String>| all.join(", ");
         match &self.shows {
             Shows::Undefined(what) => what.clone(),
+            Shows::Tied(tied) => tied.to_string(),
             Shows::Fails => "it is not so".into(),
             Shows::Counts(counts) => {
                 list(counts.iter().map(|Count { what, count }| format!("{what} is {count}")).collect())
@@ -328,7 +379,15 @@ fn failing(own: &mut Reading<'_>, f: &Formula, given: &mut Vec<(Name, Given)>) -
     }
 }
 
+/// As many as a reader can look at.
+const DIGITS: usize = 12;
+
 fn sides(own: &mut Reading<'_>, f: &Formula) -> Shows {
+    if let Formula::Not(f) = f
+        && let Formula::Word(of) = &**f
+    {
+        return tie(own, of).map_or(Shows::Fails, |tie| Shows::Tied(tie.into()));
+    }
     let terms: Vec<&Real> = match f {
         Formula::Chain(first, rest) => std::iter::once(first).chain(rest.iter().map(|(_, t)| t)).collect(),
         Formula::Within(x, _) => vec![x],
@@ -344,7 +403,13 @@ fn sides(own: &mut Reading<'_>, f: &Formula) -> Shows {
         return Shows::Counts(words.collect());
     }
     let side = |term: &Real| {
-        let value = own.real(term).ok().and_then(|value| digits(own, &value));
+        let value = match own.supremum(term) {
+            Some(mut supremum) => Some(match supremum.bounds() {
+                (lo, hi) if lo == hi => (lo.to_string(), false),
+                _ => (settled(&mut supremum, DIGITS), true),
+            }),
+            None => own.real(term).ok().and_then(|value| digits(own, &value)),
+        };
         let (value, rounded) = value.map_or((None, false), |(value, rounded)| (Some(value), rounded));
         Term { term: text(&real(own, term)), value, rounded }
     };
@@ -353,8 +418,6 @@ fn sides(own: &mut Reading<'_>, f: &Formula) -> Shows {
 
 /// A value in exact terms, or its first digits at an irrational place.
 fn digits(own: &Reading<'_>, value: &Value) -> Option<(String, bool)> {
-    /// As many as a reader can look at.
-    const DIGITS: usize = 12;
     match (value, own.frame.as_ref().map(|frame| &frame.focus)) {
         (Value { plain: Plain::Piece(piece), root: None }, Some(Focus::At(root))) => {
             Some((settled(&mut Algebraic::at(piece.clone(), root.clone()), DIGITS), true))

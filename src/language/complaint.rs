@@ -29,6 +29,16 @@ pub(super) fn fault<T>(at: &Place, rule: impl Into<String>, advice: impl Into<St
     Err(Fault { at: at.clone(), rule: rule.into(), advice: advice.into() })
 }
 
+/// A fault at a place, unless this holds.
+pub(super) fn ensure(
+    holds: bool,
+    at: &Place,
+    rule: impl Into<String>,
+    advice: impl Into<String>,
+) -> Result<(), Fault> {
+    if holds { Ok(()) } else { fault(at, rule, advice) }
+}
+
 /// What is wrong with a text: it displays as the line with the place underlined, the rule, and what to write instead.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Complaint {

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use schemars::JsonSchema;
+use schemars::{JsonSchema, Schema, schema_for};
 use serde::Deserialize;
 use serde::de::IntoDeserializer;
 use serde::de::value::{Error as ValueError, StrDeserializer};
@@ -195,6 +195,12 @@ struct RawUse {
 #[serde(rename_all = "lowercase")]
 enum Degrees {
     Each,
+}
+
+/// The JSON Schema of files of claims, for editors.
+#[must_use]
+pub fn schema() -> Schema {
+    schema_for!(RawFile)
 }
 
 /// Reads a file of claims by itself: any instance and any other claim may be named.

@@ -3,12 +3,15 @@
 //! It knows rationals and no spline: what a formula means is said in `meaning`. The language for its users is described in
 //! `docs/language.md`.
 
+mod apply;
 mod canonical;
 mod cause;
 mod complaint;
 mod definitions;
 mod file;
+mod found;
 mod known;
+mod paper;
 mod print;
 mod raw;
 mod resolve;
@@ -19,8 +22,10 @@ mod words;
 
 pub use cause::{Cause, Severity, Source};
 pub use complaint::Complaint;
-pub use file::{File, RestsOn, Said, Stanza, stanzas};
+pub use file::{File, RestsOn, Said, Stanza, schema, stanzas};
+pub use found::{Found, found};
 pub use known::Known;
+pub use paper::{About, Paper, Row};
 pub use print::{Print, latex, mathml, source, text};
 pub use sentence::{one_line, sentence};
 pub use syntax::{

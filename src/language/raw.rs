@@ -648,29 +648,30 @@ impl Quantity {
 impl Raw {
     /// The depth of its deepest part.
     fn deepest(&self) -> usize {
-        let all = |nodes: &[Node]| nodes.iter().map(|node| node.depth).max().unwrap_or(0);
-        match self {
-            Self::Number(_) | Self::Name { .. } | Self::Claim { .. } => 0,
-            Self::Negated(of) | Self::Not(of) => of.depth,
-            Self::Infix(_, left, right) => left.depth.max(right.depth),
-            Self::And(nodes) | Self::Or(nodes) => all(nodes),
-            Self::Index { of, by } => of.depth.max(all(by)),
-            Self::Call { of, with } => with
-                .iter()
-                .map(|given| given.node.depth.max(given.member.as_ref().map_or(0, |(_, _, node)| node.depth)))
-                .fold(of.depth, usize::max),
-            Self::Chain(first, rest) => rest.iter().map(|(_, node)| node.depth).fold(first.depth, usize::max),
-            Self::In(node, domain) => node.depth.max(domain.depth()),
-            Self::Over { domain, body, .. } => body.depth.max(domain.depth()),
-        }
+        let parts: Vec<&Node> = match self {
+            Self::Number(_) | Self::Name { .. } | Self::Claim { .. } => Vec::new(),
+            Self::Negated(of) | Self::Not(of) => vec![of],
+            Self::Infix(_, left, right) => vec![left, right],
+            Self::And(nodes) | Self::Or(nodes) => nodes.iter().collect(),
+            Self::Index { of, by } => by.iter().chain([&**of]).collect(),
+            Self::Call { of, with } => {
+                let members = with.iter().filter_map(|given| given.member.as_ref().map(|(_, _, node)| node));
+                with.iter().map(|given| &given.node).chain(members).chain([&**of]).collect()
+            }
+            Self::Chain(first, rest) => rest.iter().map(|(_, node)| node).chain([&**first]).collect(),
+            Self::In(node, domain) => domain.parts().chain([&**node]).collect(),
+            Self::Over { domain, body, .. } => domain.parts().chain([&**body]).collect(),
+        };
+        parts.into_iter().map(|node| node.depth).max().unwrap_or(0)
     }
 }
 
 impl Domain {
-    fn depth(&self) -> usize {
-        match &self.kind {
-            DomainKind::Range(from, to) | DomainKind::Interval { from, to, .. } => from.depth.max(to.depth),
-            DomainKind::Set(all) => all.iter().map(|node| node.depth).max().unwrap_or(0),
-        }
+    fn parts(&self) -> impl Iterator<Item = &Node> {
+        let (ends, set) = match &self.kind {
+            DomainKind::Range(from, to) | DomainKind::Interval { from, to, .. } => (vec![from, to], &[][..]),
+            DomainKind::Set(all) => (Vec::new(), all.as_slice()),
+        };
+        ends.into_iter().chain(set)
     }
 }

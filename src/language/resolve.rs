@@ -2,16 +2,14 @@
 
 use std::sync::Arc;
 
-use super::complaint::{Fault, Place, fault};
+use super::complaint::{Fault, Place, ensure, fault};
 use super::known::{Kind, Known, Subjects, nearest};
-use super::raw::{Domain, DomainKind, Given, Infix, Node, Quantity, Raw};
-use super::syntax::{
-    Argument, Formula, Function, Gap, Int, Interval, Item, Member, Name, Over, Range, Real, Relation, Use,
-};
-use super::words::{Sort, Word};
+use super::raw::{Domain, DomainKind, Infix, Node, Quantity, Raw};
+use super::syntax::{Formula, Function, Gap, Int, Interval, Name, Over, Range, Real, Relation};
+use super::words::Word;
 
 /// Greater exponents and orders of derivatives are refused where they are literals.
-const GREATEST_EXPONENT: i64 = 1000;
+const GREATEST_EXPONENT: u64 = 1000;
 
 /// The names in force while a text is read.
 pub(super) struct Scope<'a> {
@@ -34,7 +32,7 @@ pub(super) struct Named {
 }
 
 /// A node with its type.
-enum Typed {
+pub(super) enum Typed {
     Int(Int),
     Real(Real),
     Infinity,
@@ -43,10 +41,10 @@ enum Typed {
     Coefficients(Name),
 }
 
-type Resolved<T> = Result<T, Fault>;
+pub(super) type Resolved<T> = Result<T, Fault>;
 
 impl Typed {
-    fn what(&self) -> &'static str {
+    pub(super) fn what(&self) -> &'static str {
         match self {
             Self::Int(_) => "an integer",
             Self::Real(_) => "a real number",
@@ -57,14 +55,14 @@ impl Typed {
         }
     }
 
-    fn of(real: Real) -> Self {
+    pub(super) fn of(real: Real) -> Self {
         match real {
             Real::Whole(int) => Self::Int(int),
             real => Self::Real(real),
         }
     }
 
-    fn real(self, at: &Place) -> Resolved<Real> {
+    pub(super) fn real(self, at: &Place) -> Resolved<Real> {
         let advice = match self {
             Self::Int(int) => return Ok(Real::Whole(int)),
             Self::Real(real) => return Ok(real),
@@ -81,11 +79,10 @@ impl Scope<'_> {
     pub(super) fn int(&mut self, node: &Node) -> Resolved<Int> {
         match self.typed(node)? {
             Typed::Int(int) => Ok(int),
-            other => fault(
-                &node.at,
-                format!("expected an integer, this is {}", other.what()),
-                "indices, degrees and ends of `a..b` are made of integers, k, n, m and names that run over integers",
-            ),
+            other => {
+                let advice = "indices and ends of `a..b` are made of integers, k, n, m and names that run over integers";
+                fault(&node.at, format!("expected an integer, this is {}", other.what()), advice)
+            }
         }
     }
 
@@ -96,11 +93,10 @@ impl Scope<'_> {
     pub(super) fn formula(&mut self, node: &Node) -> Resolved<Formula> {
         match self.typed(node)? {
             Typed::Formula(formula) => Ok(formula),
-            other => fault(
-                &node.at,
-                format!("expected a formula, this is {}", other.what()),
-                "compare it with something: `= 0`, `> 0`",
-            ),
+            other => {
+                let rule = format!("expected a formula, this is {}", other.what());
+                fault(&node.at, rule, "compare it with something: `= 0`, `> 0`")
+            }
         }
     }
 
@@ -112,7 +108,7 @@ impl Scope<'_> {
         nodes.iter().map(|node| self.int(node)).collect()
     }
 
-    fn typed(&mut self, node: &Node) -> Resolved<Typed> {
+    pub(super) fn typed(&mut self, node: &Node) -> Resolved<Typed> {
         Ok(match &node.raw {
             Raw::Number(text) => number(text, &node.at)?,
             Raw::Name { name, primes } => self.name(name, *primes, &node.at)?,
@@ -136,14 +132,10 @@ impl Scope<'_> {
                 self.over(*what, name, name_at, domain, body)?
             }
             Raw::Claim { id, printed } => {
-                if let Some(claims) = &self.known.claims
-                    && !claims.iter().any(|known| **known == **id)
-                {
-                    return fault(
-                        &node.at,
-                        format!("no claim is called `{id}`"),
-                        meant(id, claims.iter().map(|id| &**id)),
-                    );
+                if let Some(claims) = &self.known.claims {
+                    let advice = meant(id, claims.iter().map(|id| &**id));
+                    let known = claims.contains(id.as_str());
+                    ensure(known, &node.at, format!("no claim is called `{id}`"), advice)?;
                 }
                 let id = Name::from(id.as_str());
                 self.named.claims.push((Arc::clone(&id), node.at.clone()));
@@ -154,7 +146,7 @@ impl Scope<'_> {
 
     fn name(&mut self, name: &str, primes: usize, at: &Place) -> Resolved<Typed> {
         if primes > 0 {
-            return Ok(Typed::Function(derived(self.function_name(name, at)?, primes)));
+            return Ok(Typed::Function(derived(self.function_name(name, at)?, primes, at)?));
         }
         Ok(match name {
             "k" => {
@@ -168,17 +160,20 @@ impl Scope<'_> {
             "alpha" => Typed::Real(Real::Index(name.into())),
             "r" => Typed::Real(Real::Ratio),
             "infinity" => Typed::Infinity,
-            _ => {
-                let kind = self.own.iter().rev().chain(&self.has.names).find(|(bound, _)| **bound == *name);
-                match kind.map(|(name, kind)| (Arc::clone(name), *kind)) {
-                    Some((name, Kind::Int)) => Typed::Int(Int::Bound(name)),
-                    Some((name, Kind::Real)) => Typed::Real(Real::Bound(name)),
-                    Some((name, Kind::Index)) => Typed::Real(Real::Index(name)),
-                    Some((name, Kind::Coefficients)) => Typed::Coefficients(name),
-                    None => return self.unbound(name, at),
-                }
-            }
+            _ => match self.find(name) {
+                Some((name, Kind::Int)) => Typed::Int(Int::Bound(name)),
+                Some((name, Kind::Real)) => Typed::Real(Real::Bound(name)),
+                Some((name, Kind::Index)) => Typed::Real(Real::Index(name)),
+                Some((name, Kind::Coefficients)) => Typed::Coefficients(name),
+                None => return self.unbound(name, at),
+            },
         })
+    }
+
+    /// What has bound a name.
+    fn find(&self, name: &str) -> Option<(Name, Kind)> {
+        let mut bound = self.own.iter().chain(&self.has.names);
+        bound.find(|(bound, _)| **bound == *name).map(|(name, kind)| (Arc::clone(name), *kind))
     }
 
     /// A name that nothing has bound: a definition, or in one a free real; else it is told what was meant.
@@ -194,19 +189,27 @@ impl Scope<'_> {
     }
 
     fn unknown<T>(&self, name: &str, at: &Place) -> Resolved<T> {
-        let bracket = |form: &str| {
-            fault(at, format!("`{name}` stands here without what belongs to it"), format!("write `{form}`"))
-        };
-        match name {
-            "t" => return bracket("t[i]"),
-            "G" => return bracket("G[i](x)"),
-            "w" => return bracket("w[i,d](x)"),
-            "phi" | "f" => return bracket(&format!("{name}(x, a, b)")),
-            "P" => return bracket("P[i,1]"),
-            "U" => return fault(at, "`U` is no number", "a knot is `t[i]`"),
-            "D" => return bracket("D(G[i], 2)(x)"),
-            "sum" | "prod" | "all" | "some" | "one" => return bracket(&format!("{name}(i in 0..n: …)")),
-            _ => {}
+        const WHOLE: &[(&str, &str)] = &[
+            ("U", "t[i]"),
+            ("t", "t[i]"),
+            ("G", "G[i](x)"),
+            ("w", "w[i,d](x)"),
+            ("P", "P[i,1]"),
+            ("D", "D(G[i], 2)(x)"),
+            ("phi", "phi(x, a, b)"),
+            ("f", "f(x, a, b)"),
+            ("sum", "sum(i in 0..n: …)"),
+            ("prod", "prod(i in 0..n: …)"),
+            ("all", "all(i in 0..n: …)"),
+            ("some", "some(i in 0..n: …)"),
+            ("one", "one(i in 0..n: …)"),
+        ];
+        if let Some((_, form)) = WHOLE.iter().find(|(word, _)| *word == name) {
+            return fault(
+                at,
+                format!("`{name}` stands here without what belongs to it"),
+                format!("write `{form}`"),
+            );
         }
         let bound = self.own.iter().chain(&self.has.names).map(|(name, _)| &**name);
         let defined = self.known.definitions.iter().map(|definition| &*definition.name);
@@ -218,20 +221,29 @@ impl Scope<'_> {
         fault(at, format!("nothing is called `{name}` here"), advice)
     }
 
+    fn need(
+        &mut self,
+        of: fn(&mut Subjects) -> &mut bool,
+        at: &Place,
+        rule: String,
+        advice: &str,
+    ) -> Resolved<()> {
+        let has = of(&mut self.has);
+        *has |= self.defining;
+        ensure(*has, at, rule, advice)
+    }
+
     fn need_degree(&mut self, at: &Place) -> Resolved<()> {
-        self.has.degree |= self.defining;
-        match self.has.degree {
-            true => Ok(()),
-            false => fault(at, "`k` is not bound", "begin `for` with `k`"),
-        }
+        self.need(|has| &mut has.degree, at, "`k` is not bound".to_owned(), "begin `for` with `k`")
     }
 
     fn need_knots(&mut self, name: &str, at: &Place) -> Resolved<()> {
-        self.has.knots |= self.defining;
-        match self.has.knots {
-            true => Ok(()),
-            false => fault(at, format!("`{name}` needs knots"), "bind them in `for`: `k; U`"),
-        }
+        self.need(|has| &mut has.knots, at, format!("`{name}` needs knots"), "bind them in `for`: `k; U`")
+    }
+
+    fn need_instance(&mut self, name: &str, at: &Place) -> Resolved<()> {
+        let rule = format!("`{name}` needs an instance of the paper");
+        self.need(|has| &mut has.instance, at, rule, "bind it in `for`: `U in {…}`")
     }
 
     /// A definition with these indices, if it is one.
@@ -279,25 +291,13 @@ impl Scope<'_> {
         }))
     }
 
-    fn need_instance(&mut self, name: &str, at: &Place) -> Resolved<()> {
-        self.has.instance |= self.defining;
-        match self.has.instance {
-            true => Ok(()),
-            false => {
-                fault(at, format!("`{name}` needs an instance of the paper"), "bind it in `for`: `U in {…}`")
-            }
-        }
-    }
-
     /// A name that is said without indices and derived: `C'`.
     fn function_name(&mut self, name: &str, at: &Place) -> Resolved<Function> {
         match self.defined(name, &[], at)? {
             Some(Typed::Function(function)) => Ok(function),
-            _ => fault(
-                at,
-                format!("`{name}` is no function"),
-                "a prime stands behind the name of a function: `G'[i](x)`",
-            ),
+            _ => {
+                fault(at, format!("`{name}` is no function"), "a prime stands behind a function: `G'[i](x)`")
+            }
         }
     }
 
@@ -305,12 +305,10 @@ impl Scope<'_> {
         let Raw::Name { name, primes } = &of.raw else {
             return fault(at, "indices stand behind a name", "write them in one bracket: `G[i,d]`");
         };
-        if name == "U" {
-            return fault(&of.at, "`U` has no indices", "a knot is `t[i]`");
-        }
-        let several = |least: usize, most: usize, form: &str| match (least..=most).contains(&by.len()) {
-            true => Ok(()),
-            false => fault(at, format!("`{name}` has another number of indices"), format!("write `{form}`")),
+        ensure(name != "U", &of.at, "`U` has no indices", "a knot is `t[i]`")?;
+        let several = |least: usize, most: usize, form: &str| {
+            let right = (least..=most).contains(&by.len());
+            ensure(right, at, format!("`{name}` has another number of indices"), format!("write `{form}`"))
         };
         let function = match name.as_str() {
             "t" => {
@@ -337,245 +335,45 @@ impl Scope<'_> {
                 several(2, 2, "P[i,1]` or `P[i,2]")?;
                 no_prime(*primes, &of.at)?;
                 let (i, c) = (self.place(&by[0])?, self.int(&by[1])?);
-                if matches!(c, Int::Number(c) if !(1..=2).contains(&c)) {
-                    return fault(
-                        &by[1].at,
-                        "a point of the plane has the coordinates 1 and 2",
-                        "write `P[i,1]` or `P[i,2]`",
-                    );
-                }
+                let coordinate = !matches!(c, Int::Number(c) if !(1..=2).contains(&c));
+                let rule = "a point of the plane has the coordinates 1 and 2";
+                ensure(coordinate, &by[1].at, rule, "write `P[i,1]` or `P[i,2]`")?;
                 return Ok(Typed::Real(Real::Coefficient("P".into(), vec![i, c])));
             }
-            name => {
-                let bound = self.own.iter().rev().chain(&self.has.names).find(|(bound, _)| **bound == *name);
-                match bound.map(|(name, kind)| (Arc::clone(name), *kind)) {
-                    Some((name, Kind::Coefficients)) => {
-                        several(1, 1, &format!("{name}[i]"))?;
-                        no_prime(*primes, &of.at)?;
-                        return Ok(Typed::Real(Real::Coefficient(name, vec![self.place(&by[0])?])));
-                    }
-                    Some((name, _)) => {
-                        return fault(
-                            &of.at,
-                            format!("`{name}` is a number, it has no indices"),
-                            "a product is written with `*`",
-                        );
-                    }
-                    None => match self.defined(name, by, at)? {
-                        Some(Typed::Function(function)) => function,
-                        Some(other) => {
-                            no_prime(*primes, &of.at)?;
-                            return Ok(other);
-                        }
-                        None if self.defining && by.len() == 1 && *primes == 0 && !is_reserved(name) => {
-                            self.has.names.push((name.into(), Kind::Coefficients));
-                            return Ok(Typed::Real(Real::Coefficient(
-                                name.into(),
-                                vec![self.place(&by[0])?],
-                            )));
-                        }
-                        None => return self.unknown(name, &of.at),
-                    },
+            name => match self.find(name) {
+                Some((name, Kind::Coefficients)) => {
+                    several(1, 1, &format!("{name}[i]"))?;
+                    no_prime(*primes, &of.at)?;
+                    return Ok(Typed::Real(Real::Coefficient(name, vec![self.place(&by[0])?])));
                 }
-            }
+                Some((name, _)) => {
+                    let rule = format!("`{name}` is a number, it has no indices");
+                    return fault(&of.at, rule, "a product is written with `*`");
+                }
+                None => match self.defined(name, by, at)? {
+                    Some(Typed::Function(function)) => function,
+                    Some(other) => return no_prime(*primes, &of.at).map(|()| other),
+                    None if self.defining && by.len() == 1 && *primes == 0 && !is_reserved(name) => {
+                        self.has.names.push((name.into(), Kind::Coefficients));
+                        return Ok(Typed::Real(Real::Coefficient(name.into(), vec![self.place(&by[0])?])));
+                    }
+                    None => return self.unknown(name, &of.at),
+                },
+            },
         };
-        Ok(Typed::Function(derived(function, *primes)))
+        Ok(Typed::Function(derived(function, *primes, &of.at)?))
     }
 
     /// An index of t, G, w, P or control values: none is below 0.
-    fn place(&mut self, node: &Node) -> Resolved<Int> {
-        match self.int(node)? {
-            Int::Number(below) if below < 0 => fault(
-                &node.at,
-                format!("no index is {below}, on any knots"),
-                "indices and degrees begin at 0",
-            ),
-            int => Ok(int),
-        }
-    }
-
-    fn call(&mut self, of: &Node, with: &[Given], at: &Place) -> Resolved<Typed> {
-        if let Raw::Name { name, primes } = &of.raw {
-            if matches!(name.as_str(), "phi" | "f") {
-                return self.phi(name, *primes, with, at);
-            }
-            if let (0, Some(typed)) = (*primes, self.built_in(name, with, at)?) {
-                return Ok(typed);
-            }
-        }
-        let function = self.function(of)?;
-        if with.len() != 1 {
-            return fault(at, "a function is taken at one point", "write `(x)`");
-        }
-        Ok(Typed::Real(Real::Value(Box::new(function), Box::new(self.argument(&with[0], None)?))))
-    }
-
-    fn function(&mut self, of: &Node) -> Resolved<Function> {
-        match self.typed(of)? {
-            Typed::Function(function) => Ok(function),
-            other => fault(
-                &of.at,
-                format!("expected a function, this is {}", other.what()),
-                "a product is written with `*`, a function `G[i]`",
-            ),
-        }
-    }
-
-    /// phi(x, a, b): the first is the point, the last one carries the member.
-    fn phi(&mut self, name: &str, primes: usize, with: &[Given], at: &Place) -> Resolved<Typed> {
-        let [point, from, to] = with else {
-            return fault(
-                at,
-                format!("`{name}` takes a point and two ends"),
-                format!("write `{name}(x, a, b)`"),
-            );
-        };
-        for end in [from, to] {
-            no_side(end)?;
-        }
-        if point.member.is_some() || from.member.is_some() {
-            return fault(at, "the other index comes last", format!("write `{name}(x, a, b; alpha = …)`"));
-        }
-        let function =
-            Function::Phi { cut: name == "phi", from: self.real(&from.node)?, to: self.real(&to.node)? };
-        let argument = self.argument(point, to.member.as_ref())?;
-        Ok(Typed::Real(Real::Value(Box::new(derived(function, primes)), Box::new(argument))))
-    }
-
-    fn argument(&mut self, given: &Given, member: Option<&(String, Place, Node)>) -> Resolved<Argument> {
-        let member = self.member(given.member.as_ref().or(member))?;
-        Ok(Argument { at: self.real(&given.node)?, side: given.side, member })
-    }
-
-    fn member(&mut self, member: Option<&(String, Place, Node)>) -> Resolved<Option<Member>> {
-        let Some((name, at, value)) = member else { return Ok(None) };
-        Ok(Some(match name.as_str() {
-            "alpha" => Member::Index(match self.typed(value)? {
-                Typed::Infinity => Real::Infinity,
-                Typed::Real(Real::Index(name)) if *name == *"alpha" => return Ok(None),
-                other => other.real(&value.at)?,
-            }),
-            "r" => Member::Ratio(self.real(value)?),
-            _ => return fault(at, format!("the family has no `{name}`"), "write `; alpha = …` or `; r = …`"),
-        }))
-    }
-
-    /// abs(a), D(f, q), words.
-    fn built_in(&mut self, name: &str, with: &[Given], at: &Place) -> Resolved<Option<Typed>> {
-        let plain = |count: usize, form: &str| {
-            if with.len() != count {
-                return fault(
-                    at,
-                    format!("`{name}` takes another number of terms"),
-                    format!("write `{form}`"),
-                );
-            }
-            with.iter().try_for_each(|given| {
-                no_side(given)?;
-                no_member(given)
-            })
-        };
-        let real = |scope: &mut Self| Ok(Box::new(scope.real(&with[0].node)?));
-        Ok(Some(match name {
-            "abs" => {
-                plain(1, "abs(a)")?;
-                Typed::Real(Real::Absolute(real(self)?))
-            }
-            "sqrt" => {
-                plain(1, "sqrt(a)")?;
-                Typed::Real(Real::Root(real(self)?))
-            }
-            "min" | "max" => {
-                plain(2, &format!("{name}(a, b)` or `{name}(i in 0..n: …)"))?;
-                self.extreme(name == "min", &with[0].node, &with[1].node)?
-            }
-            "binomial" => {
-                plain(2, "binomial(a, b)")?;
-                let (a, b) = (self.int(&with[0].node)?, self.int(&with[1].node)?);
-                Typed::Int(Int::Binomial(Box::new(a), Box::new(b)))
-            }
-            "D" => {
-                plain(2, "D(G[i], q)")?;
-                let (function, order) = (self.function(&with[0].node)?, self.place(&with[1].node)?);
-                bounded(&order, &with[1].node.at)?;
-                Typed::Function(Function::Derivative(Box::new(function), order))
-            }
-            _ => match Word::ALL.iter().find(|word| word.name() == name) {
-                Some(word) => self.word(*word, with, at)?,
-                None => return Ok(None),
-            },
-        }))
-    }
-
-    fn extreme(&mut self, least: bool, a: &Node, b: &Node) -> Resolved<Typed> {
-        let (a, b) = (self.real(a)?, self.real(b)?);
-        Ok(Typed::of(if least { a.least(b) } else { a.greatest(b) }))
-    }
-
-    fn word(&mut self, word: Word, with: &[Given], at: &Place) -> Resolved<Typed> {
-        let mut of = Vec::new();
-        let mut rest = with.iter();
-        for sort in word.takes() {
-            let Some(given) = rest.next() else { return wrong_number(word, at) };
-            no_side(given)?;
-            if *sort != Sort::Function {
-                no_member(given)?;
-            }
-            of.push(match sort {
-                Sort::Int => Item::Int(self.int(&given.node)?),
-                Sort::Real => Item::Real(self.real(&given.node)?),
-                Sort::Function => {
-                    Item::Function(self.function(&given.node)?, self.member(given.member.as_ref())?)
-                }
-                Sort::Coefficients => match self.typed(&given.node)? {
-                    Typed::Coefficients(name) => Item::Coefficients(name),
-                    other => {
-                        return fault(
-                            &given.node.at,
-                            format!("`{}` is said of control values, this is {}", word.name(), other.what()),
-                            "give the name of control values that `for` binds: `d points`",
-                        );
-                    }
-                },
-                Sort::Expression => {
-                    let Some(variable) = rest.next() else { return wrong_number(word, at) };
-                    self.expression(&given.node, &variable.node)?
-                }
-                Sort::Truth => continue,
-            });
-        }
-        if rest.next().is_some() {
-            return wrong_number(word, at);
-        }
-        let used = Box::new(Use { word, of });
-        Ok(match word.gives() {
-            Sort::Int => Typed::Int(Int::Word(used)),
-            Sort::Truth => Typed::Formula(Formula::Word(used)),
-            _ => Typed::Real(Real::Word(used)),
-        })
-    }
-
-    /// A term as a function of `x`, or of `x in [a, b]`.
-    fn expression(&mut self, term: &Node, variable: &Node) -> Resolved<Item> {
-        let (name, domain) = match &variable.raw {
-            Raw::In(name, domain) => (&**name, Some(&**domain)),
-            _ => (variable, None),
-        };
-        let Raw::Name { name, primes: 0 } = &name.raw else {
-            return fault(
-                &variable.at,
-                "expected the variable of the term before it",
-                "write `C(x), x` or `C(x), x in [a, b]`",
-            );
-        };
-        let interval = domain.map(|domain| self.interval(domain)).transpose()?;
-        self.bound(name, Kind::Real, &variable.at, |scope, name| {
-            Ok(Item::Expression(scope.real(term)?, name, interval))
-        })
+    pub(super) fn place(&mut self, node: &Node) -> Resolved<Int> {
+        let int = self.int(node)?;
+        let exists = !matches!(int, Int::Number(below) if below < 0);
+        ensure(exists, &node.at, "no index is below 0, on any knots", "indices and degrees begin at 0")?;
+        Ok(int)
     }
 
     /// Reads with one more name.
-    fn bound<T>(
+    pub(super) fn bound<T>(
         &mut self,
         name: &str,
         kind: Kind,
@@ -595,14 +393,8 @@ impl Scope<'_> {
         not_reserved(name, at)?;
         let bound = self.own.iter().chain(&self.has.names).any(|(bound, _)| **bound == *name);
         let defined = self.known.definitions.iter().any(|definition| *definition.name == *name);
-        match bound || defined {
-            true => fault(
-                at,
-                format!("`{name}` is bound already, or defined"),
-                "take another name: none hides another",
-            ),
-            false => Ok(()),
-        }
+        let rule = format!("`{name}` is bound already, or defined");
+        ensure(!bound && !defined, at, rule, "take another name: none hides another")
     }
 
     fn arithmetic(&mut self, infix: Infix, left: &Node, right: &Node) -> Resolved<Typed> {
@@ -640,11 +432,8 @@ impl Scope<'_> {
             let equality = matches!(relation, Relation::Equal | Relation::Unequal);
             if infinite && !(index(a) && index(b) && equality && a != b) {
                 let at = if *a == Real::Infinity { first.at.start..node.at.end } else { node.at.clone() };
-                return fault(
-                    &at,
-                    "`infinity` is no number",
-                    "it stands only beside an index: `alpha = infinity`, `alpha != infinity`",
-                );
+                let advice = "it stands only beside an index: `alpha = infinity`, `alpha != infinity`";
+                return fault(&at, "`infinity` is no number", advice);
             }
         }
         let mut terms = terms.into_iter();
@@ -659,11 +448,10 @@ impl Scope<'_> {
                     self.need_instance("U in {…}", &of.at)?;
                     Ok(Formula::Instance(self.instances(names)?))
                 }
-                _ => fault(
-                    &domain.at,
-                    "only the knots of instances are in a list",
-                    "write `U in {U0, C5}`, or `= a or … = b`",
-                ),
+                _ => {
+                    let advice = "write `U in {U0, C5}`, or `= a or … = b`";
+                    fault(&domain.at, "only the knots of instances are in a list", advice)
+                }
             },
             DomainKind::Range(..) => {
                 let of = self.int(of)?;
@@ -680,14 +468,16 @@ impl Scope<'_> {
             let Raw::Name { name, primes: 0 } = &node.raw else {
                 return fault(&node.at, "expected the name of an instance", "write `U in {U0, C5}`");
             };
-            match &self.known.instances {
-                Some(known) if !known.contains(name.as_str()) => fault(
+            if let Some(known) = &self.known.instances {
+                let advice = meant(name, known.iter().map(|known| &**known));
+                ensure(
+                    known.contains(name.as_str()),
                     &node.at,
                     format!("no instance is called `{name}`"),
-                    meant(name, known.iter().map(|known| &**known)),
-                ),
-                _ => Ok(Name::from(name.as_str())),
+                    advice,
+                )?;
             }
+            Ok(Name::from(name.as_str()))
         };
         nodes.iter().map(instance).collect()
     }
@@ -711,27 +501,21 @@ impl Scope<'_> {
             return fault(&domain.at, "expected a range of integers", "write `0..n`");
         };
         let (from, to) = (self.int(from)?, self.int(to)?);
-        match (&from, &to) {
-            (Int::Number(from), Int::Number(to)) if to < from => {
-                fault(&domain.at, "this range is empty", format!("write `{to}..{from}`"))
-            }
-            _ => Ok((from, to)),
+        if let (Int::Number(from), Int::Number(to)) = (&from, &to) {
+            ensure(from <= to, &domain.at, "this range is empty", format!("write `{to}..{from}`"))?;
         }
+        Ok((from, to))
     }
 
     pub(super) fn interval(&mut self, domain: &Domain) -> Resolved<Interval> {
         let DomainKind::Interval { from, from_closed, to, to_closed } = &domain.kind else {
-            return fault(
-                &domain.at,
-                "expected an interval",
-                "write `[a, b]`, `(a, b)`, `[a, b)` or `(a, b]`",
-            );
+            let advice = "write `[a, b]`, `(a, b)`, `[a, b)` or `(a, b]`";
+            return fault(&domain.at, "expected an interval", advice);
         };
         let (from, to) = (self.real(from)?, self.real(to)?);
-        if let (Some(a), Some(b)) = (from.literal(), to.literal())
-            && (b < a || (a == b && !(*from_closed && *to_closed)))
-        {
-            return fault(&domain.at, "this interval is empty", "its left end comes first");
+        if let (Some(a), Some(b)) = (from.literal(), to.literal()) {
+            let inhabited = a < b || (a == b && *from_closed && *to_closed);
+            ensure(inhabited, &domain.at, "this interval is empty", "its left end comes first")?;
         }
         Ok(Interval { from, from_closed: *from_closed, to, to_closed: *to_closed })
     }
@@ -746,13 +530,9 @@ impl Scope<'_> {
     ) -> Resolved<Typed> {
         if let DomainKind::Interval { .. } = domain.kind {
             let interval = self.interval(domain)?;
-            if let Quantity::Fold(_) = what {
-                return fault(
-                    &domain.at,
-                    "only integers are summed, multiplied or compared one by one",
-                    "write `i in 0..n`, or `sup(…, x in [a, b])`",
-                );
-            }
+            let rule = "only integers are summed, multiplied or compared one by one";
+            let formula = !matches!(what, Quantity::Fold(_));
+            ensure(formula, &domain.at, rule, "write `i in 0..n`, or `sup(…, x in [a, b])`")?;
             return self.bound(name, Kind::Real, at, |scope, name| {
                 let body = Box::new(scope.formula(body)?);
                 Ok(Typed::Formula(quantified(what, Over::Reals(name, interval), body)))
@@ -781,7 +561,7 @@ fn quantified(what: Quantity, over: Over, body: Box<Formula>) -> Formula {
 const RESERVED: &[&str] = &[
     "k", "n", "m", "t", "G", "w", "U", "P", "D", "r", "alpha", "infinity", "phi", "f", "sum", "prod", "min",
     "max", "abs", "sqrt", "binomial", "all", "some", "one", "and", "or", "not", "in", "claim", "printed",
-    "index", "points",
+    "index", "points", "gaps", "each",
 ];
 
 fn is_reserved(name: &str) -> bool {
@@ -790,11 +570,8 @@ fn is_reserved(name: &str) -> bool {
 
 /// May it be a name of one's own?
 pub(super) fn not_reserved(name: &str, at: &Place) -> Resolved<()> {
-    match is_reserved(name) {
-        true => fault(at, format!("`{name}` has a meaning already"), "take another name"),
-        false if name.contains('_') => fault(at, "a name has letters and digits only", "leave the `_` out"),
-        false => Ok(()),
-    }
+    ensure(!is_reserved(name), at, format!("`{name}` has a meaning already"), "take another name")?;
+    ensure(!name.contains('_'), at, "a name has letters and digits only", "leave the `_` out")
 }
 
 fn number(text: &str, at: &Place) -> Resolved<Typed> {
@@ -807,65 +584,8 @@ fn number(text: &str, at: &Place) -> Resolved<Typed> {
     }
 }
 
-fn derived(function: Function, primes: usize) -> Function {
-    match i64::try_from(primes) {
-        Ok(order) if order > 0 => Function::Derivative(Box::new(function), Int::Number(order)),
-        _ => function,
-    }
-}
-
-fn bounded(exponent: &Int, at: &Place) -> Resolved<()> {
-    match exponent {
-        Int::Number(e) if e.abs() > GREATEST_EXPONENT => fault(
-            at,
-            format!("an exponent has at most the size {GREATEST_EXPONENT}"),
-            "name what it stands for",
-        ),
-        _ => Ok(()),
-    }
-}
-
 fn no_prime(primes: usize, at: &Place) -> Resolved<()> {
-    match primes {
-        0 => Ok(()),
-        _ => fault(
-            at,
-            "numbers have no derivative",
-            "a prime stands behind the name of a function: `G'[i](x)`",
-        ),
-    }
-}
-
-fn no_side(given: &Given) -> Resolved<()> {
-    match given.side {
-        None => Ok(()),
-        Some(_) => fault(&given.node.at, "a limit is taken at the point of a function", "write `G[i](x-)`"),
-    }
-}
-
-fn no_member(given: &Given) -> Resolved<()> {
-    match &given.member {
-        None => Ok(()),
-        Some((_, at, _)) => {
-            fault(at, "only a function has another index", "write it behind the point: `G[i](x; alpha = …)`")
-        }
-    }
-}
-
-fn wrong_number<T>(word: Word, at: &Place) -> Resolved<T> {
-    let shape = word.takes().iter().map(|sort| match sort {
-        Sort::Int => "k",
-        Sort::Real | Sort::Truth => "x",
-        Sort::Function => "G[i]",
-        Sort::Expression => "C(x), x in [a, b]",
-        Sort::Coefficients => "d",
-    });
-    let shape: Vec<_> = shape.collect();
-    fault(
-        at,
-        format!("`{}` is said of another number of things", word.name()),
-        format!("write it like `{}({})`", word.name(), shape.join(", ")),
-    )
+    ensure(primes == 0, at, "numbers have no derivative", "a prime stands behind a function: `G'[i](x)`")
 }
 
 fn meant<'a>(name: &str, among: impl Iterator<Item = &'a str>) -> String {
@@ -873,4 +593,18 @@ fn meant<'a>(name: &str, among: impl Iterator<Item = &'a str>) -> String {
         Some(close) => format!("did you mean `{close}`?"),
         None => "give one that is registered".to_owned(),
     }
+}
+
+/// The derivative that so many primes mean.
+pub(super) fn derived(function: Function, primes: usize, at: &Place) -> Resolved<Function> {
+    let order = Int::Number(i64::try_from(primes).unwrap_or(i64::MAX));
+    bounded(&order, at)?;
+    Ok(if primes == 0 { function } else { Function::Derivative(Box::new(function), order) })
+}
+
+/// An exponent, or the order of a derivative, of a size that can be computed with.
+pub(super) fn bounded(exponent: &Int, at: &Place) -> Resolved<()> {
+    let small = !matches!(exponent, Int::Number(e) if e.unsigned_abs() > GREATEST_EXPONENT);
+    let rule = format!("an exponent has at most the size {GREATEST_EXPONENT}");
+    ensure(small, at, rule, "name what it stands for")
 }

@@ -66,25 +66,27 @@ pub fn sentence(given: &str, assume: &[&str], then: &[&str], known: &Known) -> R
 /// # Errors
 /// The first fault, with its place.
 pub fn one_line(text: &str) -> Result<Sentence, Complaint> {
-    line(text, &Known::default()).map_err(|fault| {
-        Complaint::new(
-            &Arc::new(Origin { name: "sentence".to_owned(), text: text.to_owned() }),
-            fault.at,
-            fault.rule,
-            fault.advice,
-        )
-    })
+    Known::default().one_line(text)
 }
 
-/// The same with definitions.
-pub(super) fn line(text: &str, known: &Known) -> Result<Sentence, Fault> {
-    let raw = whole(text, Parser::line)?;
-    let mut reader = Reader::new(known);
-    let given = reader.binders(&raw.given)?;
-    let mut formulas = |nodes: &[Node]| -> Result<Vec<Formula>, Fault> {
-        nodes.iter().map(|node| reader.scope.formula(node)).collect()
-    };
-    Ok(Sentence { given, assume: formulas(&raw.assume)?, then: formulas(&raw.then)? })
+impl Known {
+    /// The same, where these names are known.
+    ///
+    /// # Errors
+    /// The first fault, with its place.
+    pub fn one_line(&self, text: &str) -> Result<Sentence, Complaint> {
+        let read = || {
+            let raw = whole(text, Parser::line)?;
+            let mut reader = Reader::new(self);
+            let given = reader.binders(&raw.given)?;
+            let mut formulas = |nodes: &[Node]| -> Result<Vec<Formula>, Fault> {
+                nodes.iter().map(|node| reader.scope.formula(node)).collect()
+            };
+            Ok(Sentence { given, assume: formulas(&raw.assume)?, then: formulas(&raw.then)? })
+        };
+        let origin = || Arc::new(Origin { name: "sentence".to_owned(), text: text.to_owned() });
+        read().map_err(|fault: Fault| Complaint::new(&origin(), fault.at, fault.rule, fault.advice))
+    }
 }
 
 /// Reads the parts of one sentence in order, the binders first.

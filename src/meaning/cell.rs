@@ -178,6 +178,12 @@ impl Frame {
         })
     }
 
+    /// Is the value the variable of the cell itself?
+    #[must_use]
+    pub fn is_variable(&self, x: &Value) -> bool {
+        x.root.is_none() && matches!(&x.plain, Plain::Piece(piece) if *piece == self.coordinate)
+    }
+
     /// The x of a u.
     #[must_use]
     pub fn x(&self, u: &BigRational) -> Option<BigRational> {

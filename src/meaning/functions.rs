@@ -5,7 +5,7 @@ use crate::language::{Argument, Definition, Function, Int, Name, Pattern, Side};
 use crate::scalar::{BigRational, Polynomial, RationalAlgebra, RationalFunction, Ring, integer};
 use crate::spline;
 
-use super::cell::{Cell, Focus};
+use super::cell::Cell;
 use super::reading::{Look, Reading, place};
 use super::truth::Stop;
 use super::value::{Plain, Value};
@@ -193,10 +193,7 @@ impl Reading<'_> {
                         let Value { plain: Plain::Piece(argument), root: None } = x else {
                             return Err(Stop::Unknown("a basis function at an irrational number".into()));
                         };
-                        let own = self
-                            .frame
-                            .as_ref()
-                            .is_some_and(|frame| frame.span == Some(j) && frame.coordinate == *argument);
+                        let own = self.is_coordinate(j, x);
                         let (from, to) = (self.knots()?.t(j), self.knots()?.t(j + 1));
                         Ok(if own { piece } else { composed(&piece, argument, from, to) }.into())
                     }
@@ -222,6 +219,11 @@ impl Reading<'_> {
         }
     }
 
+    /// Is it the variable of the cell, which is span j?
+    fn is_coordinate(&self, j: usize, x: &Value) -> bool {
+        self.frame.as_ref().is_some_and(|frame| frame.span == Some(j) && frame.is_variable(x))
+    }
+
     /// w_i^d(x) for an x in the limit on a span: φ where [t_i, t_{i+d}) contains that, else 0.
     fn weight(&mut self, i: &Int, d: &Int, x: &Value, span: Option<usize>) -> Result<Value, Stop> {
         let (i, d, knots) = (self.int(i)?, self.int(d)?, self.knots()?);
@@ -230,6 +232,11 @@ impl Reading<'_> {
         let to = place(if d < 0 { d } else { i + d }, knots.m() + 1, missing)?;
         match span {
             Some(j) if from <= j && j < to => {
+                if self.is_coordinate(j, x)
+                    && let Some(known) = self.on.weight(&self.index, (from, to), j)
+                {
+                    return Ok(known.into());
+                }
                 self.moebius(x, &knots.t(from).clone().into(), &knots.t(to).clone().into())
             }
             _ => Ok(0.into()),
@@ -284,7 +291,6 @@ impl Reading<'_> {
             self.bound.reals.push((variable.clone(), x.clone(), id));
         }
         let outside = std::mem::replace(&mut self.memo.outermost, before);
-        let elsewhere = std::mem::take(&mut self.memo.elsewhere);
         self.depth += 1;
         let value = self.real(&definition.body);
         self.depth -= 1;
@@ -292,12 +298,7 @@ impl Reading<'_> {
         self.bound.reals.truncate(before.1);
         let own = self.memo.outermost;
         self.memo.outermost = (outside.0.min(own.0), outside.1.min(own.1));
-        let closed = own == before && !self.memo.elsewhere;
-        self.memo.elsewhere |= elsewhere;
-        // On a part of a cell it is the value there only.
-        let whole =
-            self.frame.as_ref().is_none_or(|frame| frame.focus == Focus::Whole) || argument.is_constant();
-        if let (true, true, Ok(value)) = (closed, whole && self.looked.is_none(), &value) {
+        if let (true, true, Ok(value)) = (own == before, self.looked.is_none(), &value) {
             self.memo.known.entry(key).or_default().push((argument, value.clone()));
         }
         value
@@ -315,9 +316,7 @@ impl Reading<'_> {
             });
         }
         if let Some(frame) = &self.frame
-            && let Some(j) = frame.span
-            && x.root.is_none()
-            && matches!(&x.plain, Plain::Piece(piece) if *piece == frame.coordinate)
+            && let (Some(j), true) = (frame.span, frame.is_variable(x))
         {
             return Ok(Where::Span(j));
         }

@@ -4,10 +4,10 @@ use std::collections::HashMap;
 use std::hash::Hash;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use crate::analysis::{Piece, Pieces, positive_coordinate};
+use crate::analysis::{Piece, Pieces, coordinate_between, positive_coordinate};
 use crate::language::Name;
-use crate::scalar::{BigRational, Jet, Ring, integer};
-use crate::spline::{Active, Basis, Evaluator, Index, KnotVector, Point, Side, by_definition};
+use crate::scalar::{BigRational, Jet, RationalAlgebra, Ring, integer};
+use crate::spline::{Active, Basis, Evaluator, Index, KnotVector, Point, Side, by_definition, weight};
 
 /// An index, with or without a degree on knots. What is computed for it is kept, for all sentences that are judged on it.
 #[derive(Debug)]
@@ -20,8 +20,11 @@ pub struct Instance {
     pub name: Option<Name>,
     /// Control points, if it has some.
     pub points: Option<Vec<Point>>,
+    /// The indices that it is shown for.
+    pub shown: Vec<Index>,
     pieces: Kept<(Index, usize), Pieces>,
     definition: OnceLock<Vec<Vec<Vec<Piece>>>>,
+    weights: Kept<(Index, usize, usize, usize), Piece>,
     derivatives: Kept<(Index, usize, usize, usize, usize), Piece>,
     jets: Kept<(Index, usize, BigRational, bool, usize), Option<Jets>>,
     fault: OnceLock<String>,
@@ -61,8 +64,10 @@ impl Instance {
             basis: None,
             name: None,
             points: None,
+            shown: Vec::new(),
             pieces: Kept::new(),
             definition: OnceLock::new(),
+            weights: Kept::new(),
             derivatives: Kept::new(),
             jets: Kept::new(),
             fault: OnceLock::new(),
@@ -86,7 +91,8 @@ impl Instance {
     #[must_use]
     pub fn with_index(&self, index: Index) -> Self {
         let basis = self.basis.as_ref().map(|basis| basis.with_index(index.clone()));
-        Self { basis, name: self.name.clone(), points: self.points.clone(), ..Self::index(index) }
+        let (name, points, shown) = (self.name.clone(), self.points.clone(), self.shown.clone());
+        Self { basis, name, points, shown, ..Self::index(index) }
     }
 
     /// The same with values by the definition: the slow reference, which a witness is read on once more.
@@ -160,6 +166,17 @@ impl Instance {
         let Some(basis) = &self.basis else { return Vec::new() };
         let coordinate = |span| positive_coordinate(basis.knots(), span).ok();
         basis.knots().spans().filter_map(|span| by_definition(basis, span, &coordinate(span)?).ok()).collect()
+    }
+
+    /// φ(x, t_a, t_b) on span j between these knots, in its coordinate.
+    #[must_use]
+    pub fn weight(&self, index: &Index, (a, b): (usize, usize), j: usize) -> Option<Piece> {
+        let knots = self.knots()?;
+        let made = self.weights.get((index.clone(), a, b, j), |_| {
+            let x = coordinate_between(knots.t(j), knots.t(j + 1));
+            weight(&x.embed(index.ratio()), &x, knots.t(a), knots.t(b)).0
+        });
+        Some((*made).clone())
     }
 
     /// The derivative of an order of G_i^d on span j in its coordinate; `None` where it is 0.

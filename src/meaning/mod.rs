@@ -18,8 +18,9 @@ mod words;
 
 pub use cell::{Cell, Focus, Frame, Signs};
 pub use instance::Instance;
-pub use reading::{Bound, Library, Look, Names, Reading};
+pub use reading::{Bound, Found, Library, Look, Names, Reading};
 pub use reals::Part;
-pub use sentence::{Decided, Failure, Given, concerns, decide, has};
+pub use sentence::{Decided, Failure, Given, concerns, decide, has, listed};
 pub use truth::{Stop, Truth};
 pub use value::{Plain, Value};
+pub use words::tie;

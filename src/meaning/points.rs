@@ -130,8 +130,8 @@ impl Order<'_> {
 fn walk<'t>(t: &'t Real, see: &mut dyn FnMut(&'t Name)) {
     match t {
         Real::Coefficient(name, _) | Real::Bound(name) | Real::Defined(name, _) => see(name),
-        Real::Number(_) | Real::Index(_) | Real::Ratio | Real::Infinity | Real::Knot(_) => {}
         Real::Whole(i) => walk_int(i, see),
+        Real::Number(_) | Real::Index(_) | Real::Ratio | Real::Infinity | Real::Knot(_) => {}
         Real::Plus(a, b)
         | Real::Minus(a, b)
         | Real::Times(a, b)
@@ -153,10 +153,10 @@ fn walk<'t>(t: &'t Real, see: &mut dyn FnMut(&'t Name)) {
     }
 }
 
-fn walk_int<'t>(i: &'t Int, see: &mut dyn FnMut(&'t Name)) {
-    match i {
+/// In integers names of this kind occur inside of words only.
+fn walk_int<'t>(t: &'t Int, see: &mut dyn FnMut(&'t Name)) {
+    match t {
         Int::Word(of) => walk_word(of, see),
-        Int::Number(_) | Int::Bound(_) | Int::Degree | Int::Last | Int::M => {}
         Int::Plus(a, b)
         | Int::Minus(a, b)
         | Int::Times(a, b)
@@ -166,6 +166,7 @@ fn walk_int<'t>(i: &'t Int, see: &mut dyn FnMut(&'t Name)) {
             walk_int(a, see);
             walk_int(b, see);
         }
+        Int::Number(_) | Int::Bound(_) | Int::Degree | Int::Last | Int::M => {}
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use crate::analysis::Sign;
+use crate::analysis::{Greatest, Sign};
 use crate::language::{
     Definition, File, Fold, Formula, Int, Member, Name, Over, Range, Real, Relation, Sentence,
 };
@@ -86,6 +86,19 @@ pub struct Look {
     pub index: Index,
 }
 
+/// A supremum on the way.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Found {
+    /// The term.
+    pub term: Real,
+    /// The integers that were bound.
+    pub integers: Vec<(Name, i64)>,
+    /// The indices.
+    pub indices: Vec<(Name, Index)>,
+    /// What it is.
+    pub value: Greatest,
+}
+
 /// An instance with the names that are bound: terms have values on it, formulas truths.
 pub struct Reading<'a> {
     /// What is read on.
@@ -100,6 +113,8 @@ pub struct Reading<'a> {
     pub frame: Option<Frame>,
     /// The values of basis functions at numbers that were asked for, if that is recorded.
     pub looked: Option<Vec<Look>>,
+    /// The suprema that were compared.
+    pub(super) found: Vec<Found>,
     pub(super) frames: usize,
     pub(super) depth: usize,
     pub(super) memo: Memo,
@@ -108,15 +123,13 @@ pub struct Reading<'a> {
 /// Arguments of a function and its values.
 pub(super) type Graph = Vec<(Value, Value)>;
 
-/// The values of definitions that depend on their indices, their argument and the index of the moment alone: these are found
-/// out while they are computed, by how far out the names lie that they look at.
+/// The values of definitions that depend on their indices, their argument, the index of the moment, and on what changes
+/// seldom, control values and other indices: found out while they are computed, by how far out the names lie that they look at.
 #[derive(Default)]
 pub(super) struct Memo {
     pub(super) known: HashMap<(Name, Vec<i64>, Index), Graph>,
     /// The outermost integer and real looked at since it was set.
     pub(super) outermost: (usize, usize),
-    /// Was another index or a control value looked at?
-    pub(super) elsewhere: bool,
 }
 
 pub(super) fn find<'b, T>(list: &'b [(Name, T)], name: &Name) -> Result<&'b T, Stop> {
@@ -145,6 +158,7 @@ impl<'a> Reading<'a> {
             bound,
             frame: None,
             looked: None,
+            found: Vec::new(),
             frames: 0,
             depth: 0,
             memo: Memo::default(),
@@ -289,14 +303,10 @@ impl<'a> Reading<'a> {
         if &**name == "alpha" {
             return Ok(self.index.clone());
         }
-        self.memo.elsewhere = true;
         find(&self.bound.indices, name).cloned()
     }
 
     fn coefficient(&mut self, name: &Name, of: &[Int]) -> Result<Value, Stop> {
-        if !self.bound.points.is_empty() {
-            self.memo.elsewhere = true;
-        }
         let of = of.iter().map(|i| self.int(i)).collect::<Result<Vec<_>, _>>()?;
         let missing = || {
             let of: Vec<_> = of.iter().map(ToString::to_string).collect();

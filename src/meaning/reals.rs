@@ -75,11 +75,17 @@ impl Reading<'_> {
     /// With a name bound to a cell for a while; of an open one, the frame is its.
     pub(super) fn within<T>(&mut self, name: &Name, cell: &Cell, read: impl FnOnce(&mut Self) -> T) -> T {
         let before = self.frame.clone().filter(|_| matches!(cell, Cell::Open(..)));
+        if before.as_ref().is_some_and(|frame| frame.focus != Focus::Whole) {
+            self.memo.known.clear();
+        }
         self.enter(name, cell);
         let result = read(self);
         self.bound.reals.pop();
         if matches!(cell, Cell::Open(..)) {
             self.frame = before;
+        }
+        if self.frame.as_ref().is_some_and(|frame| frame.focus != Focus::Whole) {
+            self.memo.known.clear();
         }
         result
     }
@@ -155,6 +161,8 @@ impl Reading<'_> {
     pub(super) fn focus(&mut self, focus: Focus) {
         if let Some(frame) = &mut self.frame {
             frame.focus = focus;
+            // A value on a part is not that on the whole.
+            self.memo.known.clear();
         }
     }
 

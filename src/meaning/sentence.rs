@@ -10,7 +10,7 @@ use crate::spline::{Basis, Index, KnotVector};
 use super::cell::{Cell, Focus};
 use super::instance::Instance;
 use super::points;
-use super::reading::{Names, Reading};
+use super::reading::{Found, Names, Reading};
 use super::reals::Part;
 use super::tries;
 use super::truth::{Stop, Truth};
@@ -55,6 +55,8 @@ pub struct Decided {
     pub unknown: Option<String>,
     /// Were control values only tried, not decided for all?
     pub tried: bool,
+    /// The suprema that were compared.
+    pub found: Vec<Found>,
 }
 
 impl From<Decided> for Truth {
@@ -196,6 +198,7 @@ impl<'a> Reading<'a> {
         if concerns(sentence, self.on) {
             self.binders(&sentence.given, &sentence.assume.iter().collect::<Vec<_>>(), &mut walk);
         }
+        walk.decided.found = std::mem::take(&mut self.found);
         walk.decided
     }
 
@@ -231,10 +234,11 @@ impl<'a> Reading<'a> {
                 Err(stop) => walk.stopped(stop, self.given(&walk.sentence.given, None)),
             },
             Binder::Index(name) => {
-                for index in other_indices().filter(|index| *index != self.index).collect::<Vec<_>>() {
+                for index in self.other_indices(walk.sentence) {
                     self.bound.indices.push((name.clone(), index));
                     self.binders(others, &pending, walk);
                     self.bound.indices.pop();
+                    self.memo.known.clear();
                 }
             }
             Binder::Integer(range) => match self.range(range) {
@@ -280,8 +284,10 @@ impl<'a> Reading<'a> {
                 let more = if walk.linear { Vec::new() } else { tries::control_values(&basis) };
                 for values in points::units(basis.n() + 1).chain(more) {
                     self.bound.points.push((name.clone(), values));
+                    // Definitions may speak of them.
                     self.binders(others, &pending, walk);
                     self.bound.points.pop();
+                    self.memo.known.clear();
                 }
             }
         }
@@ -304,6 +310,16 @@ impl<'a> Reading<'a> {
         let knots = KnotVector::new(knots).map_err(|error| Stop::Undefined(error.to_string()))?;
         let basis = Basis::new(knots, self.degree()?, self.index.clone());
         basis.map(Instance::of).map_err(|error| Stop::Undefined(error.to_string()))
+    }
+
+    /// What an index besides α runs over: the list of the sentence, or what the instance is shown for, or some indices.
+    fn other_indices(&self, sentence: &Sentence) -> Vec<Index> {
+        let some = || [-1, 2, -2, 3].into_iter().filter_map(|alpha| Index::from_alpha(integer(alpha)).ok());
+        let shown = Some(self.on.shown.clone()).filter(|shown| !shown.is_empty());
+        let all = listed(sentence).or(shown);
+        let mut all = all.unwrap_or_else(|| some().chain([Index::infinity()]).collect());
+        all.retain(|index| *index != self.index);
+        all
     }
 
     fn each_cell(
@@ -490,19 +506,27 @@ fn simple(cell: &Cell) -> Box<dyn Iterator<Item = BigRational>> {
     }
 }
 
-/// The indices that another index is tried with.
-fn other_indices() -> impl Iterator<Item = Index> {
-    let finite = [-1, 2, -2, 3].map(integer).into_iter().filter_map(|alpha| Index::from_alpha(alpha).ok());
-    finite.chain([Index::infinity()])
+/// The indices of the list that α runs over, if there is one.
+#[must_use]
+pub fn listed(sentence: &Sentence) -> Option<Vec<Index>> {
+    let index = |alpha: &Option<BigRational>| match alpha {
+        Some(alpha) => Index::from_alpha(alpha.clone()).ok(),
+        None => Some(Index::infinity()),
+    };
+    sentence.given.iter().find_map(|binder| match binder {
+        Binder::Indices(list) => Some(list.iter().filter_map(index).collect()),
+        _ => None,
+    })
 }
 
 /// Values of free reals, all together in order of size: by the sum of their places in a list of simple numbers.
 fn by_size(free: &[(&Name, Option<Relation>)], on_knots: bool) -> Vec<Vec<BigRational>> {
     const SIMPLE: [(i64, i64); 12] =
         [(0, 1), (1, 1), (-1, 1), (2, 1), (1, 2), (-2, 1), (3, 1), (-1, 2), (1, 3), (3, 2), (-3, 1), (4, 1)];
-    /// How many of these, for one, two, … names; and beside knots, where everything takes longer.
-    const EACH: [[usize; 5]; 2] = [[12, 7, 6, 4, 3], [3, 4, 3, 2, 2]];
-    let each = EACH[usize::from(on_knots)][free.len().clamp(1, 5) - 1];
+    /// How many of these, for one, two, … names.
+    const EACH: [usize; 5] = [12, 7, 6, 4, 3];
+    let each = EACH[free.len().clamp(1, EACH.len()) - 1];
+    let each = if on_knots { each.div_ceil(4).max(2) } else { each };
     let fits = |sign: Option<Relation>, q: &BigRational| match sign {
         Some(Relation::Greater) => q.is_positive(),
         Some(Relation::Less) => q.is_negative(),

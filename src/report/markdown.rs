@@ -1,4 +1,4 @@
-//! The report as Markdown, and the table of verdicts that the README shows.
+//! The report as Markdown, and the page with the table of recorded verdicts.
 
 use std::fmt::Write as _;
 
@@ -14,8 +14,9 @@ use super::paper::Paper;
 use super::record::{Grounds, Record, Stated, by_severity};
 use super::{Drift, Report};
 
-/// The table of verdicts for the README: one row a claim, with certificates as links from the top folder of the project.
-fn verdict_table(baseline: &Baseline) -> String {
+/// `docs/verdicts.md`: one row a claim, with certificates as links.
+#[must_use]
+pub fn verdicts_page(baseline: &Baseline) -> String {
     let row = |entry: &Entry| {
         let amended = entry.amended.as_ref().map(super::Finding::words).unwrap_or_default();
         let certificates: Vec<_> = entry.certificates().map(certificate).collect();
@@ -23,25 +24,17 @@ fn verdict_table(baseline: &Baseline) -> String {
         format!("| `{id}` | {locator} | {printed} | {amended} | {} |\n", certificates.join(", "))
     };
     let rows: String = baseline.claims.iter().map(row).collect();
-    format!("| claim | where | as printed | as amended | certificates |\n|---|---|---|---|---|\n{rows}")
+    format!(
+        "{VERDICTS}\n\n| claim | where | as printed | as amended | certificates |\n|---|---|---|---|---|\n{rows}"
+    )
 }
+
+const VERDICTS: &str = "# The verdicts\n\nWritten by `knotproof report --record` from `proofs/verdicts.json`, not by hand; a test \
+holds the two together, and `knotproof report` fails if a verdict is no longer what is recorded. The witnesses are in the report.";
 
 fn certificate(name: &str) -> String {
     let short = name.rsplit('.').next().unwrap_or(name);
-    format!("[{short}](proofs/certs/{name}.statement)")
-}
-
-/// The line before the table of verdicts in the README.
-pub const START: &str = "<!-- verdicts: written by `knotproof report --record`, not by hand -->";
-/// The line after it.
-pub const END: &str = "<!-- end of verdicts -->";
-
-/// The text with the table of verdicts between its two marks; `None` if a mark is missing.
-#[must_use]
-pub fn with_verdict_table(text: &str, baseline: &Baseline) -> Option<String> {
-    let (before, rest) = text.split_once(START)?;
-    let (_, after) = rest.split_once(END)?;
-    Some(format!("{before}{START}\n\n{}\n{END}{after}", verdict_table(baseline)))
+    format!("[{short}](../proofs/certs/{name}.statement)")
 }
 
 /// Text without a character that Markdown would take for markup.

@@ -38,7 +38,7 @@ pub use errata::{Amendment, Errata, Erratum, ErratumWitness, errata_page};
 pub use figures::PictureError;
 pub use formula::{Counterexample, Definition, Form, Language, Script, ScriptError, expression, formula};
 pub use heat::heat_map;
-pub use markdown::{END, START, markdown, with_verdict_table};
+pub use markdown::{markdown, verdicts_page};
 pub use opening::opening;
 pub use page::{PageError, PageSource, page};
 pub use paper::{PAPER, Paper};

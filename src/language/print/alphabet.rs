@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::form::{Big, Form, Operator};
+use super::form::{Big, Form, GREEK, Operator};
 
 /// One line, of the source or for people; inside of a script without spaces.
 pub(super) fn line_of(form: &Form, source: bool) -> String {
@@ -120,7 +120,10 @@ fn latex(form: &Form, out: &mut String) {
             let _ = write!(out, r"\right{}", brace(close));
         }
         Form::Script(base, below, above) => {
-            group("", base, out);
+            match **base {
+                Form::Atom(_) => latex(base, out),
+                _ => group("", base, out),
+            }
             below.iter().for_each(|form| group("_", form, out));
             above.iter().for_each(|form| group("^", form, out));
         }
@@ -148,32 +151,10 @@ fn latex(form: &Form, out: &mut String) {
 }
 
 fn atom_in_latex(text: &str) -> String {
-    const SYMBOLS: &[(&str, &str)] = &[
-        ("α", r"\alpha"),
-        ("β", r"\beta"),
-        ("γ", r"\gamma"),
-        ("δ", r"\delta"),
-        ("ε", r"\varepsilon"),
-        ("η", r"\eta"),
-        ("θ", r"\theta"),
-        ("κ", r"\kappa"),
-        ("λ", r"\lambda"),
-        ("μ", r"\mu"),
-        ("ν", r"\nu"),
-        ("ξ", r"\xi"),
-        ("ρ", r"\rho"),
-        ("σ", r"\sigma"),
-        ("τ", r"\tau"),
-        ("φ", r"\varphi"),
-        ("ψ", r"\psi"),
-        ("ω", r"\omega"),
-        ("∞", r"\infty"),
-        ("…", r"\dots"),
-        ("′", "'"),
-        ("⁺", "^+"),
-        ("⁻", "^-"),
-    ];
+    const SYMBOLS: &[(&str, &str)] =
+        &[("∞", r"\infty"), ("…", r"\dots"), ("′", "'"), ("⁺", "^+"), ("⁻", "^-")];
     let written = SYMBOLS.iter().fold(text.to_owned(), |text, (sign, latex)| text.replace(sign, latex));
+    let written = GREEK.iter().fold(written, |text, (name, sign)| text.replace(*sign, &format!(r"\{name}")));
     let below = written.find(|c| ('₀'..='₉').contains(&c));
     let (stem, digits) = written.split_at(below.unwrap_or(written.len()));
     let digits: String = digits.chars().filter_map(|c| char::from_digit(c as u32 - '₀' as u32, 10)).collect();

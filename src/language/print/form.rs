@@ -110,3 +110,25 @@ impl Form {
         Self::Row(vec![Self::between(forms, &Self::words(", ")), Self::words(" and "), last])
     }
 }
+
+/// Letters that are written by their names.
+pub(super) const GREEK: &[(&str, char)] = &[
+    ("alpha", 'α'),
+    ("beta", 'β'),
+    ("gamma", 'γ'),
+    ("delta", 'δ'),
+    ("epsilon", 'ε'),
+    ("eta", 'η'),
+    ("theta", 'θ'),
+    ("kappa", 'κ'),
+    ("lambda", 'λ'),
+    ("mu", 'μ'),
+    ("nu", 'ν'),
+    ("xi", 'ξ'),
+    ("rho", 'ρ'),
+    ("sigma", 'σ'),
+    ("tau", 'τ'),
+    ("phi", 'φ'),
+    ("psi", 'ψ'),
+    ("omega", 'ω'),
+];

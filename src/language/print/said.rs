@@ -280,6 +280,7 @@ impl Walk {
             (Some(range), true) => self.over("each", self.range(range), self.real(&gap.size, TOP)),
             (Some(range), false) => Form::Row(vec![
                 self.real(&gap.size, SUM),
+                Form::words(" "),
                 Form::fenced("(", Form::Row(vec![Form::words("for each "), self.range(range)]), ")"),
             ]),
         };

@@ -4,7 +4,7 @@ use num_bigint::Sign;
 
 use super::super::raw::level::{ATOM, FACTOR, NOT, POWER, PRODUCT, SUM, TERM, TOP};
 use super::super::syntax::{Argument, Fold, Function, Int, Item, Member, Range, Real, Side, Use};
-use super::form::{AT_MOST, Big, COMMA, EQUAL, Form, MAPS, MINUS, Operator, PLUS, SLASH, TIMES};
+use super::form::{AT_MOST, Big, COMMA, EQUAL, Form, GREEK, MAPS, MINUS, Operator, PLUS, SLASH, TIMES};
 
 /// Prints the source, or notation for people.
 #[derive(Debug, Clone, Copy)]
@@ -277,7 +277,19 @@ impl Walk {
         for (at, part) in of.word.says().split('{').enumerate() {
             match (at, part.split_once('}')) {
                 (1.., Some((index, after))) => {
-                    row.extend(index.parse().ok().and_then(|index: usize| items.get(index)).cloned());
+                    let item = index.parse().ok().and_then(|index: usize| items.get(index)).cloned();
+                    // A template may have an item as an index: u_{0}.
+                    let base = match row.last_mut() {
+                        Some(Form::Words(words)) if words.ends_with('_') => {
+                            words.pop();
+                            words.pop().map(Form::atom)
+                        }
+                        _ => None,
+                    };
+                    row.extend(match base {
+                        Some(base) => Some(Form::script(base, item, None)),
+                        None => item,
+                    });
                     row.push(Form::words(after));
                 }
                 _ => row.push(Form::words(part)),
@@ -335,25 +347,6 @@ fn peeled(function: &Function) -> &Function {
 
 /// Greek letters by their names, and digits at the end of a name below the line.
 fn notation(name: &str) -> String {
-    const GREEK: &[(&str, char)] = &[
-        ("alpha", 'α'),
-        ("beta", 'β'),
-        ("gamma", 'γ'),
-        ("delta", 'δ'),
-        ("epsilon", 'ε'),
-        ("eta", 'η'),
-        ("theta", 'θ'),
-        ("kappa", 'κ'),
-        ("lambda", 'λ'),
-        ("mu", 'μ'),
-        ("nu", 'ν'),
-        ("xi", 'ξ'),
-        ("rho", 'ρ'),
-        ("sigma", 'σ'),
-        ("tau", 'τ'),
-        ("psi", 'ψ'),
-        ("omega", 'ω'),
-    ];
     let stem = name.trim_end_matches(|c: char| c.is_ascii_digit());
     let letters =
         GREEK.iter().find(|(word, _)| *word == stem).map_or(stem.to_owned(), |(_, c)| c.to_string());

@@ -90,3 +90,60 @@ pub(super) fn implicit_degree(
     }
     Ok(degree)
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::language::{Known, sentence};
+    use crate::meaning::{Decided, Instance, Names, decide};
+    use crate::scalar::integer;
+    use crate::spline::{Basis, KnotVector, Point};
+
+    /// Knots, degree, control points.
+    type Curve = (&'static [i64], usize, &'static [[i64; 2]]);
+
+    const POINTS: &[[i64; 2]] = &[[0, 0], [3, 9], [6, 3], [9, 6]];
+    const QUADRATIC: Curve = (&[0, 0, 0, 1, 2, 2, 2], 2, POINTS);
+    const BEZIER: Curve = (&[0, 0, 0, 0, 1, 1, 1, 1], 3, POINTS);
+    /// S3, of which the trace does not depend on α.
+    const DOUBLE: Curve =
+        (&[0, 0, 0, 0, 1, 1, 2, 2, 2, 2], 3, &[[4, 0], [0, 11], [8, 14], [8, 14], [16, 11], [12, 0]]);
+
+    fn decided((knots, degree, points): Curve, alpha: &str, conclusion: &str) -> Decided {
+        let known = Known::defining(&[("C[c](x)", "sum(i in 0..n: P[i,c]*G[i](x))")]).unwrap();
+        let read = sentence("U in {C}", &[], &[conclusion], &known).unwrap();
+        let knots = KnotVector::new(knots.iter().map(|t| integer(*t)).collect()).unwrap();
+        let points = points.iter().map(|point| point.map(integer).to_vec());
+        let on = Instance::of(Basis::new(knots, degree, alpha.parse().unwrap()).unwrap());
+        let on = on.named("C", Some(points.collect::<Vec<Point>>()));
+        decide(&read, &on, Names { definitions: known.definitions(), ..Names::empty() })
+    }
+
+    #[test]
+    fn curves_stray_where_their_trace_is_another_one() {
+        for (curve, conclusion, found) in [
+            (QUADRATIC, "strays(C[1], C[2], 0)", true),
+            (BEZIER, "not strays(C[1], C[2], 0)", true),
+            (DOUBLE, "not strays(C[1], C[2], 1/20)", true),
+            (QUADRATIC, "strays(C[1], C[2], 1/20)", true),
+            // Farther than any point: that is neither found nor refuted.
+            (QUADRATIC, "strays(C[1], C[2], 100)", false),
+            (QUADRATIC, "strays(C[1], C[2], -1)", false),
+        ] {
+            let decided = decided(curve, "-1/2", conclusion);
+            assert_eq!((decided.facts == 1, decided.unknown.is_none()), (found, found), "{conclusion}");
+        }
+    }
+
+    #[test]
+    fn the_degree_of_the_trace_is_the_least_one() {
+        for (alpha, conclusion) in [
+            ("inf", "implicit_degree(G[0], G[2], 2) = 2"),
+            ("-1", "implicit_degree(G[0], G[2], 2) > 2"),
+            ("2", "implicit_degree(G[0], G[0], 2) = 1"),
+        ] {
+            assert_eq!(decided(QUADRATIC, alpha, conclusion).facts, 1, "{alpha}: {conclusion}");
+        }
+        let beyond = decided(QUADRATIC, "2", "implicit_degree(G[0], G[2], 0) = 2");
+        assert!(beyond.failure.is_some_and(|failure| failure.undefined.is_some()), "an empty span");
+    }
+}

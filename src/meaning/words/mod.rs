@@ -9,6 +9,7 @@ mod spaces;
 mod supremum;
 mod trace;
 
+use crate::analysis::Tie;
 use crate::language::{Function, Int, Interval, Item, Member, Name, Real, Use, Word};
 
 use super::reading::Reading;
@@ -37,7 +38,7 @@ fn say(own: &mut Reading<'_>, of: &Use) -> Result<Said, Stop> {
         Word::Maxima => Said::Count(shape::maxima(own, said.function(0)?)?),
         Word::Minima => Said::Count(shape::minima(own, said.function(0)?)?),
         Word::Maximisers => Said::Count(shape::maximisers(own, said.function(0)?)?),
-        Word::Tied => Said::Truth(shape::tied(own, said.function(0)?)?),
+        Word::Tied => Said::Truth(shape::tie(own, said.function(0)?)?.is_some()),
         Word::Continuous => Said::Truth(shape::continuous(own, said.function(0)?)?),
         Word::Changes => Said::Count(trace::changes(own, said.expression(0)?)?),
         Word::PolygonChanges => Said::Count(trace::polygon_changes(own, said.coefficients(0)?)?),
@@ -97,6 +98,12 @@ impl<'a> Of<'a> {
 
 fn misplaced<T>(of: &Use) -> Result<T, Stop> {
     Err(Stop::Unknown(format!("{} in a place of another sort", of.word.name())))
+}
+
+/// What makes the word `tied` true.
+pub fn tie(own: &mut Reading<'_>, of: &Use) -> Option<Tie> {
+    let about = Of(of).function(0).ok().filter(|_| of.word == Word::Tied)?;
+    shape::tie(own, about).ok()?
 }
 
 /// A word that counts.

@@ -43,3 +43,40 @@ fn piece(own: &mut Reading<'_>, of: Expression<'_>) -> Result<Option<Piece>, Sto
 fn has_pole(f: &Piece) -> bool {
     !sign_pattern(f.denominator()).roots().is_empty()
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::language::one_line;
+    use crate::meaning::{Instance, Names, Truth, decide};
+    use crate::scalar::integer;
+    use crate::spline::{Basis, Index, KnotVector};
+
+    fn truth(text: &str) -> Truth {
+        let sentence = one_line(&format!("k; U : {text}")).unwrap();
+        let knots = KnotVector::new([0, 0, 1, 1, 2].map(integer).to_vec()).unwrap();
+        let index = Index::from_alpha(integer(-1)).unwrap();
+        decide(&sentence, &Instance::of(Basis::new(knots, 1, index).unwrap()), Names::empty()).into()
+    }
+
+    #[test]
+    fn poles_at_the_ends_matter_to_quotients_only() {
+        assert_eq!(truth("rational(G[1](x), x in (t[1], t[2]))"), Truth::True);
+        assert_eq!(truth("rational(1/x, x in (t[1], t[2]))"), Truth::False);
+        assert_eq!(truth("smooth(1/x, x in (t[1], t[2]))"), Truth::True);
+        assert_eq!(truth("smooth(1/x, x in (t[0], t[1]))"), Truth::True, "of an empty interval");
+        assert!(matches!(truth("smooth(G[1](x), x in (t[1], t[4]))"), Truth::Unknown(_)));
+    }
+
+    #[test]
+    fn what_does_not_exist_is_told() {
+        assert_eq!(truth("defined(G[1](t[m]-))"), Truth::True);
+        assert_eq!(truth("not defined(1/(t[1] - t[0])) and not defined(t[m+1])"), Truth::True);
+    }
+
+    #[test]
+    fn stop_knots_rise_and_have_multiplicities() {
+        assert_eq!(truth("stops() = 3 and stop(0) = 0 and stop(1) = 1 and stop(2) = 2"), Truth::True);
+        assert_eq!(truth("sum(i in 0..stops()-1: mult(stop(i))) = m + 2"), Truth::False);
+        assert!(matches!(truth("stop(3) = 2"), Truth::Undefined(_)));
+    }
+}

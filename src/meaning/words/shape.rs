@@ -1,8 +1,6 @@
 //! Words about knots, and about the graph of a basis function: multiplicity, maxima, minima, continuity.
 
-use num_traits::ToPrimitive;
-
-use crate::analysis::{Attained, Crossing, LocalKnots, Monotonicity, Shape};
+use crate::analysis::{Attained, LocalKnots, Monotonicity, Shape, Tie};
 use crate::language::{Function, Int, Real};
 use crate::scalar::BigRational;
 use crate::spline::Side;
@@ -74,25 +72,15 @@ pub(super) fn maximisers(own: &mut Reading<'_>, of: OfMember<'_>) -> Result<usiz
     }
 }
 
-/// For an index close by, is the largest value taken at two points? Not where there is one maximum at this index.
-pub(super) fn tied(own: &mut Reading<'_>, of: OfMember<'_>) -> Result<bool, Stop> {
+/// For an index close by, the largest value taken at two points; not where there is one maximum at this index.
+pub(super) fn tie(own: &mut Reading<'_>, of: OfMember<'_>) -> Result<Option<Tie>, Stop> {
     if shape(own, of)?.local_maxima().count() < 2 {
-        return Ok(false);
+        return Ok(None);
     }
-    let crossing = of_basis(own, of, |own, (i, d)| {
-        let knots = LocalKnots::of(&own.on.basis_of(&own.index, d)?, i)?;
-        let mut gaps: Vec<_> = knots.gaps().iter().map(ToPrimitive::to_u64).collect::<Option<_>>()?;
-        let (p, q) = knots.ratio();
-        let (p, q) = (p.to_u64()?, q.to_u64()?);
-        // The mirror image, if it has the r < 1 that is looked at.
-        if p > q {
-            gaps.reverse();
-        }
-        Some(Crossing::near(&gaps, (p.min(q), p.max(q))).is_some())
-    })?;
+    let tie = of_basis(own, of, |own, (i, d)| Some(Tie::near(&own.on.basis_of(&own.index, d)?, i)))?;
     let unknown =
         || Stop::Unknown("two local maxima of which none overtakes the other for an index close by".into());
-    crossing.then_some(true).ok_or_else(unknown)
+    tie.map(Some).ok_or_else(unknown)
 }
 
 /// Value and limit from the left agree at every knot inside (t_0, t_m).

@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use crate::analysis::{Enclosed, Greatest, compare};
 use crate::language::{Real, Relation, Use, Word};
 
-use super::super::reading::Reading;
+use super::super::reading::{Found, Reading};
 use super::super::truth::{Stop, Truth};
 use super::super::value::{Plain, Value};
 use super::{Expression, Of};
@@ -22,6 +22,10 @@ pub(in super::super) fn chain(
         Ok(values) => values,
         Err(stop) => return Some(stop.into()),
     };
+    for (term, value) in terms().zip(&values).filter(|(term, _)| supremum_in(term).is_some()) {
+        let (integers, indices) = (own.bound.integers.clone(), own.bound.indices.clone());
+        own.found.push(Found { term: term.clone(), integers, indices, value: value.clone() });
+    }
     let mut all = Truth::True;
     for (at, (relation, _)) in rest.iter().enumerate() {
         let [a, b] = &mut values[at..=at + 1] else { continue };
@@ -37,6 +41,14 @@ fn supremum_in(term: &Real) -> Option<&Use> {
     match term {
         Real::Word(of) if of.word == Word::Supremum => Some(of),
         _ => None,
+    }
+}
+
+impl Reading<'_> {
+    /// The supremum that a term is, rational or not; `None`, if it is another term or has no value.
+    pub fn supremum(&mut self, term: &Real) -> Option<Greatest> {
+        supremum_in(term)?;
+        number(self, term).ok()
     }
 }
 
@@ -97,5 +109,43 @@ fn on_cell(value: &Value) -> Result<Greatest, Stop> {
             Greatest::of_function(f).ok_or_else(|| Stop::Undefined("a supremum beside a pole".into()))
         }
         Value { .. } => Err(Stop::Unknown("the supremum of a square root".into())),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::language::one_line;
+    use crate::meaning::{Instance, Names, decide};
+    use crate::scalar::integer;
+    use crate::spline::{Basis, KnotVector};
+
+    /// Is the conclusion true of k = 1 on (0, 0, 1, 1)? `None`, if that is not found out.
+    fn holds(alpha: &str, conclusion: &str) -> Option<bool> {
+        let read = one_line(&format!("k = 1; U : {conclusion}")).unwrap();
+        let knots = KnotVector::new([0, 0, 1, 1].map(integer).to_vec()).unwrap();
+        let on = Instance::of(Basis::new(knots, 1, alpha.parse().unwrap()).unwrap());
+        let decided = decide(&read, &on, Names::empty());
+        decided.unknown.is_none().then(|| decided.failure.is_none())
+    }
+
+    #[test]
+    fn suprema_are_compared_exactly() {
+        const OFF: &str = "sup(abs(G[0](x) - G[0](x; alpha = infinity)), x in [0, 1])";
+        let conjugate = OFF.replacen("G[0](x)", "G[0](x; alpha = 1-alpha)", 1);
+        // (√r − 1)/(√r + 1): 1/3 for r = 1/4, and 3 − 2√2 = 0.17157… for r = 1/2.
+        for (alpha, conclusion, expected) in [
+            ("-1/3", format!("{OFF} = 1/3"), Some(true)),
+            ("-1/3", format!("{OFF} < 1/3"), Some(false)),
+            ("-1/3", format!("1/4 < {OFF} <= {conjugate} < 2/5"), Some(true)),
+            ("-1", format!("17157/100000 < {OFF} < 17158/100000"), Some(true)),
+            ("-1", format!("{OFF} = 17157/100000"), Some(false)),
+            ("-1", format!("{OFF} = {conjugate}"), None),
+            ("-1", "sup(G[1](x), x in [0, 1)) = 1".to_owned(), Some(true)),
+            // There is none.
+            ("-1", "sup(1/x, x in (0, 1]) > 0".to_owned(), Some(false)),
+        ] {
+            let found = holds(alpha, &conclusion);
+            assert!(found == expected, "α = {alpha}, {conclusion}: {found:?}");
+        }
     }
 }

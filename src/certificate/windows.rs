@@ -1,0 +1,222 @@
+//! What is to be proved of the claims, read from the paper's file of windows: the prover looks for proofs of its goals, and
+//! the checker that reads them knows neither. A claim in words is judged by its conclusion on finitely many cases; here it is
+//! said of every knot vector and every α, or of every α, or it is refuted by one witness.
+
+use std::sync::LazyLock;
+
+use serde::Deserialize;
+use thiserror::Error;
+
+use crate::claims::{Scope, Witness};
+
+use super::statement::Form;
+
+/// Where the windows are, below the root of the project.
+const FILE: &str = "papers/rational-bsplines/windows.toml";
+const TEXT: &str = include_str!("../../papers/rational-bsplines/windows.toml");
+
+/// The windows and goals of one statement about a claim: an entry of the file.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Windows {
+    /// The claim.
+    pub claim: String,
+    /// Which of its statements, as [`Form::name`] has it.
+    pub form: String,
+    /// How far they reach.
+    pub scope: Scope,
+    /// The degrees, rising.
+    pub degrees: Vec<usize>,
+    /// Why the goals are the claim, or refute it.
+    pub because: String,
+    /// The sections, as text.
+    pub sections: String,
+    /// Of a refutation: [`Witness::given`] of the witness that the goals are about.
+    pub refutes: Option<Vec<(String, String)>>,
+}
+
+/// Why there are no windows to look up.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum WindowsError {
+    /// The file is not as it should be.
+    #[error("{FILE}: {0}")]
+    File(#[from] toml::de::Error),
+    /// A refutation that the engine does not find any more.
+    #[error(
+        "the windows of this refutation are about another witness: {FILE} has {}, and the engine finds {}; write the \
+         windows anew for what is found, or remove them, and the refutation is left without a certificate",
+        given(.stated), given(.found)
+    )]
+    OtherWitness {
+        /// What is given in the file.
+        stated: Vec<(String, String)>,
+        /// What the engine gives.
+        found: Vec<(String, String)>,
+    },
+}
+
+fn given(given: &[(String, String)]) -> String {
+    given.iter().map(|(name, value)| format!("{name} = {value}")).collect::<Vec<_>>().join(", ")
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    window: Vec<Windows>,
+}
+
+fn parse(text: &str) -> Result<Vec<Windows>, toml::de::Error> {
+    toml::from_str(text).map(|File { window }| window)
+}
+
+/// All entries, in the order of the register of claims.
+fn all_windows() -> Result<&'static [Windows], WindowsError> {
+    static ALL: LazyLock<Result<Vec<Windows>, toml::de::Error>> = LazyLock::new(|| parse(TEXT));
+    ALL.as_deref().map_err(|error| error.clone().into())
+}
+
+/// The windows of a statement about a claim: that it is true, or, with a witness, that it is false. `None` if it is not
+/// stated formally.
+///
+/// # Errors
+/// [`WindowsError`], if the file is not as it should be, or refutes the claim by another witness.
+pub fn windows(
+    claim: &str,
+    form: Form,
+    witness: Option<&Witness>,
+) -> Result<Option<&'static Windows>, WindowsError> {
+    let form = form.name();
+    let is_it = |windows: &&Windows| {
+        windows.claim == claim && windows.form == form && windows.refutes.is_some() == witness.is_some()
+    };
+    let found = all_windows()?.iter().find(is_it);
+    if let (Some(Windows { refutes: Some(stated), .. }), Some(Witness { given, .. })) = (found, witness)
+        && stated != given
+    {
+        return Err(WindowsError::OtherWitness { stated: stated.clone(), found: given.clone() });
+    }
+    Ok(found)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::*;
+    use crate::certificate::Sexp;
+    use crate::claims::claims;
+
+    /// What is wrong with the entries of a file, beyond what keeps it from being read.
+    fn faults(all: &[Windows]) -> Vec<String> {
+        let claims = claims();
+        let claim_of = |windows: &Windows| claims.iter().position(|claim| claim.id == windows.claim);
+        let mut seen = BTreeSet::new();
+        let mut faults = Vec::new();
+        for windows in all {
+            let Windows { claim, form, scope, degrees, because, sections, refutes } = windows;
+            let known = [Form::Printed, Form::Amended].into_iter().chain((0..100).map(Form::Degree));
+            let of_form = known.into_iter().find(|known| known.name() == *form);
+            let has_amendment = claim_of(windows).is_none_or(|claim| claims[claim].amended.is_some());
+            let is_section = |item: &Sexp| item.as_form().is_some_and(|(head, _)| head == "section");
+            let read = Sexp::parse_all(sections)
+                .is_ok_and(|items| !items.is_empty() && items.iter().all(is_section));
+            let wrong = [
+                (!seen.insert((claim, form, refutes.is_some())), "stated twice"),
+                (claim_of(windows).is_none(), "no claim of the register"),
+                (of_form.is_none(), "no form of a statement"),
+                (of_form == Some(Form::Amended) && !has_amendment, "the claim has no amendment"),
+                (matches!(of_form, Some(Form::Degree(k)) if *degrees != [k]), "not the degree of its form"),
+                (
+                    refutes.is_some() && (*scope, degrees.len()) != (Scope::Instance, 1),
+                    "a witness is one instance",
+                ),
+                (degrees.is_empty() || !degrees.is_sorted_by(|a, b| a < b), "the degrees do not rise"),
+                (because.trim().is_empty(), "no reason"),
+                (!read, "not a list of sections"),
+            ];
+            let wrong = wrong.iter().filter(|(wrong, _)| *wrong);
+            faults.extend(wrong.map(|(_, what)| format!("{claim}, {form}: {what}")));
+        }
+        if !all.iter().filter_map(claim_of).is_sorted() {
+            faults.push("not in the order of the register".into());
+        }
+        faults
+    }
+
+    #[test]
+    fn the_file_has_no_faults() {
+        let all = all_windows().unwrap();
+        assert!(all.len() > 250, "only {} entries", all.len());
+        assert_eq!(faults(all), Vec::<String>::new());
+    }
+
+    const ENTRY: &str = "[[window]]\nclaim = \"T3.5.2\"\nform = \"printed\"\nscope = \"knots\"\ndegrees = [1, 2]\n\
+        because = \"so\"\nsections = '''\n(section (goals (> 1 0)))\n'''\n";
+
+    #[test]
+    fn faults_of_a_file_are_noticed() {
+        let found = |text: &str| faults(&parse(text).unwrap());
+        assert!(found(ENTRY).is_empty());
+        assert!(
+            found(&format!(
+                "{ENTRY}{}",
+                ENTRY.replace("so\"", "so\"\nrefutes = []").replace("knots", "instance").replace("1, ", "")
+            ))
+            .is_empty()
+        );
+        assert_eq!(found(&ENTRY.repeat(2)), ["T3.5.2, printed: stated twice"]);
+        let other = ENTRY.replace("T3.5.2", "T3.5.1");
+        assert_eq!(found(&format!("{ENTRY}{other}")), ["not in the order of the register"]);
+        for (part, instead, fault) in [
+            ("T3.5.2", "T3.5.0", "no claim of the register"),
+            ("printed", "primed", "no form of a statement"),
+            ("printed", "amended", "the claim has no amendment"),
+            ("printed", "degree-2", "not the degree of its form"),
+            ("so\"", "so\"\nrefutes = []", "a witness is one instance"),
+            ("1, 2", "2, 1", "the degrees do not rise"),
+            ("so", " ", "no reason"),
+            ("(section", "(goals", "not a list of sections"),
+            ("(> 1 0)", "(> 1 0", "not a list of sections"),
+        ] {
+            let faults = found(&ENTRY.replace(part, instead));
+            assert!(matches!(&faults[..], [only] if only.ends_with(fault)), "{fault}: {faults:?}");
+        }
+    }
+
+    /// These are no files of windows: the error says where, and what is expected.
+    #[test]
+    fn what_cannot_be_read_is_refused() {
+        for (part, instead, said) in [
+            (
+                "\"knots\"",
+                "\"somewhere\"",
+                "unknown variant `somewhere`, expected one of `points`, `instance`",
+            ),
+            ("because", "why", "unknown field `why`"),
+            ("because = \"so\"\n", "", "missing field `because`"),
+            ("[1, 2]", "[-1]", "invalid value: integer `-1`"),
+            ("[[window]]", "[[windows]]", "unknown field `windows`"),
+        ] {
+            let error = WindowsError::from(parse(&ENTRY.replace(part, instead)).unwrap_err()).to_string();
+            assert!(error.starts_with(FILE) && error.contains("line ") && error.contains(said), "{error}");
+        }
+    }
+
+    /// Silence would let a certificate of a refutation vanish.
+    #[test]
+    fn a_refutation_by_another_witness_is_an_error() {
+        let refuted = all_windows().unwrap().iter().find(|windows| windows.claim == "T3.5.1").unwrap();
+        let given = refuted.refutes.clone().unwrap();
+        let mut witness = Witness { given, claimed: "0".into(), found: "1".into(), reproduce: None };
+        let find = |witness: &Witness| windows("T3.5.1", Form::Printed, Some(witness));
+        assert_eq!(find(&witness), Ok(Some(refuted)));
+        witness.given[2].1 = "2".into();
+        let error = find(&witness).unwrap_err().to_string();
+        for part in ["α = -1, i = 0", "α = 2, i = 0", FILE, "write the windows anew"] {
+            assert!(error.contains(part), "{part} in {error}");
+        }
+        // What is not stated formally is none.
+        assert_eq!(windows("T3.5.1", Form::Degree(1), Some(&witness)), Ok(None));
+        assert_eq!(windows("T3.5.1", Form::Printed, None), Ok(None));
+    }
+}
