@@ -66,6 +66,9 @@ mod tests {
 
     #[test]
     fn numbers_are_middles_and_knots() {
-        assert_eq!(numbers(&knots(&[0, 0, 1, 3])), [rational(1, 2), rational(2, 1), integer(0), integer(1), integer(3)]);
+        assert_eq!(
+            numbers(&knots(&[0, 0, 1, 3])),
+            [rational(1, 2), rational(2, 1), integer(0), integer(1), integer(3)]
+        );
     }
 }

@@ -2,7 +2,9 @@
 
 use num_traits::Signed;
 
-use crate::analysis::{NegativeMinor, Pieces, SpanPieces, coefficient_rows, common_numerators, negative_minor, rank};
+use crate::analysis::{
+    NegativeMinor, Pieces, SpanPieces, coefficient_rows, common_numerators, negative_minor, rank,
+};
 use crate::language::{Int, Real};
 use crate::scalar::{Polynomial, Ring, integer};
 use crate::spline::{Basis, KnotVector, Side};
