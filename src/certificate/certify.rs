@@ -9,7 +9,7 @@ use super::proof::{SectionProof, to_sexp};
 use super::prove::{ProofError, prove};
 use super::sexp::Sexp;
 use super::statement::Statement;
-use super::windows::{Windows, WindowsError, windows};
+use super::windows::{Windows, WindowsError, listed, windows};
 
 /// A statement with its proof.
 #[derive(Debug, Clone, PartialEq)]
@@ -100,10 +100,14 @@ pub fn statement(
     witness: Option<&Witness>,
 ) -> Result<Option<Statement>, CertificateError> {
     let found = windows(claim.id(), form, witness).map_err(|error| failed(claim.id(), form, error))?;
-    let stated = |Windows { claim: id, scope, degrees, because, sections, refutes, .. }| {
+    let stated = |Windows { claim: id, scope, degrees, because, sections, refutes, own, .. }| {
         let sections = Sexp::parse_all(&sections)
             .map_err(|error| failed(&id, form, ProofError::Statement(error.into())))?;
         let (text, refuted) = (in_words(claim, form), refutes.is_some());
+        let because = match refutes.filter(|_| own) {
+            Some(given) => format!("By a counterexample of its own, {}. {because}", listed(&given)),
+            None => because,
+        };
         Ok(Statement { claim: id, form, refuted, scope, degrees, text, because, sections })
     };
     found.cloned().map(stated).transpose()

@@ -32,6 +32,9 @@ pub struct Windows {
     pub sections: String,
     /// Of a refutation: [`Witness::given`] of the witness that the goals are about.
     pub refutes: Option<Vec<(String, String)>>,
+    /// Is that a counterexample of its own, and not the one that the engine finds?
+    #[serde(default)]
+    pub own: bool,
 }
 
 /// Why there are no windows to look up.
@@ -44,7 +47,7 @@ pub enum WindowsError {
     #[error(
         "the windows of this refutation are about another witness: {FILE} has {}, and the engine finds {}; write the \
          windows anew for what is found, or remove them, and the refutation is left without a certificate",
-        given(.stated), given(.found)
+        listed(.stated), listed(.found)
     )]
     OtherWitness {
         /// What is given in the file.
@@ -54,7 +57,8 @@ pub enum WindowsError {
     },
 }
 
-fn given(given: &[(String, String)]) -> String {
+/// `k = 1, U = (0, 0, 1, 1), α = -1`.
+pub(super) fn listed(given: &[(String, String)]) -> String {
     given.iter().map(|(name, value)| format!("{name} = {value}")).collect::<Vec<_>>().join(", ")
 }
 
@@ -89,7 +93,7 @@ pub fn windows(
         windows.claim == claim && windows.form == form && windows.refutes.is_some() == witness.is_some()
     };
     let found = all_windows()?.iter().find(is_it);
-    if let (Some(Windows { refutes: Some(stated), .. }), Some(witness)) = (found, witness)
+    if let (Some(Windows { refutes: Some(stated), own: false, .. }), Some(witness)) = (found, witness)
         && *stated != witness.given()
     {
         return Err(WindowsError::OtherWitness { stated: stated.clone(), found: witness.given() });
@@ -103,6 +107,7 @@ mod tests {
 
     use super::*;
     use crate::certificate::Sexp;
+    use crate::judge::{Bind, Bound, Shows};
     use crate::language::claims;
 
     /// What is wrong with the entries of a file, beyond what keeps it from being read.
@@ -112,7 +117,7 @@ mod tests {
         let mut seen = BTreeSet::new();
         let mut faults = Vec::new();
         for windows in all {
-            let Windows { claim, form, scope, degrees, because, sections, refutes } = windows;
+            let Windows { claim, form, scope, degrees, because, sections, refutes, own } = windows;
             let known = [Form::Printed, Form::Amended].into_iter().chain((0..100).map(Form::Degree));
             let of_form = known.into_iter().find(|known| known.name() == *form);
             let has_amendment = claim_of(windows).is_none_or(|claim| claims[claim].stanza.amended.is_some());
@@ -132,6 +137,7 @@ mod tests {
                 (degrees.is_empty() || !degrees.is_sorted_by(|a, b| a < b), "the degrees do not rise"),
                 (because.trim().is_empty(), "no reason"),
                 (!read, "not a list of sections"),
+                (*own && refutes.is_none(), "only a refutation has a witness"),
             ];
             let wrong = wrong.iter().filter(|(wrong, _)| *wrong);
             faults.extend(wrong.map(|(_, what)| format!("{claim}, {form}: {what}")));
@@ -205,11 +211,23 @@ mod tests {
     #[test]
     fn a_refutation_by_another_witness_is_an_error() {
         let refuted = all_windows().unwrap().iter().find(|windows| windows.claim == "T3.5.1").unwrap();
-        let given = refuted.refutes.clone().unwrap();
-        let mut witness = Witness { given, claimed: "0".into(), found: "1".into(), reproduce: None };
+        let knots = ["0", "0", "1", "1"].map(str::to_owned).to_vec();
+        let bound = |name: &str, value: i64| Bound { name: name.into(), value: Bind::Integer(value) };
+        let mut witness = Witness {
+            instance: None,
+            k: Some(1),
+            knots,
+            alpha: "-1".into(),
+            given: vec![bound("i", 0), bound("x", 0)],
+            conclusion: Some(0),
+            claimed: String::new(),
+            shows: Shows::Fails,
+            looked: Vec::new(),
+            words: Vec::new(),
+        };
         let find = |witness: &Witness| windows("T3.5.1", Form::Printed, Some(witness));
         assert_eq!(find(&witness), Ok(Some(refuted)));
-        witness.given[2].1 = "2".into();
+        witness.alpha = "2".into();
         let error = find(&witness).unwrap_err().to_string();
         for part in ["α = -1, i = 0", "α = 2, i = 0", FILE, "write the windows anew"] {
             assert!(error.contains(part), "{part} in {error}");

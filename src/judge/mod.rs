@@ -170,7 +170,7 @@ mod tests {
     fn judged(text: &str) -> Verdict {
         let sentence = one_line(text).unwrap_or_else(|complaint| panic!("{text}: {complaint:?}"));
         let cases = Cases::new([]).up_to(1);
-        judge(&sentence, Names::empty(), &cases.of(&sentence)).unwrap()
+        judge(&sentence, Names::empty(), &cases.of(&sentence, None)).unwrap()
     }
 
     fn given(text: &str) -> String {
@@ -283,7 +283,8 @@ mod tests {
         let basis = crate::spline::Basis::new(knots.unwrap(), 1, "-1".parse().unwrap()).unwrap();
         let sentence = sentence.unwrap();
         let cases = Cases::new([Instance::of(basis).named("E", None)]);
-        let Ok(Verdict::Proved { reach, .. }) = judge(&sentence, Names::empty(), &cases.of(&sentence)) else {
+        let Ok(Verdict::Proved { reach, .. }) = judge(&sentence, Names::empty(), &cases.of(&sentence, None))
+        else {
             panic!("3 − 2√2 < 1/5");
         };
         let [found] = reach.found.as_slice() else { panic!("one for all i: {:?}", reach.found) };

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use crate::judge::Witness;
-use crate::language::{Adjective, Binder, Cause, Claim, Form, Sentence, Severity, source};
+use crate::language::{Adjective, Binder, Cause, Claim, Form, Range, Sentence, Severity, source};
 
 /// A severity, and why it is this one.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -45,23 +45,37 @@ pub fn grade(claim: Claim<'_>, witness: &Witness) -> Option<Grade> {
     })
 }
 
-/// What a sentence assumes: of the case by its binders, and by `if`.
+/// What a sentence assumes of the case: by its binders, and by those formulas of `if` that name nothing that `for` lets run.
 fn hypotheses(sentence: &Sentence) -> BTreeSet<String> {
     let with_implied = |adjective: &Adjective| match adjective {
         Adjective::Clamped | Adjective::Bernstein => vec![*adjective, Adjective::Open],
         _ => vec![*adjective],
     };
-    let adjectives = sentence.given.iter().flat_map(|binder| match binder {
-        Binder::Knots(adjectives) => {
-            adjectives.iter().flat_map(with_implied).map(|adjective| format!("{adjective:?}")).collect()
+    let (mut all, mut running) = (BTreeSet::new(), BTreeSet::new());
+    for binder in &sentence.given {
+        match binder {
+            Binder::Knots(adjectives) => {
+                all.extend(
+                    adjectives.iter().flat_map(with_implied).map(|adjective| format!("{adjective:?}")),
+                );
+            }
+            Binder::Degree { least, most } => {
+                all.extend((1..=*least).map(|k| format!("k >= {k}")));
+                all.extend(most.map(|most| format!("k <= {most}")));
+            }
+            Binder::Integer(Range { name, .. })
+            | Binder::Point(name, _)
+            | Binder::Real { name, .. }
+            | Binder::Points(name)
+            | Binder::Index(name) => _ = running.insert(&**name),
+            Binder::Instances(_) | Binder::Indices(_) | Binder::Gaps(_) => {}
         }
-        Binder::Degree { least, most } => {
-            let most = most.map(|most| format!("k <= {most}"));
-            (1..=*least).map(|k| format!("k >= {k}")).chain(most).collect()
-        }
-        _ => Vec::new(),
-    });
-    adjectives.chain(sentence.assume.iter().map(source)).collect()
+    }
+    let assumed = sentence.assume.iter().map(source);
+    let names_none =
+        |text: &String| !text.split(|c: char| !c.is_alphanumeric()).any(|word| running.contains(word));
+    all.extend(assumed.filter(names_none));
+    all
 }
 
 impl Cause {
