@@ -177,33 +177,6 @@ fn decide(f: &Piece, wanted: impl Fn(Sign) -> bool) -> Decision {
     }
 }
 
-/// Where in (0, ∞) something is 0.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Zeros {
-    /// At every u.
-    Everywhere,
-    /// At these points only, from left to right; possibly nowhere.
-    At(Vec<IsolatedRoot>),
-}
-
-impl Zeros {
-    /// Is there one?
-    #[must_use]
-    pub fn exist(&self) -> bool {
-        match self {
-            Self::Everywhere => true,
-            Self::At(roots) => !roots.is_empty(),
-        }
-    }
-}
-
-/// The common roots of p and q in (0, ∞): those of their greatest common divisor.
-#[must_use]
-pub fn common_positive_roots(p: &Polynomial<BigRational>, q: &Polynomial<BigRational>) -> Zeros {
-    let common = IntegerPolynomial::from_rational(p).gcd(&IntegerPolynomial::from_rational(q));
-    if common.is_zero() { Zeros::Everywhere } else { Zeros::At(roots_of(common)) }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -242,17 +215,6 @@ mod tests {
             panic!("(u − 1)(u − 2) is negative in between");
         };
         assert!(integer(1) < u && u < integer(2));
-    }
-
-    #[test]
-    fn common_roots() {
-        let (p, q) = (polynomial(&[2, -3, 1]), polynomial(&[6, -5, 1]));
-        let Zeros::At(roots) = common_positive_roots(&p, &q) else { panic!("not everywhere") };
-        assert_eq!(roots.iter().map(IsolatedRoot::exact).collect::<Vec<_>>(), [Some(&rational(2, 3))]);
-        let zero = polynomial(&[0]);
-        assert_eq!(common_positive_roots(&zero, &zero), Zeros::Everywhere);
-        assert!(common_positive_roots(&zero, &q).exist());
-        assert!(!common_positive_roots(&polynomial(&[-1, 1]), &q).exist());
     }
 
     #[test]

@@ -185,15 +185,6 @@ pub fn coefficient_rows<S: ExactField>(
     rows
 }
 
-/// Is the target a linear combination of the functions? All of them are pieces on one span.
-pub fn is_combination<S: ExactField>(
-    functions: &[RationalFunction<S>],
-    target: &RationalFunction<S>,
-) -> bool {
-    let mut rows = coefficient_rows([[functions, std::slice::from_ref(target)].concat()]);
-    rows.pop().is_some_and(|target| in_span(&rows, &target).is_some())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

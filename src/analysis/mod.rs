@@ -22,19 +22,15 @@ mod shape;
 mod sign;
 mod slopes;
 mod span_quotients;
-mod supremum;
 
 pub use algebraic::{Algebraic, Enclosed, decimals_around, settled, settled_apart};
 pub use contenders::Attained;
 pub use crossing::{Crossing, Flank, Tie};
-pub use decision::{
-    Decision, PositivePoint, SignPattern, Zeros, always_nonnegative, always_positive, common_positive_roots,
-    sign_pattern,
-};
+pub use decision::{Decision, PositivePoint, SignPattern, always_nonnegative, always_positive, sign_pattern};
 pub use extremum::{Extremum, ExtremumKind, Jump, Location};
 pub use formal::{Factored, FormalBasis, FormalFunction, FormalPiece};
 pub use greatest::{Greatest, compare};
-pub use linear::{coefficient_rows, common_numerators, determinant, in_span, is_combination, rank};
+pub use linear::{coefficient_rows, common_numerators, determinant, in_span, rank};
 pub(crate) use local_knots::is_continuous;
 pub use local_knots::{LocalKnots, LocalKnotsError, SpanQuotient};
 pub use minors::{NegativeMinor, negative_minor};
@@ -48,4 +44,3 @@ pub use shape::Shape;
 pub use sign::Sign;
 pub use slopes::{KnotSlopes, knot_slopes};
 pub use span_quotients::{span_quotients, symbolic_quotients};
-pub use supremum::{ClosedCoordinate, Enclosure, SupremumError, supremum};

@@ -96,13 +96,6 @@ impl Basis {
         (self.knots.t(i), self.knots.t(i + self.degree + 1))
     }
 
-    /// [t_k, t_{n+1}], on which the functions add up to 1; `None` if it is a point or less.
-    #[must_use]
-    pub fn base_interval(&self) -> Option<(&BigRational, &BigRational)> {
-        let (a, b) = (self.knots.t(self.degree), self.knots.t(self.n() + 1));
-        (a < b).then_some((a, b))
-    }
-
     /// The functions that live on the span, at any scalar x of the closed span: a point, a jet, a variable.
     ///
     /// A variable, such as a [`RationalFunction`](crate::scalar::RationalFunction), stands for the points of the span:

@@ -275,7 +275,8 @@ impl Walk {
         }
         let mut row = Vec::new();
         for (at, part) in of.word.says().split('{').enumerate() {
-            let place = part.split_once('}').and_then(|(index, after)| Some((index.parse::<usize>().ok()?, after)));
+            let place =
+                part.split_once('}').and_then(|(index, after)| Some((index.parse::<usize>().ok()?, after)));
             match (at, place) {
                 (1.., Some((index, after))) => {
                     let item = items.get(index).cloned();
