@@ -4,15 +4,15 @@
 
 use std::sync::LazyLock;
 
-use knotproof::certificate::{Certificate, Form, Sexp, Statement, prove, statement};
-use knotproof::claims::{Cases, Cause, Claim, Judged, Verdict, claims};
+use knotproof::certificate::{Certificate, Sexp, Statement, prove, statement};
+use knotproof::judge::{Cases, Verdict};
+use knotproof::language::{Cause, Claim, Form, claims};
+use knotproof::settle::{Outcome, Proving, settle};
 use knotproof_checker::check;
 use rayon::prelude::*;
 
-static CLAIMS: LazyLock<Vec<Claim>> = LazyLock::new(claims);
-
-fn claim(id: &str) -> &'static Claim {
-    CLAIMS.iter().find(|claim| claim.id == id).expect(id)
+fn claim(id: &str) -> Claim<'static> {
+    claims().into_iter().find(|claim| claim.id() == id).expect(id)
 }
 
 /// The sentences that are true as printed.
@@ -52,43 +52,46 @@ const FALSE: [Refuted; 16] = [
 ];
 
 /// Judging all of them takes a few seconds: the tests share it.
-static JUDGED: LazyLock<Vec<(&str, Judged)>> = LazyLock::new(|| {
+static JUDGED: LazyLock<Vec<(&str, Outcome)>> = LazyLock::new(|| {
     let cases = Cases::all();
     let ids = TRUE.into_iter().chain(FALSE.map(|(id, ..)| id));
-    ids.map(|id| (id, claim(id).judge(&cases).expect("no two computations disagree"))).collect()
+    ids.map(|id| (id, settle(claim(id), &cases, Proving::Nothing).expect("no two computations disagree"))).collect()
 });
 
-fn judged(id: &str) -> &'static Judged {
+fn judged(id: &str) -> &'static Outcome {
     &JUDGED.iter().find(|(of, _)| *of == id).expect(id).1
 }
 
 #[test]
 fn what_is_true_as_printed_is_proved() {
     for id in TRUE {
-        assert!(matches!(judged(id).printed, Verdict::Proved { .. }), "{id}: {:?}", judged(id).printed);
-        assert!(claim(id).amended.is_none() && claim(id).cause.is_none(), "{id}");
+        let verdict = &judged(id).printed.verdict;
+        assert!(matches!(verdict, Verdict::Proved { .. }), "{id}: {verdict:?}");
+        let stanza = claim(id).stanza;
+        assert!(stanza.amended.is_none() && stanza.cause.is_none(), "{id}");
     }
 }
 
 #[test]
 fn what_is_false_has_the_smallest_witness_a_cause_and_an_amendment_that_is_proved() {
     for (id, given, cause) in FALSE {
-        let Judged { printed, amended, .. } = judged(id);
-        let Verdict::Refuted(witness) = printed else { unreachable!("{id}: {printed:?}") };
+        let Outcome { printed, amended, .. } = judged(id);
+        let Verdict::Refuted(witness) = &printed.verdict else { unreachable!("{id}: {printed:?}") };
+        let found = witness.given();
         for (name, value) in given {
-            let found =
-                witness.given.iter().find(|(known, _)| known == name).map(|(_, value)| value.as_str());
-            assert_eq!(found, Some(*value), "{id}: {name} in {witness}");
+            let value = (name.to_string(), value.to_string());
+            assert!(found.contains(&value), "{id}: {value:?} in {witness}");
         }
+        let amended = amended.as_ref().map(|amended| &amended.verdict);
         assert!(matches!(amended, Some(Verdict::Proved { .. })), "{id}: {amended:?}");
-        assert_eq!(claim(id).cause, Some(cause), "{id}");
+        assert_eq!(claim(id).stanza.cause, Some(cause), "{id}");
     }
 }
 
 /// The enclosures of the eight distances tell the two columns of Fig. 22 apart.
 #[test]
 fn the_columns_of_figure_22_are_told_apart() {
-    let Verdict::Proved { reach, .. } = &judged("Ill5.5.2.zero").printed else {
+    let Verdict::Proved { reach, .. } = &judged("Ill5.5.2.zero").printed.verdict else {
         unreachable!("it is proved")
     };
     let expected = [
@@ -165,7 +168,7 @@ fn a_statement_made_false_at_one_place_has_no_proof() {
 #[test]
 fn a_refutation_made_false_at_one_place_has_no_proof() {
     FALSE.par_iter().for_each(|(id, ..)| {
-        let Verdict::Refuted(witness) = &judged(id).printed else { unreachable!("{id} is refuted") };
+        let Verdict::Refuted(witness) = &judged(id).printed.verdict else { unreachable!("{id} is refuted") };
         let stated = statement(claim(id), Form::Printed, Some(witness)).expect("it is in the language");
         let truth = stated.unwrap_or_else(|| unreachable!("{id} is not stated formally"));
         assert!(truth.refuted, "{id}");
