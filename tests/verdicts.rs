@@ -238,7 +238,7 @@ fn every_witness_is_exact_and_complete() {
         );
         assert_ne!(witness.claimed, witness.found(), "{name}");
         for text in texts(witness) {
-            assert!(!has_decimal(text) && !text.contains('≈') && !text.contains("NaN"), "{name}: {text}");
+            assert!(!has_decimal(&text) && !text.contains('≈') && !text.contains("NaN"), "{name}: {text}");
         }
     }
     assert!(seen > 20, "only {seen} witnesses: the test does not see them");
