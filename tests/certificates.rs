@@ -9,8 +9,8 @@ use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
 use knotproof::certificate::{
-    Certificate, Class, EvaluationError, Evaluator, Formula, GoalError, ProofError, Section, Sexp,
-    Statement, StatementError, Unfolding, prove, statement,
+    Certificate, Class, EvaluationError, Evaluator, Formula, GoalError, ProofError, Section, Sexp, Statement,
+    StatementError, Unfolding, prove, statement,
 };
 use knotproof::judge::Scope;
 use knotproof::language::{Form, claims};

@@ -27,8 +27,14 @@ fn the_witness_is_the_first_failing_case_on_any_number_of_threads() {
     for threads in [1, 2, 8] {
         let Verdict::Refuted(witness) = on_threads(threads, || judged(text)) else { panic!("outside spans") };
         let knots = ["0", "0", "1", "2"].map(str::to_owned);
-        assert_eq!((witness.k, witness.knots.as_slice(), witness.alpha.as_str()), (Some(1), &knots[..], "-1"));
-        assert_eq!(witness.given.iter().map(|bound| bound.value.to_string()).collect::<Vec<_>>(), ["2", "3/2"]);
+        assert_eq!(
+            (witness.k, witness.knots.as_slice(), witness.alpha.as_str()),
+            (Some(1), &knots[..], "-1")
+        );
+        assert_eq!(
+            witness.given.iter().map(|bound| bound.value.to_string()).collect::<Vec<_>>(),
+            ["2", "3/2"]
+        );
     }
 }
 

@@ -114,13 +114,11 @@ fn what_fails_is_refuted_and_amended() {
         assert!(witness.given().contains(&("U".into(), knots.into())), "{id}: {witness}");
         let of_amended = outcome.amended.as_ref().map(|amended| amended.verdict.status());
         assert_eq!(of_amended, Some("proved"), "{id}");
-        let by_degree: Vec<_> =
-            outcome.by_degree.iter().map(|of| (of.form, of.verdict.status())).collect();
+        let by_degree: Vec<_> = outcome.by_degree.iter().map(|of| (of.form, of.verdict.status())).collect();
         let expected = [(1, "proved"), (2, "refuted"), (3, "refuted")];
         assert_eq!(by_degree, expected.map(|(k, status)| (Form::Degree(k), status)), "{id}");
         // Each of them has been checked.
-        let names: Vec<_> =
-            outcome.all().filter_map(|one| Some(one.certificate.as_ref()?.name())).collect();
+        let names: Vec<_> = outcome.all().filter_map(|one| Some(one.certificate.as_ref()?.name())).collect();
         let degrees = (1..=3).map(|k| format!("{id}.degree-{k}"));
         let expected = std::iter::once(format!("{id}.printed"));
         let expected = expected.chain(amended.into_iter().map(str::to_owned)).chain(degrees);

@@ -55,7 +55,8 @@ const FALSE: [Refuted; 16] = [
 static JUDGED: LazyLock<Vec<(&str, Outcome)>> = LazyLock::new(|| {
     let cases = Cases::all();
     let ids = TRUE.into_iter().chain(FALSE.map(|(id, ..)| id));
-    ids.map(|id| (id, settle(claim(id), &cases, Proving::Nothing).expect("no two computations disagree"))).collect()
+    ids.map(|id| (id, settle(claim(id), &cases, Proving::Nothing).expect("no two computations disagree")))
+        .collect()
 });
 
 fn judged(id: &str) -> &'static Outcome {
