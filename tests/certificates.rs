@@ -9,10 +9,11 @@ use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
 use knotproof::certificate::{
-    Certificate, Class, EvaluationError, Evaluator, Form, Formula, GoalError, ProofError, Section, Sexp,
-    Statement, StatementError, Unfolding, prove, statement,
+    Certificate, Class, EvaluationError, Evaluator, Formula, GoalError, ProofError, Section, Sexp, Statement,
+    StatementError, Unfolding, prove, statement,
 };
-use knotproof::claims::{Scope, claims};
+use knotproof::judge::Scope;
+use knotproof::language::{Form, claims};
 use knotproof::report::{Baseline, Finding};
 use knotproof::scalar::{BigRational, Jet, integer, rational};
 use knotproof::spline::{Basis, Curve, Index, KnotVector, Side, weight};
@@ -40,8 +41,7 @@ fn recorded_findings() -> Vec<(String, Form, Finding)> {
 
 /// What the program says in formal terms about a finding.
 fn stated(claim: &str, form: Form, finding: &Finding) -> Option<Statement> {
-    let all = claims();
-    let claim = all.iter().find(|other| other.id == claim).expect("a claim of the register");
+    let claim = claims().into_iter().find(|other| other.id() == claim).expect("a claim of the paper");
     statement(claim, form, finding.witness.as_ref()).expect("it is in the language")
 }
 

@@ -3,7 +3,8 @@
 use std::fs;
 
 use assert_cmd::Command;
-use knotproof::claims::{claims, instances_named};
+use knotproof::language::claims;
+use knotproof::meaning::examples_named;
 use knotproof::report::figures::{all, figure, png};
 use knotproof::report::{Baseline, Report, State, conjecture_page, dependence_picture};
 use knotproof::scalar::{BigRational, integer, rational};
@@ -36,7 +37,7 @@ fn the_paper_has_33_figures_and_every_name_is_its_own() {
 
 #[test]
 fn the_claims_of_a_figure_are_claims_and_every_illustration_has_one() {
-    let ids: Vec<_> = claims().iter().map(|claim| claim.id).collect();
+    let ids: Vec<_> = claims().iter().map(|claim| claim.id()).collect();
     for figure in all() {
         assert!(!figure.claims.is_empty());
         for id in figure.claims {
@@ -444,7 +445,7 @@ fn the_curves_of_a_basis_pass_through_exact_points_and_labels_are_at_their_funct
         let (name, degree) =
             figure.title.split_once(": ").and_then(|(_, rest)| rest.split_once(", degree ")).unwrap();
         let degree: usize = degree.parse().unwrap();
-        let instances = instances_named(name);
+        let instances = examples_named(name);
         let instance = instances.iter().find(|instance| instance.degree == degree).unwrap();
         let svg = figure.svg().unwrap();
         let sheet = sheet(&svg);
@@ -484,8 +485,8 @@ fn curves_pass_through_exact_points_and_labels_are_at_their_control_points() {
     for figure in all().iter().filter(|figure| figure.number.is_some_and(|number| number >= 22)) {
         let name = figure.title.split([':', ',']).nth(1).unwrap().trim();
         let instances: Vec<_> = match name {
-            "C7" => ["C7a", "C7b", "C7c"].iter().flat_map(|name| instances_named(name)).collect(),
-            name => instances_named(name),
+            "C7" => ["C7a", "C7b", "C7c"].iter().flat_map(|name| examples_named(name)).collect(),
+            name => examples_named(name),
         };
         let svg = figure.svg().unwrap();
         let sheet = sheet(&svg);

@@ -11,9 +11,9 @@ const FLOORS: &[&[&str]] = &[
     &["language", "spline"],
     &["analysis"],
     &["meaning"],
-    &["judge"],
-    &["claims", "search", "certificate"],
-    &["report", "float"],
+    &["judge", "certificate", "search"],
+    &["settle", "float"],
+    &["report"],
     &["cli"],
 ];
 
@@ -138,10 +138,10 @@ fn a_wrong_use_is_found() {
     assert!(offences("analysis", 2, clean).is_empty());
     for (module, text, found) in [
         ("scalar", clean, vec!["spline"]),
-        ("analysis", "use crate::claims::Verdict;", vec!["claims"]),
-        ("claims", "use crate::float::study;", vec!["float"]),
-        ("claims", "let x = crate::report::write();", vec!["report"]),
-        ("report", "use crate::{cli, claims::{self, report}};", vec!["cli"]),
+        ("analysis", "use crate::judge::Verdict;", vec!["judge"]),
+        ("certificate", "use crate::settle::settle;", vec!["settle"]),
+        ("settle", "let x = crate::report::write();", vec!["report"]),
+        ("report", "use crate::{cli, settle::{self, report}};", vec!["cli"]),
         ("spline", "use crate::{\n    scalar::{self, Ring},\n    analysis::Pieces,\n};", vec!["analysis"]),
         ("scalar", "use super::super::spline::Basis;", vec!["spline"]),
         ("search", "pub(crate) use crate::cli::main;", vec!["cli"]),
@@ -151,7 +151,7 @@ fn a_wrong_use_is_found() {
     assert_eq!(offences("scalar", 1, "use super::spline::Basis;"), ["spline"]);
     assert!(offences("scalar", 2, "use super::float::ulp;").is_empty(), "the sibling, not the floor");
     // On one floor, and in comments, everything may be named.
-    assert!(offences("report", 2, "use crate::{float, claims};").is_empty());
+    assert!(offences("report", 2, "use crate::{float, settle};").is_empty());
     assert!(offences("scalar", 2, "/// See [`crate::analysis`].\n// crate::cli").is_empty());
 }
 

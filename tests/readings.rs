@@ -1,10 +1,12 @@
-//! What a sentence says against what is judged: general statements read once more, word by word, on small and nasty knot
-//! vectors, by a few lines that share nothing with the conclusions of the register.
+//! What a sentence says against what is judged: general claims read once more, word by word, on small and nasty knot vectors,
+//! by a few lines that share nothing with the reading of formulas.
 
 #![allow(clippy::panic, reason = "helpers of tests")]
 
 use knotproof::analysis::{Pieces, Shape};
-use knotproof::claims::{BasisCase, Claim, Form, Origin, Verdict, claims, judge};
+use knotproof::judge::{Cases, Verdict, judge};
+use knotproof::language::{Claim, Form, claims};
+use knotproof::meaning::Instance;
 use knotproof::scalar::{BigRational, integer, parse_rational, rational};
 use knotproof::spline::{Basis, Index, KnotVector};
 
@@ -121,35 +123,34 @@ impl Reader {
         (0..=self.n()).flat_map(|i| places.iter().filter_map(|x| says(i, x)).collect::<Vec<_>>()).collect()
     }
 
-    /// `T3.5.1`, as printed and, with exceptions, as amended.
-    fn support(&self, amended: bool) -> Vec<bool> {
+    /// `T3.5.1`; as amended without the exceptions, of which it says what holds there.
+    fn support(&self, form: Form) -> Vec<bool> {
         let k = self.k;
         self.of_all(|i, x| {
             let (low, high) = (&self.t[i], &self.t[i + k + 1]);
             let starts = x == low && self.t[i] == self.t[i + k] && self.t[i + k] < *high;
             let ends = x == self.last() && self.t[i] < self.t[i + 1] && self.t[i + 1] == *x;
-            let one = amended && (starts || ends);
-            let outside = !(low < x && x < high);
-            outside.then(|| self.g(i, x) == integer(usize::from(one)))
+            let (outside, exception) = (!(low < x && x < high), starts || ends);
+            said(form, outside, exception).then(|| self.g(i, x) == integer(usize::from(form == Form::Fails)))
         })
     }
 
-    /// `T3.5.3`, as printed or as amended: is the sum 1 on every span, or exactly on those with k ≤ j ≤ n?
-    fn unity(&self, amended: bool) -> Vec<bool> {
+    /// `T3.5.3`; as amended of the spans with k ≤ j ≤ n, and inside of the others the sum is less.
+    fn unity(&self, form: Form) -> Vec<bool> {
         let (k, n) = (self.k, self.n());
         let spans = (0..self.t.len() - 1).filter(|j| self.t[*j] < self.t[j + 1]);
         let says = |j: usize| {
-            let inside = |x: &BigRational| self.t[j] <= *x && *x < self.t[j + 1];
-            let is_one = self.places().into_iter().filter(inside).all(|x| {
-                let sum: BigRational = (0..=n).map(|i| self.g(i, &x)).sum();
-                let from = j.saturating_sub(k);
-                let local: BigRational = (from..=j.min(n)).map(|i| self.g(i, &x)).sum();
-                j >= k && j <= n && sum == integer(1) && local == sum
-                    || (!(j >= k && j <= n) && sum == integer(1))
-            });
-            is_one == (!amended || (k..=n).contains(&j))
+            let (low, high) = (&self.t[j], &self.t[j + 1]);
+            let inside = |x: &BigRational| (low < x || (low == x && form != Form::Fails)) && x < high;
+            said(form, true, !(k..=n).contains(&j)).then(|| {
+                self.places().into_iter().filter(inside).all(|x| {
+                    let sum: BigRational = (0..=n).map(|i| self.g(i, &x)).sum();
+                    let local: BigRational = (j.saturating_sub(k)..=j.min(n)).map(|i| self.g(i, &x)).sum();
+                    if form == Form::Fails { sum < integer(1) } else { sum == integer(1) && local == sum }
+                })
+            })
         };
-        spans.map(says).collect()
+        spans.filter_map(says).collect()
     }
 
     /// `P3.1.2`; `None` if its hypotheses do not hold.
@@ -159,8 +160,8 @@ impl Reader {
         let interior = self.t.get(k + 1..m - k).unwrap_or_default();
         (base && interior.iter().all(|t| self.multiplicity(t) <= k)).then(|| {
             self.of_all(|i, x| {
-                let inside = self.t.contains(x) && self.t[0] < *x && x < self.last();
-                inside.then(|| self.g(i, x) == self.left(i, x))
+                let starts = *x == self.t[0];
+                (self.t[0] <= *x && x < self.last()).then(|| starts || self.g(i, x) == self.left(i, x))
             })
         })
     }
@@ -173,15 +174,15 @@ impl Reader {
         self.is_open().then(|| (0..=self.n()).flat_map(at_ends).collect())
     }
 
-    /// `P4.1.1`, as printed and, with t_m, as amended; `None` if U is not open.
-    fn local_control(&self, amended: bool) -> Option<Vec<bool>> {
+    /// `P4.1.1`, as amended without t_m for the last function, of which it says what holds there; `None` if U is not open.
+    fn local_control(&self, form: Form) -> Option<Vec<bool>> {
         self.is_open().then(|| {
             self.of_all(|j, x| {
                 let on_curve = self.t[0] <= *x && x <= self.last();
                 let acts = self.t[j] <= *x && *x < self.t[j + self.k + 1];
                 let last = x == self.last() && self.t[j] < self.t[j + 1] && self.t[j + 1] == *x;
-                let one = amended && last;
-                (on_curve && !acts).then(|| self.g(j, x) == integer(usize::from(one)))
+                let one = usize::from(form == Form::Fails);
+                said(form, on_curve && !acts, last).then(|| self.g(j, x) == integer(one))
             })
         })
     }
@@ -198,6 +199,15 @@ impl Reader {
     }
 }
 
+/// Does a form say something, where the printed one does or does not, and what the amendment excludes is met or not?
+fn said(form: Form, printed: bool, excluded: bool) -> bool {
+    match form {
+        Form::Printed | Form::Degree(_) => printed,
+        Form::Amended => printed && !excluded,
+        Form::Fails => excluded,
+    }
+}
+
 fn reader(degree: usize, knots: &str, alpha: &str) -> (Reader, Basis) {
     let t: Vec<_> = knots.split(' ').map(|t| parse_rational(t).expect("a number")).collect();
     let index: Index = alpha.parse().expect("an index");
@@ -206,15 +216,12 @@ fn reader(degree: usize, knots: &str, alpha: &str) -> (Reader, Basis) {
     (Reader { k: degree, t, alpha: index.alpha() }, basis)
 }
 
-fn status(form: &Form, basis: &Basis) -> String {
-    let Form::Basis(statement) = form else { panic!("a statement about bases") };
-    let verdict = judge(statement, &[BasisCase::new(basis.clone(), Origin::User)]).expect("no fault");
-    match verdict {
-        Verdict::Proved { .. } | Verdict::Refuted(_) | Verdict::NotApplicable(_) => {
-            verdict.status().to_owned()
-        }
-        other => panic!("{other:?}"),
-    }
+fn status(claim: Claim<'_>, form: Form, basis: &Basis) -> &'static str {
+    let sentence = claim.sentence(form).expect("a sentence");
+    let cases = Cases::only(Instance::of(basis.clone()));
+    let verdict = judge(sentence, claim.into(), &cases.of(sentence, None)).expect("no fault");
+    assert!(!matches!(verdict, Verdict::Undecided(_)), "{verdict:?}");
+    verdict.status()
 }
 
 /// What the reading comes to.
@@ -230,73 +237,52 @@ fn expected(reading: Option<Vec<bool>>) -> &'static str {
 #[test]
 fn a_verdict_agrees_with_the_sentence_read_by_itself() {
     let all = claims();
-    let claim = |id: &str| -> &Claim { all.iter().find(|claim| claim.id == id).expect("a claim") };
-    let amended = |id: &str| claim(id).amended.as_ref().expect("it is amended");
+    let claim = |id: &str| all.iter().find(|claim| claim.id() == id).expect("a claim");
     let positive = |reader: &Reader| {
         reader.of_all(|i, x| {
             let inside = reader.t[i] < *x && *x < reader.t[i + reader.k + 1];
             inside.then(|| reader.g(i, x) > integer(0))
         })
     };
-    let mut seen = std::collections::BTreeMap::<(&str, &str), usize>::new();
+    let mut seen = std::collections::BTreeMap::<(&str, Form, &str), usize>::new();
     for &(degree, knots) in CASES {
         for alpha in ALPHAS {
             let (reader, basis) = reader(degree, knots, alpha);
             let conjecture = |continuous| (degree > 0).then(|| reader.one_maximum(&basis, continuous));
-            let readings = [
-                ("T3.5.1", &claim("T3.5.1").printed, Some(reader.support(false))),
-                ("T3.5.1 amended", amended("T3.5.1"), Some(reader.support(true))),
-                ("T3.5.2", &claim("T3.5.2").printed, Some(positive(&reader))),
-                ("T3.5.3", &claim("T3.5.3").printed, Some(reader.unity(false))),
-                ("T3.5.3 amended", amended("T3.5.3"), Some(reader.unity(true))),
-                ("P3.1.2", &claim("P3.1.2").printed, reader.continuity()),
-                ("P3.1.3", &claim("P3.1.3").printed, reader.ends()),
-                ("P4.1.1", &claim("P4.1.1").printed, reader.local_control(false)),
-                ("P4.1.1 amended", amended("P4.1.1"), reader.local_control(true)),
-                ("Conj3.1.strong", &claim("Conj3.1.strong").printed, conjecture(false)),
-                ("Conj3.1.strong.continuous", &claim("Conj3.1.strong.continuous").printed, conjecture(true)),
-                (
-                    "X.maxima.classical",
-                    &claim("X.maxima.classical").printed,
-                    conjecture(true).filter(|_| alpha == "inf"),
-                ),
+            let forms = [Form::Printed, Form::Amended, Form::Fails];
+            let of_forms = forms.into_iter().flat_map(|form| {
+                [
+                    ("T3.5.1", form, Some(reader.support(form))),
+                    ("T3.5.3", form, Some(reader.unity(form))),
+                    ("P4.1.1", form, reader.local_control(form)),
+                ]
+            });
+            let printed = [
+                ("T3.5.2", Some(positive(&reader))),
+                ("P3.1.2", reader.continuity()),
+                ("P3.1.3", reader.ends()),
+                ("Conj3.1.strong", conjecture(false)),
+                ("Conj3.1.strong.continuous", conjecture(true)),
+                ("X.maxima.classical", conjecture(true).filter(|_| alpha == "inf")),
             ];
-            for (name, form, reading) in readings {
-                let expected = expected(reading);
-                assert_eq!(status(form, &basis), expected, "{name}: k = {degree}, U = {knots}, α = {alpha}");
-                *seen.entry((name, expected)).or_default() += 1;
+            let printed = printed.into_iter().map(|(id, reading)| (id, Form::Printed, reading));
+            for (id, form, reading) in of_forms.chain(printed) {
+                let (expected, found) = (expected(reading), status(*claim(id), form, &basis));
+                assert_eq!(found, expected, "{id}, {form}: k = {degree}, U = {knots}, α = {alpha}");
+                *seen.entry((id, form, expected)).or_default() += 1;
             }
         }
     }
     // The cases tell true from false.
-    assert!(seen.contains_key(&("P4.1.1", "refuted")), "{seen:?}");
-    for name in ["T3.5.1", "T3.5.3", "P3.1.3", "Conj3.1.strong", "Conj3.1.strong.continuous"] {
-        assert!(
-            seen.contains_key(&(name, "proved")) && seen.contains_key(&(name, "refuted")),
-            "{name}: {seen:?}"
-        );
+    let seen = |id: &str, form| ["proved", "refuted"].map(|status| seen.contains_key(&(id, form, status)));
+    assert!(seen("P4.1.1", Form::Printed)[1]);
+    for id in ["T3.5.1", "T3.5.3", "P3.1.3", "Conj3.1.strong", "Conj3.1.strong.continuous"] {
+        assert_eq!(seen(id, Form::Printed), [true, true], "{id}");
     }
-    for name in
-        ["T3.5.1 amended", "T3.5.2", "T3.5.3 amended", "P4.1.1 amended", "P3.1.2", "X.maxima.classical"]
-    {
-        assert!(
-            seen.contains_key(&(name, "proved")) && !seen.contains_key(&(name, "refuted")),
-            "{name}: {seen:?}"
-        );
+    for id in ["T3.5.2", "P3.1.2", "X.maxima.classical"] {
+        assert_eq!(seen(id, Form::Printed), [true, false], "{id}");
     }
-}
-
-/// A sentence about "every G_i^k" that leaves out those that are 0 says so, in itself or in what it assumes.
-#[test]
-fn what_is_said_of_maxima_is_said_of_functions_that_are_not_zero() {
-    for claim in claims() {
-        let speaks = claim.id.starts_with("Conj3.1") || claim.id.starts_with("X.maxima");
-        for form in [Some(&claim.printed), claim.amended.as_ref()].into_iter().flatten() {
-            let text = form.text();
-            if speaks && text.contains("every G_i^k") {
-                let simple = text.contains("simple");
-                assert!(text.contains("t_i < t_{i+k+1}") || simple, "{}: {text}", claim.id);
-            }
-        }
+    for id in ["T3.5.1", "T3.5.3", "P4.1.1"] {
+        assert_eq!([seen(id, Form::Amended), seen(id, Form::Fails)], [[true, false]; 2], "{id}");
     }
 }

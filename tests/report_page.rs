@@ -2,7 +2,8 @@
 
 use std::sync::LazyLock;
 
-use knotproof::claims::{Severity, Source, claims};
+use knotproof::judge::{Bind, Bound, Shows};
+use knotproof::language::{Severity, Source, claims};
 use knotproof::report::{
     Baseline, Dependence, Difference, Errata, PageSource, Record, Report, Summary, by_severity, corners,
     errata_page, markdown, opening, page,
@@ -15,7 +16,7 @@ const CLAIMS: [&str; 6] = ["P2.1.3", "C2.4", "T3.5.2", "T3.5.3", "T3.5.4", "Conj
 
 static REPORT: LazyLock<Report> = LazyLock::new(|| {
     let mut chosen = claims();
-    chosen.retain(|claim| CLAIMS.contains(&claim.id));
+    chosen.retain(|claim| CLAIMS.contains(&claim.id()));
     Report::of(&chosen, |_| {}).expect("the claims can be judged")
 });
 
@@ -130,15 +131,17 @@ fn what_a_record_says_is_never_markup() {
     record.locator = evil.into();
     record.note = Some(evil.into());
     record.as_printed.statement = evil.into();
-    record.as_printed.hypotheses = vec![evil.into()];
     let finding = &mut record.as_printed.finding;
     finding.reason = Some(evil.into());
     finding.remarks = vec![evil.into()];
     if let Some(witness) = &mut finding.witness {
-        witness.given = vec![(evil.into(), evil.into())];
+        witness.instance = Some(evil.into());
+        witness.knots = vec![evil.into()];
+        witness.alpha = evil.into();
+        witness.given = vec![Bound { name: evil.into(), value: Bind::Number(evil.into()) }];
         witness.claimed = evil.into();
-        witness.found = evil.into();
-        witness.reproduce = Some(evil.into());
+        witness.shows = Shows::Undefined(evil.into());
+        witness.words = vec![evil.into()];
     }
     let html = page(&report, &SOURCE).unwrap();
     for markup in ["<script>alert", "<b>", "<i>", "<u>", "<s>", "\" onload"] {

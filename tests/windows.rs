@@ -5,8 +5,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use knotproof::analysis::{Pieces, Sign};
-use knotproof::certificate::{Form, Sexp, windows};
-use knotproof::claims::instances_named;
+use knotproof::certificate::{Sexp, windows};
+use knotproof::language::Form;
+use knotproof::meaning::examples_named;
 use knotproof::scalar::{BigRational, integer, rational};
 use knotproof::spline::Basis;
 
@@ -14,7 +15,7 @@ use knotproof::spline::Basis;
 #[test]
 fn derivatives_change_their_sign_once() {
     for name in ["U0", "U4", "U12"] {
-        for instance in instances_named(name).iter().filter(|instance| instance.degree > 0) {
+        for instance in examples_named(name).iter().filter(|instance| instance.degree > 0) {
             for index in &instance.indices {
                 let basis = Basis::new(instance.knots.clone(), instance.degree, index.clone()).unwrap();
                 let pieces = Pieces::of(&basis);
@@ -205,7 +206,7 @@ impl Range {
 fn every_function_of_the_examples_is_there_on_both_sides() {
     let mut wanted = BTreeSet::new();
     for name in ["U0", "U1", "U2", "U3"] {
-        for instance in instances_named(name).iter().filter(|instance| (1..=3).contains(&instance.degree)) {
+        for instance in examples_named(name).iter().filter(|instance| (1..=3).contains(&instance.degree)) {
             let (knots, k) = (instance.knots.knots().to_vec(), instance.degree);
             let functions = 0..instance.knots.m() - k;
             wanted.extend(functions.flat_map(|i| [false, true].map(|below| (knots.clone(), k, i, below))));

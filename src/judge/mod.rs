@@ -27,8 +27,7 @@ pub use witness::{Bind, Bound, Count, Flanked, Looked, Shows, Term, Tied, Witnes
 pub struct Fault(pub String);
 
 /// What a sentence comes to on one case.
-#[derive(Debug, Clone)]
-pub enum Outcome {
+enum Outcome {
     /// It is true, by so many decisions, with suprema that were compared.
     Holds(usize, Vec<Supremum>),
     /// It says nothing there.
@@ -40,10 +39,7 @@ pub enum Outcome {
 }
 
 /// Judges one case.
-///
-/// # Errors
-/// [`Fault`], if two computations disagree.
-pub fn judge_case(sentence: &Sentence, names: Names<'_>, case: &Case) -> Result<Outcome, Fault> {
+fn judge_case(sentence: &Sentence, names: Names<'_>, case: &Case) -> Result<Outcome, Fault> {
     let decided = decide(sentence, &case.on, names);
     if let Some(fault) = case.on.fault() {
         return Err(Fault(fault.to_owned()));
