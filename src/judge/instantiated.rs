@@ -77,6 +77,14 @@ pub(super) fn real(own: &mut Reading<'_>, t: &Real) -> Real {
     }
 }
 
+/// A side of a relation: a knot, a control value and a name that stand alone keep their names, and are shown with their values.
+pub(super) fn side(own: &mut Reading<'_>, t: &Real) -> Real {
+    match t {
+        Real::Knot(i) => Real::Knot(int(own, i)),
+        _ => real(own, t),
+    }
+}
+
 fn literal(q: BigRational) -> Real {
     match (q.is_integer(), i64::try_from(q.numer())) {
         (true, Ok(n)) => Real::Whole(Int::Number(n)),
@@ -148,8 +156,8 @@ pub(super) fn formula(own: &mut Reading<'_>, f: &Formula) -> Formula {
         Formula::And(list) => Formula::And(all(list)),
         Formula::Or(list) => Formula::Or(all(list)),
         Formula::Chain(first, rest) => {
-            let first = real(own, first);
-            Formula::Chain(first, rest.iter().map(|(relation, t)| (*relation, real(own, t))).collect())
+            let first = side(own, first);
+            Formula::Chain(first, rest.iter().map(|(relation, t)| (*relation, side(own, t))).collect())
         }
         Formula::Within(t, on) => Formula::Within(real(own, t), interval(own, on)),
         Formula::Among(j, from, to) => Formula::Among(int(own, j), int(own, from), int(own, to)),

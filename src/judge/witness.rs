@@ -12,7 +12,7 @@ use crate::scalar::{BigRational, parse_rational};
 use crate::spline::{Basis, KnotVector, Side};
 
 use super::Fault;
-use super::instantiated::{formula, real, words};
+use super::instantiated::{formula, side, words};
 
 /// An exact counterexample that a reader can check by hand.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -295,7 +295,8 @@ impl Witness {
             }
             Shows::Values(terms) => {
                 let told = terms.iter().filter(|term| term.value.as_ref() != Some(&term.term));
-                list(told.map(ToString::to_string).collect())
+                let told = list(told.map(ToString::to_string).collect());
+                if told.is_empty() { "it is not so".into() } else { told }
             }
         }
     }
@@ -421,7 +422,7 @@ fn sides(own: &mut Reading<'_>, f: &Formula) -> Shows {
     if terms.iter().any(|t| matches!(t, Real::Whole(Int::Word(_)))) {
         let words = terms.into_iter().filter_map(|t| match t {
             Real::Whole(i @ Int::Word(_)) => {
-                own.int(i).ok().map(|count| Count { what: text(&real(own, t)), count })
+                own.int(i).ok().map(|count| Count { what: text(&side(own, t)), count })
             }
             _ => None,
         });
@@ -436,7 +437,7 @@ fn sides(own: &mut Reading<'_>, f: &Formula) -> Shows {
             None => own.real(term).ok().and_then(|value| digits(own, &value)),
         };
         let (value, rounded) = value.map_or((None, false), |(value, rounded)| (Some(value), rounded));
-        Term { term: text(&real(own, term)), value, rounded }
+        Term { term: text(&side(own, term)), value, rounded }
     };
     Shows::Values(terms.into_iter().map(side).collect())
 }

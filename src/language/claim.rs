@@ -5,7 +5,7 @@ use std::fmt;
 use super::cause::Source;
 use super::file::{File, Said, Stanza};
 use super::paper::paper;
-use super::print::text;
+use super::print::{source, text};
 use super::syntax::{Binder, Definition, Sentence};
 
 /// Which sentence of a stanza.
@@ -91,14 +91,39 @@ impl<'a> Claim<'a> {
         self.said(form).and_then(Said::sentence)
     }
 
-    /// It for people: empty, if there is none.
+    /// It for people, with what its names stand for: empty, if there is none.
     #[must_use]
     pub fn text(&self, form: Form) -> String {
         match self.said(form) {
-            Some(Said::Sentence(sentence)) => text(sentence),
+            Some(Said::Sentence(sentence)) => format!("{}{}", text(sentence), self.legend(&source(sentence))),
             Some(Said::Words { words, .. }) => words.clone(),
             None => String::new(),
         }
+    }
+
+    /// ` Here C(x) = …, r = α/(α − 1).`: the definitions that a text names, themselves or through others.
+    fn legend(&self, sentence: &str) -> String {
+        let names = |text: &str, name: &str| {
+            text.split(|c: char| !(c.is_alphanumeric() || c == '_')).any(|word| word == name)
+        };
+        let mut texts = vec![sentence.to_owned()];
+        let mut told: Vec<&Definition> = Vec::new();
+        while let Some(body) = texts.pop() {
+            for definition in self.definitions {
+                if names(&body, &definition.name) && !told.contains(&definition) {
+                    texts.push(source(&definition.body));
+                    told.push(definition);
+                }
+            }
+        }
+        let mut told: Vec<_> = self.definitions.iter().filter(|one| told.contains(one)).collect();
+        told.dedup();
+        let mut all: Vec<String> = told.iter().map(|definition| text(*definition)).collect();
+        let says_ratio = |text: &str| names(text, "r");
+        if says_ratio(sentence) || told.iter().any(|definition| says_ratio(&source(&definition.body))) {
+            all.push("r = α/(α − 1)".to_owned());
+        }
+        if all.is_empty() { String::new() } else { format!(" Here {}.", all.join("; ")) }
     }
 
     /// Can it be judged on any basis or index, not only on examples of the paper?

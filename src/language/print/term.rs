@@ -275,9 +275,10 @@ impl Walk {
         }
         let mut row = Vec::new();
         for (at, part) in of.word.says().split('{').enumerate() {
-            match (at, part.split_once('}')) {
+            let place = part.split_once('}').and_then(|(index, after)| Some((index.parse::<usize>().ok()?, after)));
+            match (at, place) {
                 (1.., Some((index, after))) => {
-                    let item = index.parse().ok().and_then(|index: usize| items.get(index)).cloned();
+                    let item = items.get(index).cloned();
                     // A template may have an item as an index: u_{0}.
                     let base = match row.last_mut() {
                         Some(Form::Words(words)) if words.ends_with('_') => {
@@ -292,6 +293,8 @@ impl Walk {
                     });
                     row.push(Form::words(after));
                 }
+                // Braces around something else are those of an index: t_{n+1}.
+                (1.., None) => row.push(Form::words(format!("{{{part}"))),
                 _ => row.push(Form::words(part)),
             }
         }
