@@ -9,7 +9,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::judge::{Cases, Scope, Verdict};
-use crate::language::{Claim, File, Form, Said, Source, Stanza, one_line, paper, stanzas};
+use crate::language::{Claim, File, Form, Said, Source, Stanza, paper};
 use crate::meaning::Instance;
 use crate::report::{Baseline, Finding};
 use crate::settle::{Proving, settle_form};
@@ -34,7 +34,8 @@ pub(super) struct Args {
     /// in general: what depends on the instance.
     #[arg(long, value_name = "CLAIM", value_parser = claim_name(), hide_possible_values = true)]
     property: Vec<String>,
-    /// A sentence of your own: "BINDERS : FORMULA", or "BINDERS | HYPOTHESES : FORMULA".
+    /// A sentence of your own: "BINDERS : FORMULA", or "BINDERS | HYPOTHESES : FORMULA". On an instance `k; U` need not
+    /// be among the binders.
     #[arg(long, value_name = "SENTENCE", conflicts_with_all = ["property", "all", "amended", "baseline"])]
     claim: Option<String>,
     /// A file of claims (TOML), such as those below papers/.
@@ -182,7 +183,12 @@ impl Args {
     fn own_claims(&self) -> Result<Option<File>, CliError> {
         if let Some(text) = &self.claim {
             let complain = |complaint| CliError::Claim { argument: "--claim", complaints: vec![complaint] };
-            let printed = Said::Sentence(one_line(text).map_err(complain)?);
+            let known = paper().known();
+            let sentence = match self.instance.is_absent() {
+                true => known.one_line(text),
+                false => known.one_line_on_knots(text),
+            };
+            let printed = Said::Sentence(sentence.map_err(complain)?);
             return Ok(Some(File {
                 title: None,
                 definitions: Vec::new(),
@@ -192,7 +198,7 @@ impl Args {
         let Some(path) = &self.claims else { return Ok(None) };
         let text = read("--claims", path)?;
         let name = path.display().to_string();
-        let file = stanzas(&name, &text);
+        let file = paper().stanzas(&name, &text);
         file.map(Some).map_err(|complaints| CliError::Claim { argument: "--claims", complaints })
     }
 

@@ -387,7 +387,7 @@ pub enum CliError {
     #[error("internal error: {0}; please report this bug with the command line")]
     Settle(#[from] SettleError),
     /// Text in the claim language that can't be read: all that is wrong with it.
-    #[error("{argument}:\n{}", complaints.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"))]
+    #[error("{argument}: {}", first(complaints))]
     Claim {
         /// Where it stands.
         argument: &'static str,
@@ -397,6 +397,12 @@ pub enum CliError {
     /// A result could not be written.
     #[error("cannot write the result: {0}")]
     Output(#[from] io::Error),
+}
+
+/// The first complaint, and how many there are.
+fn first(complaints: &[Complaint]) -> String {
+    let first = complaints.first().map(Complaint::message).unwrap_or_default();
+    if complaints.len() > 1 { format!("{first} (the first of {})", complaints.len()) } else { first }
 }
 
 fn list(items: &[impl ToString]) -> String {
@@ -463,13 +469,24 @@ impl CliError {
         Self::UnknownClaim { argument, name: name.to_owned(), near: near.unwrap_or_default() }
     }
 
-    /// The lines of a text that the error is in, with a mark below the place.
+    /// The lines of a text that the error is in, with a mark below the place; then what else is wrong with it.
     #[must_use]
     pub fn excerpt(&self) -> Option<String> {
         match self {
             Self::Expression { error, .. } => Some(error.excerpt()),
+            Self::Claim { complaints, .. } => {
+                let (first, others) = complaints.split_first()?;
+                let others = others.iter().map(ToString::to_string);
+                Some(std::iter::once(first.excerpt()).chain(others).collect::<Vec<_>>().join("\n\n"))
+            }
             _ => None,
         }
+    }
+
+    /// All that is wrong with text in the claim language.
+    #[must_use]
+    pub fn complaints(&self) -> &[Complaint] {
+        if let Self::Claim { complaints, .. } = self { complaints } else { &[] }
     }
 
     /// The exit code: the request is to blame, unless the program or its surroundings fail.

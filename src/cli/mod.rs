@@ -147,7 +147,7 @@ fn run(arguments: Vec<OsString>, errors: Output) -> Exit {
     match program.command.run(&output) {
         Ok(exit) => exit,
         Err(error) => {
-            output.error_with_excerpt(&error.to_string(), error.argument(), error.excerpt().as_deref());
+            output.refusal(&error);
             error.exit()
         }
     }

@@ -11,7 +11,7 @@ use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use crate::language::PaperNumber;
+use crate::language::{Complaint, PaperNumber};
 
 use super::error::CliError;
 use super::notation::Notation;
@@ -142,6 +142,32 @@ struct ErrorBody<'a> {
     /// The option to blame, if there is one.
     #[serde(skip_serializing_if = "Option::is_none")]
     argument: Option<&'a str>,
+    /// All that is wrong with a text in the claim language.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    complaints: Vec<Place<'a>>,
+}
+
+/// One thing that is wrong with a text.
+#[derive(Serialize, JsonSchema)]
+struct Place<'a> {
+    /// The file, or `sentence`.
+    source: &'a str,
+    /// Its line, from 1.
+    line: usize,
+    /// The character of the line, from 1.
+    column: usize,
+    /// Which rule it breaks.
+    rule: &'a str,
+    /// What to write instead.
+    advice: &'a str,
+}
+
+impl<'a> From<&'a Complaint> for Place<'a> {
+    fn from(complaint: &'a Complaint) -> Self {
+        let (line, column) = complaint.place();
+        let (source, rule, advice) = (complaint.source(), complaint.rule(), complaint.advice());
+        Self { source, line, column, rule, advice }
+    }
 }
 
 impl Output {
@@ -240,20 +266,31 @@ impl Output {
 
     /// Writes one error message to standard error, on one line and with nothing in it that a terminal obeys.
     pub fn error(&self, message: &str, argument: Option<&str>) {
-        self.error_with_excerpt(message, argument, None);
+        self.say(message, argument, None, &[]);
     }
 
-    /// The same, and for people below it the lines of a text to which it points.
-    pub fn error_with_excerpt(&self, message: &str, argument: Option<&str>, excerpt: Option<&str>) {
+    /// Writes why a request was not carried out: for people with the lines of a text that the message points to.
+    pub(super) fn refusal(&self, error: &CliError) {
+        self.say(&error.to_string(), error.argument(), error.excerpt(), error.complaints());
+    }
+
+    fn say(
+        &self,
+        message: &str,
+        argument: Option<&str>,
+        excerpt: Option<String>,
+        complaints: &[Complaint],
+    ) {
         let text = match self.format {
             Format::Text => {
                 let message = visible(message);
                 let red = Style::new().bold().fg_color(Some(AnsiColor::Red.into()));
-                let excerpt = excerpt.map(|lines| format!("\n{}", visible_lines(lines))).unwrap_or_default();
+                let excerpt = excerpt.map(|lines| format!("\n{}", visible_lines(&lines))).unwrap_or_default();
                 format!("{red}error:{red:#} {message}{excerpt}")
             }
             Format::Json => {
-                let error = ErrorBody { message, argument };
+                let complaints = complaints.iter().map(Place::from).collect();
+                let error = ErrorBody { message, argument, complaints };
                 let report = Stamped::new(ErrorReport { schema: "knotproof.error/1", error });
                 // Strings always serialise; if not, the bare message is better than none.
                 visible_json(&serde_json::to_string(&report).unwrap_or_else(|_| message.to_owned()))

@@ -5,6 +5,7 @@ use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema, schema_for};
 use serde_json::Value;
 
+use crate::language::schema as claims_schema;
 use crate::report::Errata;
 use crate::search::{FindingRecord, SummaryRecord};
 
@@ -17,11 +18,13 @@ use super::{
     shape, verify,
 };
 
-/// Prints a JSON Schema: of instance files (for --instance FILE), or of what a command writes with --format json.
+/// Prints a JSON Schema: of instance files (for --instance FILE), of files of claims (for check --claims FILE), or of what
+/// a command writes with --format json.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLE)]
 pub(super) struct Args {
-    /// The command whose JSON is described, each key with what it means; or `error`, for errors.
+    /// The command whose JSON is described, each key with what it means; or `error`, for errors; or `claims`, for files of
+    /// claims.
     #[arg(value_name = "COMMAND", value_enum)]
     command: Option<Written>,
 }
@@ -29,6 +32,7 @@ pub(super) struct Args {
 const EXAMPLE: &str = r#"Examples:
   knotproof schema > instance.schema.json
   knotproof schema eval > eval.schema.json
+  knotproof schema claims > claims.schema.json
 An instance file:
   {"degree": 2, "knots": ["0", 0, 0, "1/2", 1, 1, 1], "alpha": "-1", "points": [["0", "2"], [1, 3], [2, 3], [3, 0]]}"#;
 
@@ -53,6 +57,8 @@ enum Written {
     Help,
     /// What is wrong with a request, on standard error.
     Error,
+    /// Files of claims, which are read.
+    Claims,
 }
 
 const EVAL: &str = "One object for one point. With --points-file JSON lines: the first has what all points share, each other is a point, in the order of the file. With --format text a file of points is answered as CSV, with the columns x, side, G_0, …, G_n (or the one function that was asked for), G_0^(d), …, G_n^(d) for each derivative d from 1, and with control points curve_0, … (the coordinates) and curve_0^(d), … likewise.";
@@ -62,6 +68,7 @@ const REPORT: &str = "All verdicts of a run, as in report.json; with --errata th
 const SEARCH: &str =
     "JSON lines, also in a checkpoint: one for each finding, and at the end a summary of what was searched.";
 const HELP: &str = "All tasks, or the help of one command.";
+const CLAIMS: &str = "Files of claims, for check --claims: TOML, here as the data that it stands for. docs/language.md says how sentences are written.";
 const ERROR: &str = "The object on standard error, with exit code 2, or 4 for a bug of the program.";
 
 /// Prints the schema; it is JSON in either format.
@@ -80,9 +87,11 @@ impl Written {
         };
         let name = self.to_possible_value().map(|value| value.get_name().to_owned()).unwrap_or_default();
         schema.insert("$schema".to_owned(), SchemaSettings::draft2020_12().meta_schema.into());
-        schema.insert("title".to_owned(), format!("knotproof {name} --format json").into());
         schema.insert("description".to_owned(), description.into());
-        schema.insert("$defs".to_owned(), Value::Object(generator.take_definitions(true)));
+        // What is read has both already.
+        let fields = schema.ensure_object();
+        fields.entry("title").or_insert_with(|| format!("knotproof {name} --format json").into());
+        fields.entry("$defs").or_insert_with(|| Value::Object(generator.take_definitions(true)));
         schema
     }
 
@@ -152,6 +161,7 @@ impl Written {
                 ],
             ),
             Self::Error => (ERROR, vec![of::<ErrorReport<'static>>(to)]),
+            Self::Claims => (CLAIMS, vec![claims_schema()]),
         }
     }
 }

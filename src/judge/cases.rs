@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use std::sync::Arc;
 
 use crate::language::{Binder, Name, Sentence, paper};
-use crate::meaning::{Example, Instance, concerns, examples, examples_of, listed};
+use crate::meaning::{Example, Instance, admits, concerns, examples, examples_of, listed};
 use crate::scalar::integer;
 use crate::spline::{Basis, Index, KnotVector};
 
@@ -87,6 +87,14 @@ impl Cases {
             cases.extend(more.filter(|case| concerns(sentence, &case.on)));
         }
         cases
+    }
+
+    /// What a sentence is said of, where that is not the user's own case.
+    #[must_use]
+    pub fn foreign<'a>(&self, sentence: &'a Sentence) -> Option<&'a Binder> {
+        let on = &self.paper.first().filter(|_| self.small.is_empty())?.on;
+        let own = |binder: &&Binder| matches!(binder, Binder::Indices(_)) || admits(binder, on);
+        sentence.given.iter().find(|binder| !own(binder))
     }
 
     fn usual(&self, sentence: &Sentence) -> Vec<Arc<Case>> {

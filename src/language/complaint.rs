@@ -4,7 +4,7 @@ use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
 
-use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
+use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 
 /// Bytes of a text.
 pub(super) type Place = Range<usize>;
@@ -39,7 +39,7 @@ pub(super) fn ensure(
     if holds { Ok(()) } else { fault(at, rule, advice) }
 }
 
-/// What is wrong with a text: it displays as the line with the place underlined, the rule, and what to write instead.
+/// What is wrong with a text: where, by which rule, and what to write instead.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Complaint {
     origin: Arc<Origin>,
@@ -97,15 +97,27 @@ impl Complaint {
     pub fn advice(&self) -> &str {
         &self.advice
     }
+
+    /// One line: the place, the rule, and what to write instead.
+    #[must_use]
+    pub fn message(&self) -> String {
+        let (line, column) = self.place();
+        format!("{}, line {line}, column {column}: {}; {}", self.origin.name, self.rule, self.advice)
+    }
+
+    /// The line of the text with the place underlined.
+    #[must_use]
+    pub fn excerpt(&self) -> String {
+        let place = AnnotationKind::Primary.span(self.at.clone());
+        let snippet = Snippet::source(self.origin.text.as_str()).annotation(place);
+        Renderer::plain().render(&[Group::with_level(Level::ERROR).element(snippet)])
+    }
 }
 
+/// Two parts: the message, and below it the excerpt.
 impl fmt::Display for Complaint {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let place = AnnotationKind::Primary.span(self.at.clone()).label(self.advice.as_str());
-        let snippet =
-            Snippet::source(self.origin.text.as_str()).path(self.origin.name.as_str()).annotation(place);
-        let report = [Level::ERROR.primary_title(self.rule.as_str()).element(snippet)];
-        write!(f, "{}", Renderer::plain().render(&report))
+        write!(f, "{}\n{}", self.message(), self.excerpt())
     }
 }
 

@@ -116,6 +116,7 @@ pub struct RestsOn {
 /// A file of claims.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(title = "Files of claims")]
 pub(super) struct RawFile {
     /// What the file is about.
     title: Option<String>,

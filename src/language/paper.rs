@@ -12,6 +12,7 @@ use crate::scalar::{BigRational, parse_rational};
 
 use super::complaint::Complaint;
 use super::file::{File, Reading, Stanza};
+use super::known::Known;
 use super::syntax::Name;
 
 /// A paper with everything that is judged of it.
@@ -190,6 +191,25 @@ impl Paper {
         complaints.append(&mut about.complaints);
         let paper = Self { about: found, files: read, examples, cases };
         if complaints.is_empty() { Ok(paper) } else { Err(complaints) }
+    }
+
+    /// What a text may name of it.
+    #[must_use]
+    pub fn known(&self) -> Known {
+        let instances = self.examples.iter().filter_map(|row| row.name.clone()).collect();
+        let claims = self.claims().map(|(_, claim)| claim.id.clone()).collect();
+        Known { instances: Some(instances), claims: Some(claims), ..Known::default() }
+    }
+
+    /// Reads a file of claims that may name each other, and what there is of the paper.
+    ///
+    /// # Errors
+    /// Everything that is wrong, each with its place.
+    pub fn stanzas(&self, file_name: &str, text: &str) -> Result<File, Vec<Complaint>> {
+        let own = super::stanzas(file_name, text)?.claims.into_iter().map(|claim| claim.id);
+        let Known { instances, claims, .. } = self.known();
+        let claims = claims.map(|claims| claims.into_iter().chain(own).collect());
+        Reading::new(file_name, text).file(instances, claims)
     }
 
     /// Its claims with their files, in its order.

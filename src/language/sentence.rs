@@ -7,7 +7,7 @@ use num_traits::Zero;
 
 use super::complaint::{Complaint, Fault, Origin, fault};
 use super::known::{Kind, Known, Subjects, nearest};
-use super::raw::{Domain, DomainKind, Node, Parser, Raw, RawBinder, Says, whole};
+use super::raw::{Domain, DomainKind, Node, Parser, Raw, RawBinder, RawSentence, Says, whole};
 use super::resolve::{Named, Scope};
 use super::syntax::{Adjective, Binder, Formula, Name, Range, Relation, Sentence};
 
@@ -75,14 +75,33 @@ impl Known {
     /// # Errors
     /// The first fault, with its place.
     pub fn one_line(&self, text: &str) -> Result<Sentence, Complaint> {
-        let read = || {
-            let raw = whole(text, Parser::line)?;
+        self.line(text, "")
+    }
+
+    /// The same where knots are given: `k; U` need not be written.
+    ///
+    /// # Errors
+    /// The first fault, with its place.
+    pub fn one_line_on_knots(&self, text: &str) -> Result<Sentence, Complaint> {
+        self.line(text, "k; U")
+    }
+
+    /// Of `implied` what is needed, unless degree or knots are bound.
+    fn line(&self, text: &str, implied: &str) -> Result<Sentence, Complaint> {
+        let read = |raw: &RawSentence, implied| {
             let mut reader = Reader::new(self);
-            let given = reader.binders(&raw.given)?;
+            let mut given = reader.given(implied)?;
+            given.extend(reader.binders(&raw.given)?);
             let mut formulas = |nodes: &[Node]| -> Result<Vec<Formula>, Fault> {
                 nodes.iter().map(|node| reader.scope.formula(node)).collect()
             };
             Ok(Sentence { given, assume: formulas(&raw.assume)?, then: formulas(&raw.then)? })
+        };
+        let read = || {
+            let raw = whole(text, Parser::line)?;
+            let bound = raw.given.iter().any(|binder| ["k", "U"].contains(&binder.name.as_str()));
+            // A sentence about weights needs no knots.
+            read(&raw, "").or_else(|fault| if bound { Err(fault) } else { read(&raw, implied) })
         };
         let origin = || Arc::new(Origin { name: "sentence".to_owned(), text: text.to_owned() });
         read().map_err(|fault: Fault| Complaint::new(&origin(), fault.at, fault.rule, fault.advice))

@@ -22,7 +22,7 @@ pub use example::{Example, examples, examples_named, examples_of};
 pub use instance::Instance;
 pub use reading::{Bound, Found, Library, Look, Names, Reading};
 pub use reals::Part;
-pub use sentence::{Decided, Failure, Given, concerns, decide, has, listed};
+pub use sentence::{Decided, Failure, Given, admits, concerns, decide, has, listed};
 pub use truth::{Stop, Truth};
 pub use value::{Plain, Value};
 pub use words::tie;

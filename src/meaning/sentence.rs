@@ -130,7 +130,13 @@ pub fn decide(sentence: &Sentence, on: &Instance, names: Names<'_>) -> Decided {
 /// Does the instance satisfy what `for` says of degree, knots, name and index? Sentences say nothing of others.
 #[must_use]
 pub fn concerns(sentence: &Sentence, on: &Instance) -> bool {
-    sentence.given.iter().all(|binder| match binder {
+    sentence.given.iter().all(|binder| admits(binder, on))
+}
+
+/// What one binder says of them.
+#[must_use]
+pub fn admits(binder: &Binder, on: &Instance) -> bool {
+    match binder {
         Binder::Degree { least, most } => {
             on.degree().is_some_and(|k| k >= *least && most.is_none_or(|most| k <= most))
         }
@@ -140,7 +146,7 @@ pub fn concerns(sentence: &Sentence, on: &Instance) -> bool {
         Binder::Instances(names) => on.name.as_ref().is_some_and(|name| names.contains(name)),
         Binder::Indices(list) => list.iter().any(|alpha| on.index.alpha() == *alpha),
         _ => true,
-    })
+    }
 }
 
 /// Does the knot vector have the property, for degree k?

@@ -8,7 +8,7 @@ use thiserror::Error;
 
 use crate::certificate::{Certificate, CertificateError, certify, certify_for_degree};
 use crate::judge::{Cases, Fault, Verdict, judge, judge_by_degree};
-use crate::language::{Claim, Form, Said};
+use crate::language::{Claim, Form, Said, text};
 
 pub use grade::{Grade, grade};
 
@@ -106,9 +106,14 @@ fn verdict(claim: Claim<'_>, form: Form, cases: &Cases) -> Result<Verdict, Fault
     match claim.said(form) {
         Some(Said::Words { reason, core: None, .. }) => Ok(Verdict::NotFormal(reason.clone())),
         said => match said.and_then(Said::sentence) {
-            Some(sentence) => {
-                judge(sentence, claim.into(), &cases.of(sentence, claim.stanza.cases.as_deref()))
-            }
+            Some(sentence) => match cases.foreign(sentence) {
+                Some(binder) => {
+                    let what = text(binder);
+                    let what = what.strip_prefix("every ").unwrap_or(&what);
+                    Ok(Verdict::NotApplicable(format!("said only of {what}")))
+                }
+                None => judge(sentence, claim.into(), &cases.of(sentence, claim.stanza.cases.as_deref())),
+            },
             None => Ok(Verdict::NotApplicable("there is nothing to judge".into())),
         },
     }

@@ -5,13 +5,13 @@ mod form;
 mod said;
 mod term;
 
-use super::syntax::{Definition, Formula, Function, Real, Sentence};
+use super::syntax::{Binder, Definition, Formula, Function, Real, Sentence};
 
 use alphabet::{html, latex_of, line_of};
 use form::Form;
 use term::Walk;
 
-/// What can be printed: sentences, formulas, terms, functions, definitions.
+/// What can be printed: sentences, binders, formulas, terms, functions, definitions.
 pub trait Print {
     #[doc(hidden)]
     fn form(&self, walk: Walk) -> Form;
@@ -20,6 +20,12 @@ pub trait Print {
 impl Print for Sentence {
     fn form(&self, walk: Walk) -> Form {
         walk.sentence(self)
+    }
+}
+
+impl Print for Binder {
+    fn form(&self, walk: Walk) -> Form {
+        walk.binder(self)
     }
 }
 

@@ -208,7 +208,7 @@ impl Walk {
             .collect()
     }
 
-    fn binder(self, binder: &Binder) -> Form {
+    pub(super) fn binder(self, binder: &Binder) -> Form {
         let words = |words: &str, form: Form| match self.source {
             true => form,
             false => Form::Row(vec![Form::words(words), form]),
