@@ -312,6 +312,7 @@ fn errors() {
                 "formula --degree 1 --knots \"0 1 3\" --alpha 2 --index 0 --span 0 --equals syntax",
                 "bezier --degree 1 --knots \"0 0 1 1\" --alpha -1",
                 "check --degree 1 --knots \"0 0 1 1\" --alpha -1 --property T3.5.9",
+                "check --claim \"k; U; i in 0..n; x in [t[0], t[m] : G[i](x) <= 1\"",
                 "shape --degree 1 --knots \"0 0 1 1\" --alpha -1 --width 0",
                 "search --degree 3 --shard 2/2",
                 "figures 99 --out pictures",
