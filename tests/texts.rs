@@ -165,6 +165,8 @@ fn check() {
             "check --degree 2 --knots \"0 0 0 1 1 1 2 2 2\" --alpha -1 --property T3.5.1 --amended",
             "check --degree 2 --knots \"0 0 0 1 1 1 2 2 2\" --alpha -1 --property T3.5.1 --baseline",
             "check --degree 1 --knots \"0 1 2 3\" --alpha -1 --property T3.5.1 --scope knots",
+            "check --degree 2 --knots \"0 0 0 1 2 2 2\" --alpha -1 --claim \"i in 0..n; x in [t[0], t[m]] : G[i](x) <= 1\"",
+            "check --claim \"k = 2; U clamped; i in 0..n : maxima(G[i]) = 1\"",
         ]),
     );
 }
