@@ -87,6 +87,12 @@ impl Instance {
         Self { name: Some(name.into()), points, ..self }
     }
 
+    /// With control points.
+    #[must_use]
+    pub fn with_points(self, points: Option<Vec<Point>>) -> Self {
+        Self { points, ..self }
+    }
+
     /// The same for another index.
     #[must_use]
     pub fn with_index(&self, index: Index) -> Self {
