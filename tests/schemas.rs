@@ -161,6 +161,7 @@ fn examples() -> Vec<(&'static str, Vec<Vec<&'static str>>)> {
                 on("check", &["--property", "T3.5.3", "--property", "P3.1.1"]),
                 on("check", &["--property", "T3.5.1", "--baseline"]),
                 on("check", &["--property", "T3.5.1", "--amended"]),
+                vec!["check", "--claim", "k = 1; U : n >= 1"],
             ],
         ),
         (
@@ -247,7 +248,13 @@ fn examples() -> Vec<(&'static str, Vec<Vec<&'static str>>)> {
         ("help", vec![vec!["help"], vec!["help", "eval"]]),
         (
             "error",
-            vec![vec!["eval"], on("eval", &["--x", "1/0"]), vec!["explain", "T9"], vec!["schema", "nothing"]],
+            vec![
+                vec!["eval"],
+                on("eval", &["--x", "1/0"]),
+                vec!["explain", "T9"],
+                vec!["schema", "nothing"],
+                vec!["check", "--claim", "x : y = 1"],
+            ],
         ),
     ]
 }
@@ -351,6 +358,8 @@ fn every_output_is_as_its_schema_says() {
     }
     let mut all = names();
     all.sort();
+    // Of files that are read: tests/language.rs.
+    described.push("claims".to_owned());
     described.sort();
     assert_eq!(described, all, "each has an example");
 }

@@ -326,7 +326,11 @@ impl fmt::Display for Check {
                 // The case stands at the head, if there is only one.
                 let known = if self.degree.is_some() { ["k", "U", "α"].as_slice() } else { &[] };
                 let at = witness.given().into_iter().filter(|(name, _)| !known.contains(&name.as_str()));
-                let at: Vec<_> = at.map(|(name, value)| format!("{name} = {value}")).collect();
+                let told = |(name, value): (String, String)| match name.as_str() {
+                    "instance" => value,
+                    _ => format!("{name} = {value}"),
+                };
+                let at: Vec<_> = at.map(told).collect();
                 let at = if at.is_empty() { String::new() } else { format!("at {}: ", at.join(", ")) };
                 writeln!(f, "      {at}it says {}; but {}", witness.claimed, witness.found())?;
             }

@@ -120,7 +120,7 @@ pub struct RestsOn {
 pub(super) struct RawFile {
     /// What the file is about.
     title: Option<String>,
-    /// Names for terms, for all claims of the file: "C(x)" = "sum(i in 0..n: d[i]*G[i](x))".
+    /// Names for terms, for all claims of the file: "mean[i]" = "(t[i+1] + t[i+2])/2".
     #[serde(default)]
     #[schemars(with = "BTreeMap<String, String>")]
     define: BTreeMap<Spanned<String>, Spanned<String>>,
