@@ -61,18 +61,19 @@
 //!
 //! 1. [`scalar`]: what is computed with: exact rationals, `f64`, jets, polynomials, rational functions; [`json`]: how
 //!    files are read.
-//! 2. [`spline`]: indices, knots, the recursion, curves. It reads like sections 2 to 4 of the paper.
+//! 2. [`spline`]: indices, knots, the recursion, curves. It reads like sections 2 to 4 of the paper; [`language`]: formulas,
+//!    sentences and claims as text and as trees.
 //! 3. [`analysis`]: whole pieces, and decisions about every x.
 //! 4. [`meaning`]: what a formula of the claim language says on an instance.
-//! 5. [`judge`]: sentences on instances in order of size, and typed witnesses.
-//! 6. [`claims`]: the paper's statements and their verdicts; [`certificate`]: proofs of their formal statements, for
-//!    every knot vector or every α, which an independent checker reads; [`search`]: counterexamples to the conjecture.
-//! 7. [`float`]: how far `f64` is from the exact values; [`report`]: what the reader gets to see.
+//! 5. [`judge`]: sentences on instances in order of size, and typed witnesses; [`certificate`]: proofs of formal statements,
+//!    for every knot vector or every α, which an independent checker reads; [`search`]: counterexamples to the conjecture.
+//! 6. [`settle`]: a claim judged, proved and checked; [`float`]: how far `f64` is from the exact values.
+//! 7. [`report`]: what the reader gets to see.
 //! 8. [`cli`]: the program `knotproof`.
 //!
 //! # Floats cannot prove
 //!
-//! The recursion is written once, for any [`Ring`](scalar::Ring) of scalars, and `f64` is among them: floor 7 asks
+//! The recursion is written once, for any [`Ring`](scalar::Ring) of scalars, and `f64` is among them: floor 6 asks
 //! what a program in floating point would get. But what leads to a verdict asks for an
 //! [`ExactField`](scalar::ExactField), which `f64` is not: no verdict can be computed with rounded numbers, not
 //! even by mistake. The compiler refuses

@@ -132,6 +132,16 @@ fn every_module_has_a_floor() {
     }
 }
 
+/// The first line of a room says on which floor it is.
+#[test]
+fn every_folder_says_its_floor() {
+    for (module, path) in modules().into_iter().filter(|(_, path)| path.is_dir()) {
+        let text = fs::read_to_string(path.join("mod.rs")).expect("a folder has a mod.rs");
+        let number = floor(&module).map_or(0, |floor| floor + 1);
+        assert!(text.starts_with(&format!("//! Floor {number}: ")), "{module} is on floor {number}");
+    }
+}
+
 #[test]
 fn a_wrong_use_is_found() {
     let clean = "use crate::scalar::Ring;\nfn f(x: &crate::spline::Basis) {}\n";
@@ -285,9 +295,11 @@ fn circles(uses: &Uses) -> BTreeSet<Vec<String>> {
     reached.iter().map(with).filter(|circle| !circle.is_empty()).collect()
 }
 
-/// Circles that are left, to be ended with the move of their modules; none may be added.
-const LEFT: [[&str; 2]; 2] =
-    [["report::baseline", "report::record"], ["report::figures::canvas", "report::figures::labels"]];
+/// Circles that are left, each with its reason; none may be added.
+const LEFT: [[&str; 2]; 1] = [
+    // A formula is said with words, and a word is said of formulas: one recursion.
+    ["meaning::reading", "meaning::words"],
+];
 
 #[test]
 fn modules_do_not_go_round_in_circles() {

@@ -251,7 +251,9 @@ impl Walk {
                     *t = Real::Over(Box::new(one()), Box::new(Real::Ratio));
                 }
             }
-            Real::Coefficient(_, of) | Real::Defined(_, of) => of.iter_mut().for_each(|i| self.index(i, None)),
+            Real::Coefficient(_, of) | Real::Defined(_, of) => {
+                of.iter_mut().for_each(|i| self.index(i, None))
+            }
             Real::Plus(a, b) | Real::Times(a, b) | Real::Least(a, b) | Real::Greatest(a, b) => {
                 self.real(a, way);
                 self.real(b, way);
@@ -449,7 +451,8 @@ struct Kept {
 
 static KEPT: LazyLock<BTreeMap<String, String>> = LazyLock::new(|| {
     let Exceptions { kept } = toml::from_str(include_str!("variants.toml")).unwrap();
-    let each = |Kept { why, variants }| variants.into_iter().map(move |variant| (variant, String::clone(&why)));
+    let each =
+        |Kept { why, variants }| variants.into_iter().map(move |variant| (variant, String::clone(&why)));
     kept.into_iter().flat_map(each).collect()
 });
 
@@ -496,9 +499,13 @@ impl Variant {
 fn explore() {
     let n = VARIANTS.len();
     let mut kinds: BTreeMap<String, usize> = BTreeMap::new();
-    for v in VARIANTS.iter() { *kinds.entry(format!("{:?}", v.change)).or_default() += 1; }
+    for v in VARIANTS.iter() {
+        *kinds.entry(format!("{:?}", v.change)).or_default() += 1;
+    }
     println!("TOTAL {n} {kinds:?}");
-    if std::env::var("COUNT").is_ok() { return; }
+    if std::env::var("COUNT").is_ok() {
+        return;
+    }
     use std::io::Write;
     let out = std::sync::Mutex::new(std::fs::File::create("/tmp/variants.out").unwrap());
     VARIANTS.par_iter().enumerate().for_each(|(at, v)| {
@@ -507,11 +514,19 @@ fn explore() {
         let verdict = std::panic::catch_unwind(|| v.judged(&CHOICES[..tiers]));
         let (status, more) = match &verdict {
             Err(e) => ("PANIC", e.downcast_ref::<String>().cloned().unwrap_or_default()),
-            Ok(Verdict::Refuted(w)) => (if matches!(w.shows, knotproof::judge::Shows::Undefined(_)) { "undefined" } else { "refuted" }, w.to_string()),
+            Ok(Verdict::Refuted(w)) => (
+                if matches!(w.shows, knotproof::judge::Shows::Undefined(_)) {
+                    "undefined"
+                } else {
+                    "refuted"
+                },
+                w.to_string(),
+            ),
             Ok(Verdict::Undecided(why)) => ("undecided", why.clone()),
             Ok(other) => (other.status(), String::new()),
         };
         let mut f = out.lock().unwrap();
-        writeln!(f, "{at}\t{status}\t{:.1}\t{:?}\t{v}\t{more}", start.elapsed().as_secs_f64(), v.change).unwrap();
+        writeln!(f, "{at}\t{status}\t{:.1}\t{:?}\t{v}\t{more}", start.elapsed().as_secs_f64(), v.change)
+            .unwrap();
     });
 }

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use num_rational::BigRational;
 
-use crate::scalar::integer;
+use crate::scalar::{Ring, integer};
 
 use super::algebraic::{Algebraic, Enclosed};
 use super::piece::Piece;
@@ -35,16 +35,34 @@ impl Greatest {
     /// ```
     #[must_use]
     pub fn of_function(f: &Piece) -> Option<Self> {
+        Self::of_signs(f, false)
+    }
+
+    /// sup |f(u)|, 0 < u < ∞, on the same terms.
+    #[must_use]
+    pub fn of_modulus(f: &Piece) -> Option<Self> {
+        Self::of_signs(f, true)
+    }
+
+    /// Of f, and of −f, which turns at the same places.
+    fn of_signs(f: &Piece, both: bool) -> Option<Self> {
         if count_positive_roots(f.denominator()) > 0 {
             return None;
         }
-        let mut all = Self::of([f.evaluate(&integer(0))?, f.at_infinity()?])?;
-        for mut root in positive_roots(f.derivative().numerator()) {
-            all.0.push(match root.rational() {
-                Some(u) => f.evaluate(&u)?.into(),
-                None => Algebraic::at(f.clone(), root),
-            });
+        let roots = positive_roots(f.derivative().numerator());
+        let mut all = Vec::new();
+        for f in std::iter::once(f.clone()).chain(both.then(|| f.negate())) {
+            all.extend([f.evaluate(&integer(0))?, f.at_infinity()?].map(Algebraic::from));
+            for mut root in roots.iter().cloned() {
+                all.push(match root.rational() {
+                    Some(u) => f.evaluate(&u)?.into(),
+                    None => Algebraic::at(f.clone(), root),
+                });
+            }
         }
+        let mut all = Self(all);
+        // What is smaller is dropped before it is copied and narrowed again.
+        all.bounds();
         Some(all)
     }
 

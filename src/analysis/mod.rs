@@ -43,4 +43,4 @@ pub use roots::{IsolatedRoot, count_positive_roots, positive_roots};
 pub use shape::Shape;
 pub use sign::Sign;
 pub use slopes::{KnotSlopes, knot_slopes};
-pub use span_quotients::{span_quotients, symbolic_quotients};
+pub use span_quotients::{OneDenominator, span_quotients, symbolic_quotients};

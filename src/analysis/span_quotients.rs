@@ -277,15 +277,25 @@ fn divided<R: Whole>(p: &Polynomial<R>, (a, b): &(R, R)) -> Option<Polynomial<R>
 
 /// All functions of a span over one denominator: the least common multiple Q of theirs, a product of a + bu.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct OneDenominator {
+pub struct OneDenominator {
     /// a/b for each factor of Q.
-    pub(super) factors: Vec<BigRational>,
+    pub factors: Vec<BigRational>,
     /// The numerators over ∏ (u + a/b).
-    pub(super) numerators: Active<Polynomial<BigRational>>,
+    pub numerators: Active<Polynomial<BigRational>>,
 }
 
 impl OneDenominator {
-    pub(super) fn of(basis: &Basis, span: Span) -> Self {
+    /// ∏ (u + a/b).
+    #[must_use]
+    pub fn denominator(&self) -> Polynomial<BigRational> {
+        let one = Polynomial::constant(BigRational::from_integer(1.into()));
+        let linear = |c: &BigRational| Polynomial::new(c.clone(), [c.one()]);
+        self.factors.iter().fold(one, |product, c| product.times(&linear(c)))
+    }
+
+    /// On a span of the basis.
+    #[must_use]
+    pub fn of(basis: &Basis, span: Span) -> Self {
         let functions = factored_quotients(basis, span);
         let mut common: Vec<(BigInt, BigInt)> = Vec::new();
         for function in functions.values() {

@@ -1,4 +1,4 @@
-//! Floor 4: certificates, written (`proofs/FORMAT.md`).
+//! Floor 5: certificates, written (`proofs/FORMAT.md`).
 //!
 //! A claim's formal statement, which the paper's file of windows gives, is unrolled into sections, every goal is decided by the library's own triangle over
 //! quotients of polynomials in all parameters, and the rule that shows it is written down. The checker, which shares no code

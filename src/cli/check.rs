@@ -155,9 +155,8 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         check.knots = first.knots().knots().iter().map(ToString::to_string).collect();
         check.label = subjects.label;
         for subject in &subjects.cases {
-            let on = Instance::of(subject.basis.clone());
             let points = subject.curve.as_ref().map(|curve| curve.points().to_vec());
-            let on = if points.is_some() { on.named("", points) } else { on };
+            let on = Instance::of(subject.basis.clone()).with_points(points);
             let (k, alpha) = (subject.basis.degree(), subject.basis.index().to_string());
             all.push((Some(k), Some(alpha), Cases::only(on)));
         }

@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use crate::certificate::statement;
 use crate::language::{Cause, Claim, Form, Severity, claims};
-use crate::report::{Baseline, DegreeFinding, Finding, Record};
+use crate::report::{Baseline, DegreeFinding, Finding};
 
 use super::error::CliError;
 use super::exit::Exit;
@@ -97,7 +97,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     for DegreeFinding { degree, finding, .. } in &entry.by_degree {
         parts.push(part(claim, Form::Degree(*degree), finding, args.goals)?);
     }
-    let record = Record::recorded(claim, entry);
+    let record = entry.record(claim);
     let explanation = Explanation {
         schema: "knotproof.explain/1",
         id: claim.id(),

@@ -1,4 +1,4 @@
-//! Floor 6: the program. Arguments, results on standard output, everything else on standard error, exit codes.
+//! Floor 8: the program. Arguments, results on standard output, everything else on standard error, exit codes.
 //!
 //! One file a command, each with its `Args` and a `run` that returns an [`Exit`]; a result is written by the
 //! [`Output`], as text or as JSON. What is wrong with a request is a [`CliError`]: one message, exit code 2,

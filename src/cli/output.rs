@@ -274,13 +274,7 @@ impl Output {
         self.say(&error.to_string(), error.argument(), error.excerpt(), error.complaints());
     }
 
-    fn say(
-        &self,
-        message: &str,
-        argument: Option<&str>,
-        excerpt: Option<String>,
-        complaints: &[Complaint],
-    ) {
+    fn say(&self, message: &str, argument: Option<&str>, excerpt: Option<String>, complaints: &[Complaint]) {
         let text = match self.format {
             Format::Text => {
                 let message = visible(message);

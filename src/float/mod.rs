@@ -1,4 +1,4 @@
-//! Floor 5: the triangle in floating point, and how far that is from the exact values.
+//! Floor 6: the triangle in floating point, and how far that is from the exact values.
 //!
 //! [`FloatBasis`] computes values that are the exact ones, rounded. What is found here says how well a program in
 //! floating point can do. It is never part of a verdict.

@@ -36,7 +36,7 @@ impl Cases {
     #[must_use]
     pub fn new(paper: impl IntoIterator<Item = Instance>) -> Self {
         let case = |origin| move |on| Arc::new(Case { on, origin });
-        let small = small_bases().into_iter().map(Instance::of).map(case(Origin::Small)).collect();
+        let small = small_instances().into_iter().map(case(Origin::Small)).collect();
         let mut paper: Vec<_> = paper.into_iter().collect();
         let of = |on: &Instance| (on.name.clone(), on.degree(), on.index.clone());
         let all: Vec<_> = paper.iter().map(of).collect();
@@ -241,6 +241,19 @@ fn small_bases() -> Vec<Basis> {
         }
     };
     keys.into_iter().map(basis).collect()
+}
+
+/// With what is computed on knots shared by their indices.
+fn small_instances() -> Vec<Instance> {
+    let mut all: Vec<Instance> = Vec::new();
+    for basis in small_bases() {
+        let same = all
+            .last()
+            .filter(|last| last.knots() == Some(basis.knots()) && last.degree() == Some(basis.degree()));
+        let on = same.map(|last| last.with_index(basis.index().clone()));
+        all.push(on.unwrap_or_else(|| Instance::of(basis)));
+    }
+    all
 }
 
 #[cfg(test)]

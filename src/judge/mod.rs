@@ -38,12 +38,15 @@ enum Outcome {
     Undecided(String),
 }
 
-/// Judges one case.
-fn judge_case(sentence: &Sentence, names: Names<'_>, case: &Case) -> Result<Outcome, Fault> {
+fn decided(sentence: &Sentence, names: Names<'_>, case: &Case) -> Result<Decided, Fault> {
     let decided = decide(sentence, &case.on, names);
-    if let Some(fault) = case.on.fault() {
-        return Err(Fault(fault.to_owned()));
+    match case.on.fault() {
+        Some(fault) => Err(Fault(fault.to_owned())),
+        None => Ok(decided),
     }
+}
+
+fn outcome(sentence: &Sentence, names: Names<'_>, case: &Case, decided: Decided) -> Result<Outcome, Fault> {
     Ok(match decided {
         Decided { failure: Some(failure), .. } => {
             Outcome::Refuted(Box::new(Witness::of(sentence, names, &case.on, failure)?))
@@ -115,20 +118,32 @@ pub fn judge_by_degree(
     Ok((summarise(&decided, &of), verdicts))
 }
 
-/// Decides the cases in parallel; once a refutation is found, larger cases are passed over.
+/// Decides the cases in parallel and in order; once a refutation is found, larger cases are passed over. Only the first one
+/// gets a witness, which costs more than the decision.
 fn outcomes(sentence: &Sentence, names: Names<'_>, cases: &[&Arc<Case>]) -> Result<Vec<Outcome>, Fault> {
     let first = AtomicUsize::new(usize::MAX);
     let decide = |(place, case): (usize, &&Arc<Case>)| {
         if place > first.load(Ordering::Relaxed) {
-            return Ok(Outcome::Nothing);
+            return Ok((place, Ok(Outcome::Nothing)));
         }
-        let outcome = judge_case(sentence, names, case)?;
-        if matches!(outcome, Outcome::Refuted(_)) {
+        let decided = decided(sentence, names, case)?;
+        if decided.failure.is_some() {
             first.fetch_min(place, Ordering::Relaxed);
+            return Ok((place, Err(decided)));
         }
-        Ok(outcome)
+        Ok((place, Ok(outcome(sentence, names, case, decided)?)))
     };
-    cases.par_iter().enumerate().map(decide).collect()
+    // Halves of a list would begin in its middle, with large cases.
+    let all = cases.iter().enumerate().par_bridge().map(decide);
+    let mut all = all.collect::<Result<Vec<_>, Fault>>()?;
+    all.sort_unstable_by_key(|(place, _)| *place);
+    let first = first.into_inner();
+    let each = all.into_iter().map(|(place, decided)| match decided {
+        Ok(outcome) => Ok(outcome),
+        Err(decided) if place == first => outcome(sentence, names, cases[place], decided),
+        Err(_) => Ok(Outcome::Nothing),
+    });
+    each.collect()
 }
 
 /// From the outcomes, in the order of the cases, to a verdict.

@@ -446,7 +446,7 @@ fn sides(own: &mut Reading<'_>, f: &Formula) -> Shows {
 fn digits(own: &Reading<'_>, value: &Value) -> Option<(String, bool)> {
     match (value, own.frame.as_ref().map(|frame| &frame.focus)) {
         (Value { plain: Plain::Piece(piece), root: None }, Some(Focus::At(root))) => {
-            Some((settled(&mut Algebraic::at(piece.clone(), root.clone()), DIGITS), true))
+            Some((settled(&mut Algebraic::at((**piece.piece()).clone(), root.clone()), DIGITS), true))
         }
         (Value { plain: Plain::Piece(_), .. }, _) => None,
         _ => Some((value.to_string(), false)),

@@ -1,5 +1,7 @@
 //! Parts of the line on which x is looked at as a whole, and exact signs on them.
 
+use std::sync::Arc;
+
 use num_traits::Signed;
 
 use crate::analysis::{Algebraic, Enclosed, IsolatedRoot, Piece, Sign, coordinate_between, sign_pattern};
@@ -7,7 +9,7 @@ use crate::language::Name;
 use crate::scalar::{BigRational, Polynomial, RationalAlgebra, RationalFunction, Ring, integer};
 
 use super::truth::Stop;
-use super::value::{Plain, Value};
+use super::value::{Fraction, Plain, Value};
 
 /// A part of the line.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -58,7 +60,7 @@ pub struct Frame {
     /// Its cell.
     pub cell: Cell,
     /// x as a function of u.
-    pub coordinate: Piece,
+    pub coordinate: Arc<Fraction>,
     /// The span that the cell is.
     pub span: Option<usize>,
     /// The part that is looked at.
@@ -110,13 +112,13 @@ impl Frame {
     #[must_use]
     pub fn new(id: usize, name: Name, cell: Cell, span: Option<usize>) -> Self {
         let (cuts, signs, focus) = (Vec::new(), Vec::new(), Focus::Whole);
-        Self { id, name, coordinate: cell.coordinate(), cell, span, focus, cuts, signs }
+        Self { id, name, coordinate: Arc::new(cell.coordinate().into()), cell, span, focus, cuts, signs }
     }
 
     /// Asks for the cell to be cut where the function changes its sign.
     pub fn cut(&mut self, f: &Plain) {
         if let Plain::Piece(f) = f {
-            let polynomial = signed(f);
+            let polynomial = signed(f.piece());
             if !self.cuts.contains(&polynomial) {
                 self.cuts.push(polynomial);
             }
@@ -130,9 +132,11 @@ impl Frame {
             Plain::Number(q) => return Signs::only(Sign::of(q)),
             Plain::Piece(f) => f,
         };
-        if let Some(sign) = at_a_glance(f) {
-            return Signs::only(sign);
+        let (p, q) = f.parts();
+        if let (Some(p), Some(q)) = (coefficient_sign(p), coefficient_sign(q)) {
+            return Signs::only(if q == Sign::Negative { p.opposite() } else { p });
         }
+        let f = f.piece();
         if let Focus::At(root) = &self.focus {
             return Signs::only(sign_at(f, root));
         }
@@ -181,13 +185,14 @@ impl Frame {
     /// Is the value the variable of the cell itself?
     #[must_use]
     pub fn is_variable(&self, x: &Value) -> bool {
-        x.root.is_none() && matches!(&x.plain, Plain::Piece(piece) if *piece == self.coordinate)
+        x.root.is_none()
+            && matches!(&x.plain, Plain::Piece(f) if Arc::ptr_eq(f, &self.coordinate) || *f == self.coordinate)
     }
 
     /// The x of a u.
     #[must_use]
     pub fn x(&self, u: &BigRational) -> Option<BigRational> {
-        self.coordinate.evaluate(u)
+        self.coordinate.piece().evaluate(u)
     }
 }
 
@@ -197,15 +202,24 @@ fn signed(f: &Piece) -> Polynomial<BigRational> {
     if nonnegative { f.numerator().clone() } else { f.numerator().times(f.denominator()) }
 }
 
-/// The sign that the coefficients show.
-fn at_a_glance(f: &Piece) -> Option<Sign> {
-    let of = |p: &Polynomial<BigRational>| {
-        let mut signs = p.coefficients().iter().filter(|c| !c.is_zero()).map(Sign::of);
-        let first = signs.next()?;
-        signs.all(|sign| sign == first).then_some(first)
+/// The sign of all coefficients that are not 0, if there is one.
+fn coefficient_sign(p: &Polynomial<BigRational>) -> Option<Sign> {
+    let mut signs = p.coefficients().iter().filter(|c| !c.is_zero()).map(Sign::of);
+    let first = signs.next()?;
+    signs.all(|sign| sign == first).then_some(first)
+}
+
+/// The sign of P/Q − S/T that the coefficients of PT − SQ show: most need no common denominator in lowest terms.
+pub(super) fn sign_of_difference(a: &Value, b: &Value) -> Option<Sign> {
+    let (Value { plain: Plain::Piece(f), root: None }, Value { plain: Plain::Piece(g), root: None }) = (a, b)
+    else {
+        return None;
     };
-    let (p, q) = (of(f.numerator())?, of(f.denominator())?);
-    Some(if q == Sign::Negative { p.opposite() } else { p })
+    let ((p, q), (s, t)) = (f.parts(), g.parts());
+    if [q, t].iter().any(|q| coefficient_sign(q) != Some(Sign::Positive)) {
+        return None;
+    }
+    coefficient_sign(&if q == t { p.minus(s) } else { p.times(t).minus(&s.times(q)) })
 }
 
 /// The sign at an isolated root, decided exactly. At a pole, which nobody asks for, that of the numerator.

@@ -48,10 +48,11 @@ impl Example {
 
     /// What sentences are read on: one for each index.
     pub fn instances(&self) -> impl Iterator<Item = Instance> {
-        self.indices.iter().filter_map(|index| {
-            let on = Instance::of(self.basis(index)?);
-            Some(if self.name.is_empty() { on } else { on.named(&self.name, self.points.clone()) })
-        })
+        let on = self.indices.first().and_then(|index| self.basis(index)).map(Instance::of);
+        let on =
+            on.map(|on| if self.name.is_empty() { on } else { on.named(&self.name, self.points.clone()) });
+        let each = |on: Instance| self.indices.iter().map(move |index| on.with_index(index.clone()));
+        on.into_iter().flat_map(each)
     }
 }
 

@@ -1,14 +1,16 @@
 //! What functions are at an argument: a number, or a function of the coordinate of the cell.
 
+use std::sync::Arc;
+
 use crate::analysis::{Piece, Sign, constant};
 use crate::language::{Argument, Definition, Function, Int, Name, Pattern, Side};
-use crate::scalar::{BigRational, Polynomial, RationalAlgebra, RationalFunction, Ring, integer};
+use crate::scalar::{BigRational, Polynomial, RationalAlgebra, Ring, integer};
 use crate::spline;
 
 use super::cell::Cell;
 use super::reading::{Look, Reading, place};
 use super::truth::Stop;
-use super::value::{Plain, Value};
+use super::value::{Fraction, Plain, Value};
 
 /// Where an argument lies among the knots.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -67,18 +69,18 @@ impl Reading<'_> {
             return Err(Stop::Unknown("a derivative at an irrational number".into()));
         };
         if let (Function::Basis { i, degree }, Some(frame)) = (f, &self.frame)
-            && let (Some(j), true) = (frame.span, frame.coordinate == *argument)
+            && let (Some(j), true) = (frame.span, frame.is_variable(x))
         {
             let id = self.existing(i, degree.as_ref())?;
             let piece = self.on.piece(&self.index, id, j, order);
             return Ok(piece.map_or_else(|| 0.into(), Value::from));
         }
         let value = self.along(f, x)?;
-        let (Value { plain, root: None }, slope) = (value, argument.derivative()) else {
+        let (Value { plain, root: None }, slope) = (value, argument.piece().derivative()) else {
             return Err(Stop::Unknown("a derivative of a square root".into()));
         };
         let derivative = |f: Piece| f.derivative().over(&slope);
-        let piece = (0..order).try_fold(plain.piece(), |f, _| derivative(f));
+        let piece = (0..order).try_fold((*plain.piece()).clone(), |f, _| derivative(f));
         piece.map(Value::from).ok_or_else(|| Stop::Unknown("a derivative at a constant argument".into()))
     }
 
@@ -195,7 +197,11 @@ impl Reading<'_> {
                         };
                         let own = self.is_coordinate(j, x);
                         let (from, to) = (self.knots()?.t(j), self.knots()?.t(j + 1));
-                        Ok(if own { piece } else { composed(&piece, argument, from, to) }.into())
+                        Ok(if own {
+                            piece.into()
+                        } else {
+                            Value::from(Arc::new(composed(&piece, argument.piece(), from, to)))
+                        })
                     }
                 }
             }
@@ -338,12 +344,14 @@ fn of(side: Option<Side>) -> spline::Side {
     if side == Some(Side::Left) { spline::Side::Left } else { spline::Side::Right }
 }
 
-/// The piece on [a, b] at another argument: P/Q at (X − a)/(b − X), with both brought to one degree.
-fn composed(piece: &Piece, x: &Piece, a: &BigRational, b: &BigRational) -> Piece {
+/// The function on [a, b] at another argument: P/Q at (X − a)/(b − X), with both brought to the degree of Q if that is the
+/// larger one, so that what is over one denominator stays so.
+fn composed(f: &Fraction, x: &Piece, a: &BigRational, b: &BigRational) -> Fraction {
     let inner = x.minus(&constant(a.clone())).over(&constant(b.clone()).minus(x));
     let Some(inner) = inner else { unreachable!("an argument inside the span is not its end") };
     let (n, d) = (inner.numerator(), inner.denominator());
-    let degree = piece.numerator().degree().max(piece.denominator().degree());
+    let (p, q) = f.parts();
+    let degree = p.degree().max(q.degree());
     let powers = |p: &Polynomial<BigRational>| {
         let mut powers = vec![p.one()];
         (0..degree).for_each(|e| powers.push(powers[e].times(p)));
@@ -354,8 +362,9 @@ fn composed(piece: &Piece, x: &Piece, a: &BigRational, b: &BigRational) -> Piece
         let terms = p.coefficients().iter().enumerate();
         terms.fold(p.zero(), |sum, (e, c)| sum.plus(&n[e].times(&d[degree - e]).scaled(c)))
     };
-    match RationalFunction::new(&form(piece.numerator()), &form(piece.denominator())) {
-        Some(composed) => composed,
+    let (p, q) = (form(p), form(q));
+    match q.leading().reciprocal() {
+        Some(inverse) => Fraction::sum(p.scaled(&inverse), &Arc::new(q.scaled(&inverse))),
         None => unreachable!("a denominator without zeros stays one"),
     }
 }

@@ -4,12 +4,17 @@ use std::collections::HashMap;
 use std::hash::Hash;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use crate::analysis::{Piece, Pieces, coordinate_between, positive_coordinate};
+use crate::analysis::{
+    Greatest, OneDenominator, Piece, Pieces, Tie, coordinate_between, positive_coordinate,
+};
 use crate::language::Name;
-use crate::scalar::{BigRational, Jet, RationalAlgebra, Ring, integer};
+use crate::scalar::{BigInt, BigRational, Jet, Polynomial, RationalAlgebra, Ring, integer};
 use crate::spline::{Active, Basis, Evaluator, Index, KnotVector, Point, Side, by_definition, weight};
 
-/// An index, with or without a degree on knots. What is computed for it is kept, for all sentences that are judged on it.
+use super::value::Fraction;
+
+/// An index, with or without a degree on knots. What is computed on the knots is kept, for all sentences that are judged on
+/// it, and on the same knots with another index.
 #[derive(Debug)]
 pub struct Instance {
     /// α.
@@ -22,16 +27,31 @@ pub struct Instance {
     pub points: Option<Vec<Point>>,
     /// The indices that it is shown for.
     pub shown: Vec<Index>,
-    pieces: Kept<(Index, usize), Pieces>,
+    known: Arc<Known>,
     definition: OnceLock<Vec<Vec<Vec<Piece>>>>,
-    weights: Kept<(Index, usize, usize, usize), Piece>,
-    derivatives: Kept<(Index, usize, usize, usize, usize), Piece>,
-    jets: Kept<(Index, usize, BigRational, bool, usize), Option<Jets>>,
+    compared: Kept<usize, ()>,
     fault: OnceLock<String>,
     /// Are values computed by the definition, word for word?
     reference: bool,
 }
 
+/// What was computed on knots, for any index.
+#[derive(Debug, Default)]
+struct Known {
+    pieces: Kept<(Index, usize), Pieces>,
+    over_one: Kept<(Index, usize, usize), OverOne>,
+    weights: Kept<(Index, usize, usize, usize), Fraction>,
+    derivatives: Kept<(Index, usize, usize, usize, usize), Fraction>,
+    jets: Kept<(Index, usize, BigRational, bool, usize, bool), Option<Jets>>,
+    ties: Kept<(Index, usize, usize), Option<Tie>>,
+    suprema: Kept<(Parts, Parts, bool), Option<Greatest>>,
+}
+
+/// The coefficients of a polynomial as integers, which have a hash that costs little.
+type Parts = Vec<(BigInt, BigInt)>;
+
+/// The numerators of all functions of a degree on a span over one denominator.
+type OverOne = (Arc<Polynomial<BigRational>>, Active<Polynomial<BigRational>>);
 /// All functions of a degree that live at a point.
 type Jets = Active<Jet<BigRational>>;
 
@@ -39,11 +59,13 @@ type Jets = Active<Jet<BigRational>>;
 #[derive(Debug)]
 struct Kept<K, V>(Mutex<HashMap<K, Arc<V>>>);
 
-impl<K: Eq + Hash, V> Kept<K, V> {
-    fn new() -> Self {
-        Self(Mutex::new(HashMap::new()))
+impl<K, V> Default for Kept<K, V> {
+    fn default() -> Self {
+        Self(Mutex::default())
     }
+}
 
+impl<K: Eq + Hash, V> Kept<K, V> {
     fn get(&self, key: K, make: impl FnOnce(&K) -> V) -> Arc<V> {
         let lock = || self.0.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(known) = lock().get(&key) {
@@ -65,11 +87,9 @@ impl Instance {
             name: None,
             points: None,
             shown: Vec::new(),
-            pieces: Kept::new(),
+            known: Arc::default(),
             definition: OnceLock::new(),
-            weights: Kept::new(),
-            derivatives: Kept::new(),
-            jets: Kept::new(),
+            compared: Kept::default(),
             fault: OnceLock::new(),
             reference: false,
         }
@@ -87,12 +107,18 @@ impl Instance {
         Self { name: Some(name.into()), points, ..self }
     }
 
+    /// With control points.
+    #[must_use]
+    pub fn with_points(self, points: Option<Vec<Point>>) -> Self {
+        Self { points, ..self }
+    }
+
     /// The same for another index.
     #[must_use]
     pub fn with_index(&self, index: Index) -> Self {
         let basis = self.basis.as_ref().map(|basis| basis.with_index(index.clone()));
         let (name, points, shown) = (self.name.clone(), self.points.clone(), self.shown.clone());
-        Self { basis, name, points, shown, ..Self::index(index) }
+        Self { basis, name, points, shown, known: Arc::clone(&self.known), ..Self::index(index) }
     }
 
     /// The same with values by the definition: the slow reference, which a witness is read on once more.
@@ -137,13 +163,11 @@ impl Instance {
     #[must_use]
     pub fn pieces(&self, index: &Index, degree: usize) -> Option<Arc<Pieces>> {
         let basis = self.basis_of(index, degree)?;
-        Some(self.pieces.get((index.clone(), degree), |_| {
-            let pieces = Pieces::of(&basis);
-            if *index == self.index {
-                self.compare(&pieces, degree);
-            }
-            pieces
-        }))
+        let pieces = self.known.pieces.get((index.clone(), degree), |_| Pieces::of(&basis));
+        if *index == self.index {
+            self.compared.get(degree, |_| self.compare(&pieces, degree));
+        }
+        Some(pieces)
     }
 
     fn compare(&self, pieces: &Pieces, degree: usize) {
@@ -170,27 +194,63 @@ impl Instance {
 
     /// φ(x, t_a, t_b) on span j between these knots, in its coordinate.
     #[must_use]
-    pub fn weight(&self, index: &Index, (a, b): (usize, usize), j: usize) -> Option<Piece> {
+    pub fn weight(&self, index: &Index, (a, b): (usize, usize), j: usize) -> Option<Arc<Fraction>> {
         let knots = self.knots()?;
-        let made = self.weights.get((index.clone(), a, b, j), |_| {
+        Some(self.known.weights.get((index.clone(), a, b, j), |_| {
             let x = coordinate_between(knots.t(j), knots.t(j + 1));
-            weight(&x.embed(index.ratio()), &x, knots.t(a), knots.t(b)).0
-        });
-        Some((*made).clone())
+            weight(&x.embed(index.ratio()), &x, knots.t(a), knots.t(b)).0.into()
+        }))
+    }
+
+    /// The supremum of a function of the coordinate, or of its absolute value; `None` if it has a pole.
+    #[must_use]
+    pub fn greatest(&self, f: &Piece, absolute: bool) -> Option<Greatest> {
+        let parts = |p: &Polynomial<BigRational>| {
+            p.coefficients().iter().map(|c| (c.numer().clone(), c.denom().clone())).collect()
+        };
+        let key = (parts(f.numerator()), parts(f.denominator()), absolute);
+        let of = if absolute { Greatest::of_modulus } else { Greatest::of_function };
+        (*self.known.suprema.get(key, |_| of(f))).clone()
+    }
+
+    /// What ties the largest values of G_i^d for an index close by, as far as it is found.
+    #[must_use]
+    pub fn tie(&self, index: &Index, (i, d): (usize, usize)) -> Option<Tie> {
+        let basis = self.basis_of(index, d)?;
+        (*self.known.ties.get((index.clone(), d, i), |_| Tie::near(&basis, i))).clone()
     }
 
     /// The derivative of an order of G_i^d on span j in its coordinate; `None` where it is 0.
     #[must_use]
-    pub fn piece(&self, index: &Index, (i, d): (usize, usize), j: usize, order: usize) -> Option<Piece> {
-        let pieces = self.pieces(index, d)?;
-        let on = pieces.on(self.knots()?.span(j)?)?;
-        let own = on.functions.get(i)?;
-        if order == 0 {
-            return Some(own.clone());
+    pub fn piece(
+        &self,
+        index: &Index,
+        (i, d): (usize, usize),
+        j: usize,
+        order: usize,
+    ) -> Option<Arc<Fraction>> {
+        if !(i..=i + d).contains(&j) {
+            return None;
         }
-        let key = (index.clone(), d, j, i, order);
-        let derived = self.derivatives.get(key, |_| (0..order).fold(own.clone(), |f, _| on.derivative(&f)));
-        Some((*derived).clone())
+        let pieces = self.pieces(index, d)?;
+        let span = self.knots()?.span(j)?;
+        let on = pieces.on(span)?;
+        let own = on.functions.get(i)?;
+        let derivative = |order| (0..order).fold(own.clone(), |f, _| on.derivative(&f));
+        Some(self.known.derivatives.get((index.clone(), d, j, i, order), |_| {
+            if order > 0 {
+                return derivative(order).into();
+            }
+            let key = (index.clone(), d, j);
+            let over = self.known.over_one.get(key, |_| {
+                let one = OneDenominator::of(pieces.basis(), span);
+                (Arc::new(one.denominator()), one.numerators)
+            });
+            match over.1.get(i) {
+                Some(numerator) => Fraction::shared(own.clone(), numerator, &over.0),
+                None => own.clone().into(),
+            }
+        }))
     }
 
     /// The derivative of an order of G_i^d at x from a side.
@@ -203,8 +263,8 @@ impl Instance {
         side: Side,
         order: usize,
     ) -> BigRational {
-        let key = (index.clone(), d, x.clone(), side == Side::Left, order);
-        let jets = self.jets.get(key, |_| {
+        let key = (index.clone(), d, x.clone(), side == Side::Left, order, self.reference);
+        let jets = self.known.jets.get(key, |_| {
             let basis = self.basis_of(index, d)?;
             if self.reference {
                 let span = basis.knots().span_at(x, side)?;

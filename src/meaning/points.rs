@@ -13,7 +13,23 @@ pub(super) fn decided_by_units(sentence: &Sentence, definitions: &[Definition]) 
         .iter()
         .filter_map(|binder| if let Binder::Points(name) = binder { Some(name.clone()) } else { None })
         .collect();
-    let order = Order { names: &names, definitions };
+    affine_in(&names, sentence, definitions)
+}
+
+/// Is it for one name of a number decided by 0 and 1? No interval may depend on that.
+pub(super) fn decided_by_two(name: &Name, sentence: &Sentence, definitions: &[Definition]) -> bool {
+    let names = std::slice::from_ref(name);
+    let order = Order { names, definitions };
+    let free = sentence.given.iter().all(|binder| match binder {
+        Binder::Point(_, Interval { from, to, .. }) => order.free(from) && order.free(to),
+        Binder::Gaps(_) => false,
+        _ => true,
+    });
+    free && affine_in(names, sentence, definitions)
+}
+
+fn affine_in(names: &[Name], sentence: &Sentence, definitions: &[Definition]) -> bool {
+    let order = Order { names, definitions };
     let bodies = || definitions.iter().filter(|definition| order.mentions(&definition.name));
     bodies().all(|definition| order.real(&definition.body) <= 1)
         && sentence.assume.iter().all(|f| order.formula(f, &|_, order| order == 0))
@@ -197,4 +213,23 @@ fn walk_function<'t>(f: &'t Function, see: &mut dyn FnMut(&'t Name)) {
 pub(super) fn units(count: usize) -> impl Iterator<Item = Vec<BigRational>> {
     let unit = move |unit: usize| (0..count).map(|i| integer(usize::from(i == unit))).collect();
     std::iter::once(count).chain(0..count).map(unit)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::language::one_line;
+
+    #[test]
+    fn two_numbers_decide_what_is_affine_in_one() {
+        for (text, expected) in [
+            ("k; U; d points; c; x in [t[0], t[m]] : sum(i in 0..n: (d[i]+c)*G[i](x)) = c", true),
+            ("k; U; c; x in [t[0], t[m]] : sum(i in 0..n: c^2*G[i](x)) = c", false),
+            ("k; U; c; x in [t[0], t[m]] : c*G[0](x) >= 0", false),
+            ("k; U; c; x in [t[0], c] : G[0](x) = c", false),
+            ("k; U; c | c > 0 : G[0](t[0]) = c", false),
+        ] {
+            assert_eq!(decided_by_two(&"c".into(), &one_line(text).unwrap(), &[]), expected, "{text}");
+        }
+    }
 }

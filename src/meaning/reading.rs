@@ -9,7 +9,7 @@ use crate::language::{
 use crate::scalar::BigRational;
 use crate::spline::{Index, KnotVector, Side};
 
-use super::cell::Frame;
+use super::cell::{Frame, sign_of_difference};
 use super::instance::Instance;
 use super::truth::{Stop, Truth};
 use super::value::{Plain, Value};
@@ -526,6 +526,9 @@ impl<'a> Reading<'a> {
         // Pieces are in lowest terms: equal ones are the same.
         if a == b {
             return Ok(wanted(Sign::Zero).into());
+        }
+        if let Some(sign) = sign_of_difference(a, b) {
+            return Ok(wanted(sign).into());
         }
         let difference = a.minus(b)?;
         let (Plain::Piece(_), None, Some(frame)) = (&difference.plain, &difference.root, &mut self.frame)

@@ -266,6 +266,17 @@ impl<'a> Reading<'a> {
             Binder::Real { .. } => {
                 let free: Vec<_> = rest.iter().map_while(free).collect();
                 let others = &rest[free.len()..];
+                let two = |(name, sign): &(&Name, Option<Relation>)| {
+                    sign.is_none() && points::decided_by_two(name, walk.sentence, self.names.definitions)
+                };
+                if let ([of], true) = (free.as_slice(), free.iter().all(two)) {
+                    for value in [0, 1] {
+                        self.bound.reals.push((of.0.clone(), value.into(), 0));
+                        self.binders(others, &pending, walk);
+                        self.bound.reals.pop();
+                    }
+                    return;
+                }
                 // One number beside knots: first those that have to do with them.
                 let beside = match (free.as_slice(), self.on.knots()) {
                     ([(_, None)], Some(knots)) => {

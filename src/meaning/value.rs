@@ -1,9 +1,11 @@
 //! Values on a cell: numbers, rational functions of its coordinate, and A + B√c of these.
 
+use std::sync::{Arc, OnceLock};
+
 use num_traits::Signed;
 
 use crate::analysis::{Piece, constant};
-use crate::scalar::{BigInt, BigRational, RationalAlgebra, Ring, integer};
+use crate::scalar::{BigInt, BigRational, Polynomial, RationalAlgebra, RationalFunction, Ring, integer};
 
 use super::truth::Stop;
 
@@ -13,7 +15,90 @@ pub enum Plain {
     /// The same everywhere.
     Number(BigRational),
     /// A function that is not constant.
-    Piece(Piece),
+    Piece(Arc<Fraction>),
+}
+
+/// P/Q in the coordinate u. Over one Q numerators are added, and only who asks for it gets lowest terms.
+#[derive(Debug)]
+pub struct Fraction {
+    over: Option<(Polynomial<BigRational>, Arc<Polynomial<BigRational>>)>,
+    lowest: OnceLock<Arc<Piece>>,
+}
+
+impl Fraction {
+    /// A sum over a denominator without zeros, monic.
+    pub(super) fn sum(
+        numerator: Polynomial<BigRational>,
+        denominator: &Arc<Polynomial<BigRational>>,
+    ) -> Self {
+        Self { over: Some((numerator, Arc::clone(denominator))), lowest: OnceLock::new() }
+    }
+
+    /// A function over a denominator that it shares with others.
+    #[must_use]
+    pub fn shared(
+        piece: Piece,
+        numerator: &Polynomial<BigRational>,
+        denominator: &Arc<Polynomial<BigRational>>,
+    ) -> Self {
+        Self { lowest: Arc::new(piece).into(), ..Self::sum(numerator.clone(), denominator) }
+    }
+
+    /// P and Q.
+    #[must_use]
+    pub fn parts(&self) -> (&Polynomial<BigRational>, &Polynomial<BigRational>) {
+        match &self.over {
+            Some((p, q)) => (p, q),
+            None => (self.piece().numerator(), self.piece().denominator()),
+        }
+    }
+
+    /// In lowest terms.
+    #[must_use]
+    pub fn piece(&self) -> &Arc<Piece> {
+        self.lowest.get_or_init(|| {
+            let made = self.over.as_ref().and_then(|(p, q)| RationalFunction::new(p, q));
+            Arc::new(made.unwrap_or_else(|| constant(integer(0))))
+        })
+    }
+
+    /// c, if this is c·Q over a monic Q.
+    fn constant(&self) -> Option<&BigRational> {
+        let (p, q) = self.parts();
+        let c = p.leading();
+        let all = || p.coefficients().iter().zip(q.coefficients()).all(|(p, q)| *p == q * c);
+        (p.is_zero() || (p.degree() == q.degree() && all())).then_some(c)
+    }
+
+    /// Another numerator over the same denominator.
+    fn over_the_same(&self, p: Polynomial<BigRational>) -> Option<Plain> {
+        let sum = Self::sum(p, &self.over.as_ref()?.1);
+        Some(sum.constant().cloned().map_or_else(|| sum.into(), Plain::Number))
+    }
+
+    /// Are both over one denominator?
+    fn beside(&self, other: &Self) -> bool {
+        let both = self.over.as_ref().zip(other.over.as_ref());
+        both.is_some_and(|((_, q), (_, t))| Arc::ptr_eq(q, t) || q == t)
+    }
+}
+
+impl PartialEq for Fraction {
+    fn eq(&self, other: &Self) -> bool {
+        if self.beside(other) { self.parts().0 == other.parts().0 } else { self.piece() == other.piece() }
+    }
+}
+
+impl From<Piece> for Fraction {
+    fn from(piece: Piece) -> Self {
+        Self { over: None, lowest: Arc::new(piece).into() }
+    }
+}
+
+impl From<Fraction> for Plain {
+    fn from(f: Fraction) -> Self {
+        Self::Piece(Arc::new(f))
+    }
 }
 
 impl Plain {
@@ -24,16 +109,16 @@ impl Plain {
         if p.degree() == 0 && q.degree() == 0 {
             Self::Number(p.leading().clone())
         } else {
-            Self::Piece(piece)
+            Fraction::from(piece).into()
         }
     }
 
     /// As a function.
     #[must_use]
-    pub fn piece(&self) -> Piece {
+    pub fn piece(&self) -> Arc<Piece> {
         match self {
-            Self::Number(q) => constant(q.clone()),
-            Self::Piece(piece) => piece.clone(),
+            Self::Number(q) => Arc::new(constant(q.clone())),
+            Self::Piece(piece) => Arc::clone(piece.piece()),
         }
     }
 
@@ -46,12 +131,18 @@ impl Plain {
     }
 
     fn plus(&self, other: &Self) -> Self {
-        match (self, other) {
-            (Self::Number(a), Self::Number(b)) => Self::Number(a + b),
-            _ if self.is_zero() => other.clone(),
-            _ if other.is_zero() => self.clone(),
-            _ => Self::of(self.piece().plus(&other.piece())),
-        }
+        let sum = match (self, other) {
+            (Self::Number(a), Self::Number(b)) => return Self::Number(a + b),
+            _ if self.is_zero() => return other.clone(),
+            _ if other.is_zero() => return self.clone(),
+            (Self::Piece(f), Self::Number(c)) | (Self::Number(c), Self::Piece(f)) if f.over.is_some() => {
+                let (p, q) = f.parts();
+                f.over_the_same(p.plus(&q.scaled(c)))
+            }
+            (Self::Piece(f), Self::Piece(g)) if f.beside(g) => f.over_the_same(f.parts().0.plus(g.parts().0)),
+            _ => None,
+        };
+        sum.unwrap_or_else(|| Self::of(self.piece().plus(&other.piece())))
     }
 
     fn times(&self, other: &Self) -> Self {
@@ -60,6 +151,10 @@ impl Plain {
             _ if self.is_zero() || other.is_zero() => Self::Number(integer(0)),
             _ if self.is_one() => other.clone(),
             _ if other.is_one() => self.clone(),
+            (Self::Piece(f), Self::Number(c)) | (Self::Number(c), Self::Piece(f)) => match &f.over {
+                Some((p, q)) => Fraction::sum(p.scaled(c), q).into(),
+                None => Self::of(self.piece().times(&other.piece())),
+            },
             _ => Self::of(self.piece().times(&other.piece())),
         }
     }
@@ -67,7 +162,10 @@ impl Plain {
     fn negated(&self) -> Self {
         match self {
             Self::Number(q) => Self::Number(-q),
-            Self::Piece(piece) => Self::Piece(piece.negate()),
+            Self::Piece(f) => match &f.over {
+                Some((p, q)) => Fraction::sum(p.negate(), q).into(),
+                None => Self::of(f.piece().negate()),
+            },
         }
     }
 
@@ -76,7 +174,7 @@ impl Plain {
             (_, Self::Number(b)) if *b == integer(0) => None,
             (Self::Number(a), Self::Number(b)) => Some(Self::Number(a / b)),
             (_, Self::Number(b)) => Some(self.times(&Self::Number(b.recip()))),
-            (_, Self::Piece(b)) if self.is_one() => b.reciprocal().map(Self::of),
+            (_, Self::Piece(b)) if self.is_one() => b.piece().reciprocal().map(Self::of),
             _ => self.piece().over(&other.piece()).map(Self::of),
         }
     }
@@ -106,6 +204,15 @@ impl From<BigRational> for Value {
 impl From<i64> for Value {
     fn from(value: i64) -> Self {
         BigRational::from_integer(value.into()).into()
+    }
+}
+
+impl From<Arc<Fraction>> for Value {
+    fn from(f: Arc<Fraction>) -> Self {
+        match f.constant() {
+            Some(q) => q.clone().into(),
+            None => Plain::Piece(f).into(),
+        }
     }
 }
 
@@ -251,6 +358,21 @@ impl std::fmt::Display for Value {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// u/(1 + u) and 1/(1 + u)², over (1 + u)².
+    #[test]
+    fn sums_over_one_denominator_are_those_in_lowest_terms() {
+        let polynomial = |c: &[i64]| Polynomial::new(integer(c[0]), c[1..].iter().map(|c| integer(*c)));
+        let q = Arc::new(polynomial(&[1, 2, 1]));
+        let over = |c: &[i64]| Value::from(Arc::new(Fraction::sum(polynomial(c), &q)));
+        let lowest = |c: &[i64]| Value::from(RationalFunction::new(&polynomial(c), &q).unwrap());
+        let (f, g) = (over(&[0, 1, 1]), over(&[1]));
+        assert_eq!(f.plus(&g).unwrap(), lowest(&[1, 1, 1]));
+        assert_eq!(f.minus(&1.into()).unwrap().times(&2.into()).unwrap(), lowest(&[-2, -2]));
+        assert_eq!(f.minus(&lowest(&[0, 1, 1])).unwrap(), 0.into());
+        let rest = over(&[0, 1]);
+        assert_eq!(f.plus(&g).unwrap().plus(&rest).unwrap(), 1.into());
+    }
 
     #[test]
     fn roots_are_computed_with() {

@@ -8,8 +8,9 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use crate::json::{self, JsonError};
+use crate::language::{Claim, Form};
 
-use super::record::{DegreeFinding, Finding, Record};
+use super::record::{DegreeFinding, Finding, Record, Stated};
 
 /// The verdicts that were recorded with the source of this program.
 const RECORDED: &str = include_str!("../../proofs/verdicts.json");
@@ -91,6 +92,17 @@ impl Entry {
     /// The names of all certificates about the claim.
     pub fn certificates(&self) -> impl Iterator<Item = &str> {
         self.findings().filter_map(|(_, finding)| finding.certificate.as_deref())
+    }
+
+    /// The record of its claim: nothing is judged, and nothing is said of grounds.
+    #[must_use]
+    pub fn record(&self, claim: Claim<'_>) -> Record {
+        let amended = self.amended.as_ref();
+        Record {
+            amended: amended.map(|finding| Stated::recorded(claim, Form::Amended, finding)),
+            by_degree: self.by_degree.clone(),
+            ..Record::of(claim, Stated::recorded(claim, Form::Printed, &self.as_printed))
+        }
     }
 
     fn finding(&self, name: &str) -> Option<&Finding> {

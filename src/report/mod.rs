@@ -1,4 +1,4 @@
-//! Floor 5: all claims judged, as data, as Markdown and against recorded verdicts; basis functions as formulas.
+//! Floor 7: all claims judged, as data, as Markdown and against recorded verdicts; basis functions as formulas.
 
 mod baseline;
 mod conjecture;
@@ -104,7 +104,7 @@ impl Report {
     #[must_use]
     pub fn recorded(claims: &[Claim<'_>], verdicts: &Baseline) -> Self {
         let entry = |claim: Claim<'_>| verdicts.claims.iter().find(|entry| entry.id == claim.id());
-        Self::on(claims.iter().filter_map(|claim| Some(Record::recorded(*claim, entry(*claim)?))).collect())
+        Self::on(claims.iter().filter_map(|claim| Some(entry(*claim)?.record(*claim))).collect())
     }
 
     fn on(claims: Vec<Record>) -> Self {

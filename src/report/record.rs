@@ -8,8 +8,6 @@ use crate::judge::{Verdict, Witness};
 use crate::language::{Cause, Claim, Form, Severity, Source};
 use crate::settle::{Outcome, Settled, grade};
 
-use super::baseline::Entry;
-
 /// One status with all that belongs to it.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct Finding {
@@ -260,7 +258,7 @@ impl Stated {
     }
 
     /// The same with a verdict that was recorded.
-    fn recorded(claim: Claim<'_>, form: Form, finding: &Finding) -> Self {
+    pub(super) fn recorded(claim: Claim<'_>, form: Form, finding: &Finding) -> Self {
         Self { statement: claim.text(form), finding: finding.clone(), rests_on: None }
     }
 }
@@ -286,18 +284,8 @@ impl Record {
         }
     }
 
-    /// The record of a claim with the verdicts that were recorded: nothing is judged, and nothing is said of grounds.
-    #[must_use]
-    pub fn recorded(claim: Claim<'_>, entry: &Entry) -> Self {
-        let amended = entry.amended.as_ref();
-        Self {
-            amended: amended.map(|finding| Stated::recorded(claim, Form::Amended, finding)),
-            by_degree: entry.by_degree.clone(),
-            ..Self::of(claim, Stated::recorded(claim, Form::Printed, &entry.as_printed))
-        }
-    }
-
-    fn of(claim: Claim<'_>, as_printed: Stated) -> Self {
+    /// With nothing but the printed sentence.
+    pub(super) fn of(claim: Claim<'_>, as_printed: Stated) -> Self {
         let witness = as_printed.finding.witness.as_ref();
         let grade = witness.and_then(|witness| grade(claim, witness));
         Self {

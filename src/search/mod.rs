@@ -1,4 +1,4 @@
-//! Floor 4: the search for counterexamples to Conjecture 3.1, over single functions in normal form.
+//! Floor 5: the search for counterexamples to Conjecture 3.1, over single functions in normal form.
 //!
 //! A [`Search`] is data: a degree, a [`Goal`] and a [`Space`] of candidates, all within limits or a random sample. Its
 //! [`Enumeration`] stand at positions, so a [`Shard`] is a range of them; a [`Portion`] is how far such a shard has come. It

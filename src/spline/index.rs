@@ -1,7 +1,9 @@
 //! The index α of the class, kept as its slope ratio.
 
 use std::fmt;
+use std::hash::{Hash, Hasher};
 
+use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed};
 use thiserror::Error;
@@ -22,9 +24,22 @@ use crate::scalar::{NumberError, parse_rational};
 /// assert!("1/2".parse::<Index>().is_err());
 /// # Ok::<(), knotproof::spline::IndexError>(())
 /// ```
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Eq)]
 pub struct Index {
     ratio: BigRational,
+}
+
+/// A fraction in lowest terms is its parts; the library would divide on and on.
+impl PartialEq for Index {
+    fn eq(&self, other: &Self) -> bool {
+        self.parts() == other.parts()
+    }
+}
+
+impl Hash for Index {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.parts().hash(state);
+    }
 }
 
 /// Why something is not an index.
@@ -53,6 +68,10 @@ fn why(alpha: &BigRational) -> &'static str {
 }
 
 impl Index {
+    fn parts(&self) -> (&BigInt, &BigInt) {
+        (self.ratio.numer(), self.ratio.denom())
+    }
+
     /// From α itself.
     ///
     /// # Errors

@@ -22,7 +22,7 @@ fn on_span(own: &mut Reading<'_>, curve: [OfMember<'_>; 2], j: usize) -> Result<
     let [x, y] = curve.map(|(f, member)| {
         let argument = Argument { at: Real::Bound(name.clone()), side: None, member: member.cloned() };
         match own.within(&name, &cell, |own| own.apply(f, &argument))? {
-            Value { plain, root: None } => Ok(plain.piece()),
+            Value { plain, root: None } => Ok((*plain.piece()).clone()),
             Value { .. } => Err(Stop::Unknown("a coordinate with a square root".into())),
         }
     });

@@ -1,8 +1,8 @@
 //! Words about knots, and about the graph of a basis function: multiplicity, maxima, minima, continuity.
 
-use crate::analysis::{Attained, LocalKnots, Monotonicity, Shape, Tie};
+use crate::analysis::{Attained, LocalKnots, Monotonicity, Piece, Shape, Tie};
 use crate::language::{Function, Int, Real};
-use crate::scalar::BigRational;
+use crate::scalar::{BigRational, Ring};
 use crate::spline::Side;
 
 use super::super::functions::Where;
@@ -65,6 +65,10 @@ pub(super) fn minima(own: &mut Reading<'_>, (f, member): OfMember<'_>) -> Result
 
 /// Points at which the largest value is taken; 0 where it is only a limit.
 pub(super) fn maximisers(own: &mut Reading<'_>, of: OfMember<'_>) -> Result<usize, Stop> {
+    // A continuous function with one local maximum takes it once, if it is constant on no span.
+    if of_basis(own, of, |own, (i, d)| Some(one_peak(own, (i, d)).unwrap_or(false)))? {
+        return Ok(1);
+    }
     match shape(own, of)?.maximisers() {
         Some(Attained::Times(count)) => Ok(count),
         Some(Attained::Throughout) => Err(Stop::Undefined("the number of points of an interval".into())),
@@ -72,12 +76,19 @@ pub(super) fn maximisers(own: &mut Reading<'_>, of: OfMember<'_>) -> Result<usiz
     }
 }
 
+fn one_peak(own: &Reading<'_>, (i, d): (usize, usize)) -> Option<bool> {
+    let one = Monotonicity::of(&LocalKnots::of(&own.on.basis_of(&own.index, d)?, i)?).local_maxima()? == 1;
+    let pieces = own.on.pieces(&own.index, d)?;
+    let constant = |g: &Piece| g.numerator().degree() == 0 && g.denominator().degree() == 0 && !g.is_zero();
+    Some(one && !pieces.spans().iter().any(|on| on.functions.get(i).is_some_and(constant)))
+}
+
 /// For an index close by, the largest value taken at two points; not where there is one maximum at this index.
 pub(super) fn tie(own: &mut Reading<'_>, of: OfMember<'_>) -> Result<Option<Tie>, Stop> {
-    if shape(own, of)?.local_maxima().count() < 2 {
+    if maxima(own, of)? < 2 {
         return Ok(None);
     }
-    let tie = of_basis(own, of, |own, (i, d)| Some(Tie::near(&own.on.basis_of(&own.index, d)?, i)))?;
+    let tie = of_basis(own, of, |own, id| Some(own.on.tie(&own.index, id)))?;
     let unknown =
         || Stop::Unknown("two local maxima of which none overtakes the other for an index close by".into());
     tie.map(Some).ok_or_else(unknown)

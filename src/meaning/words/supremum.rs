@@ -2,9 +2,12 @@
 
 use std::cmp::Ordering;
 
+use num_traits::Signed;
+
 use crate::analysis::{Enclosed, Greatest, compare};
 use crate::language::{Real, Relation, Use, Word};
 
+use super::super::instance::Instance;
 use super::super::reading::{Found, Reading};
 use super::super::truth::{Stop, Truth};
 use super::super::value::{Plain, Value};
@@ -102,22 +105,22 @@ fn greatest(own: &mut Reading<'_>, (term, name, interval): Expression<'_>) -> Re
     let mut all: Option<Greatest> = None;
     for cell in own.cells(interval)? {
         let value = own.within(name, &cell, |own| own.real(term))?;
-        for value in std::iter::once(value.clone()).chain(absolute.then(|| value.negated())) {
-            let next = on_cell(&value)?;
-            all = Some(match all {
-                Some(all) => all.join(next),
-                None => next,
-            });
-        }
+        let next = on_cell(own.on, &value, absolute)?;
+        all = Some(match all {
+            Some(all) => all.join(next),
+            None => next,
+        });
     }
     all.ok_or_else(|| Stop::Undefined("the supremum on no point".into()))
 }
 
-fn on_cell(value: &Value) -> Result<Greatest, Stop> {
+fn on_cell(on: &Instance, value: &Value, absolute: bool) -> Result<Greatest, Stop> {
     match value {
-        Value { plain: Plain::Number(number), root: None } => Ok(number.clone().into()),
+        Value { plain: Plain::Number(number), root: None } => {
+            Ok(if absolute { number.abs() } else { number.clone() }.into())
+        }
         Value { plain: Plain::Piece(f), root: None } => {
-            Greatest::of_function(f).ok_or_else(|| Stop::Undefined("a supremum beside a pole".into()))
+            on.greatest(f.piece(), absolute).ok_or_else(|| Stop::Undefined("a supremum beside a pole".into()))
         }
         Value { .. } => Err(Stop::Unknown("the supremum of a square root".into())),
     }

@@ -32,7 +32,7 @@ pub(super) fn on_cells(
         own.within(name, cell, |own| {
             let span = own.frame.as_ref().and_then(|frame| frame.span);
             match own.real(t)? {
-                Value { plain, root: None } => Ok((span, plain.piece())),
+                Value { plain, root: None } => Ok((span, (*plain.piece()).clone())),
                 Value { .. } => Err(Stop::Unknown("an expression with a square root".into())),
             }
         })

@@ -1,7 +1,7 @@
 //! Where a label may stand: beside what it names, and on no line, dot or other text.
 
-use super::canvas::{Dot, Pen, SMALL};
 use super::metrics::{Ink, ink};
+use super::pen::{Dot, Pen, SMALL};
 
 use plotters::style::RGBColor;
 use plotters::style::text_anchor::{HPos, VPos};
@@ -259,7 +259,7 @@ fn beside(points: &[Spot], half: (f64, f64)) -> Vec<(f64, Spot)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::figures::canvas::{BLUE, Dash, GREY, VERMILION};
+    use crate::report::figures::pen::{BLUE, Dash, GREY, VERMILION};
 
     const BOUNDS: Area = Area { left: 0.0, top: 0.0, right: 300.0, bottom: 200.0 };
 

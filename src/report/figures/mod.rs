@@ -13,6 +13,7 @@ mod layout;
 mod limit;
 mod metrics;
 mod notation;
+mod pen;
 mod png;
 mod reflection;
 pub(super) mod sample;
