@@ -24,5 +24,5 @@ pub use reading::{Bound, Found, Library, Look, Names, Reading};
 pub use reals::Part;
 pub use sentence::{Decided, Failure, Given, admits, concerns, decide, has, listed};
 pub use truth::{Stop, Truth};
-pub use value::{Plain, Value};
+pub use value::{Fraction, Plain, Value};
 pub use words::tie;
