@@ -1,5 +1,12 @@
 //! The claim language: what is read, and that printing is read back.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    clippy::cast_possible_truncation,
+    reason = "helpers of tests; seeds and sizes are small"
+)]
+
 use std::collections::HashMap;
 
 use proptest::prelude::*;

@@ -1,5 +1,7 @@
 //! Wrong sentences and stanzas: `‸` stands before the place that is underlined, and is not part of the text.
 
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
+
 use knotproof::language::{Complaint, Known, one_line, stanzas};
 
 /// The text without its mark, and line and column of that.

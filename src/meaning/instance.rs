@@ -42,13 +42,16 @@ struct Known {
     over_one: Kept<(Index, usize, usize), OverOne>,
     weights: Kept<(Index, usize, usize, usize), Fraction>,
     derivatives: Kept<(Index, usize, usize, usize, usize), Fraction>,
-    jets: Kept<(Index, usize, BigRational, bool, usize, bool), Option<Jets>>,
+    jets: Kept<JetsKey, Option<Jets>>,
     ties: Kept<(Index, usize, usize), Option<Tie>>,
     suprema: Kept<(Parts, Parts, bool), Option<Greatest>>,
 }
 
 /// The coefficients of a polynomial as integers, which have a hash that costs little.
 type Parts = Vec<(BigInt, BigInt)>;
+
+/// α, the degree, x, whether from the left, the order, and whether by the definition.
+type JetsKey = (Index, usize, BigRational, bool, usize, bool);
 
 /// The numerators of all functions of a degree on a span over one denominator.
 type OverOne = (Arc<Polynomial<BigRational>>, Active<Polynomial<BigRational>>);

@@ -186,7 +186,7 @@ pub fn markdown(report: &Report) -> String {
     let opening: String = opening(report).iter().map(|line| format!("- {}\n", plain(line))).collect();
     let sections: String = report.claims.iter().map(section).collect();
     let (verdicts, drifts) = (verdicts(report), drift_table(&report.float));
-    let (source, uses) = (source(&report.paper), dependence(&report.dependence.uses));
+    let (source, uses) = (source(report.paper), dependence(&report.dependence.uses));
     let corners = corner_table(&report.corners);
     format!(
         "# Report on the paper's claims\n\n{opening}\n{source}\n\n{SCOPES}\n\n{verdicts}\n{uses}## Claim by claim\n\n{sections}## Corners\n\n{CORNERS}\n\n{corners}\n## f64 against exact\n\n{FLOATS}\n\n{drifts}"

@@ -8,8 +8,8 @@ use rayon::prelude::*;
 
 use num_traits::ToPrimitive;
 
-use crate::analysis::{Crossing, Flank, LocalKnots, Partition, PartitionEnd, RatioCell, settled};
-use crate::judge::Witness;
+use crate::analysis::{Partition, PartitionEnd, RatioCell, settled};
+use crate::judge::{Shows, Witness};
 use crate::scalar::{BigRational, decimal, integer, rational};
 use crate::spline::{Basis, Index, KnotVector};
 
@@ -51,27 +51,14 @@ pub fn conjecture_page(verdicts: &Baseline) -> Result<Vec<(String, String)>, Pic
         draw(&mut page, &mut files, "two-maxima", "two local maxima", &example)?;
     }
     if let Some((equal, witness)) = example(verdicts, "Conj3.1.weak.continuous", 3)
-        && let Some(crossing) = crossing(&equal)
+        && let Shows::Tied(tied) = &witness.shows
     {
-        let ends = crossing.indices();
-        let sides = crossing.at_ends().map(|(flank, _)| if flank == Flank::Left { "left" } else { "right" });
-        let _ = writeln!(
-            page,
-            "## Two equal maxima\n\n{EQUAL}\n\nFor degree 3: {}. On its gaps {:?} the largest value is on the {} for α = {}, and on \
-             the {} for α = {}.\n",
-            words(witness),
-            crossing.gaps(),
-            sides[0],
-            ends[0],
-            sides[1],
-            ends[1],
-        );
-        for ((name, title), alpha) in
-            [("left-higher", "at the first α"), ("right-higher", "at the second α")].into_iter().zip(ends)
-        {
-            if let Some(example) =
-                Index::from_alpha(alpha).ok().and_then(|index| alone(crossing.gaps(), index))
-            {
+        let _ =
+            writeln!(page, "## Two equal maxima\n\n{EQUAL}\n\nFor degree 3: {}. {tied}.\n", words(witness));
+        let titles = [("left-higher", "at the first α"), ("right-higher", "at the second α")];
+        for ((name, title), flanked) in titles.into_iter().zip(&tied.at) {
+            if let Ok(index) = flanked.alpha.parse() {
+                let example = Example { basis: equal.basis.with_index(index), i: equal.i };
                 draw(&mut page, &mut files, name, title, &example)?;
             }
         }
@@ -167,28 +154,6 @@ fn example<'a>(verdicts: &'a Baseline, claim: &str, degree: usize) -> Option<(Ex
     let witness = of_degree(verdicts, claim, degree)?.finding.witness.as_ref()?;
     let i = witness.number("i")?.to_integer().to_usize()?;
     Some((Example { basis: witness.basis()?, i }, witness))
-}
-
-/// The interval of indices, close to that of the function, at whose ends different ones of its two maxima are the higher.
-fn crossing(example: &Example) -> Option<Crossing> {
-    let knots = LocalKnots::of(&example.basis, example.i)?;
-    let mut gaps: Vec<_> = knots.gaps().iter().map(ToPrimitive::to_u64).collect::<Option<_>>()?;
-    let (p, q) = knots.ratio();
-    let (p, q) = (p.to_u64()?, q.to_u64()?);
-    // The mirror image, if it has the r < 1 that is looked at.
-    if p > q {
-        gaps.reverse();
-    }
-    Crossing::near(&gaps, (p.min(q), p.max(q)))
-}
-
-/// The only function on the knots with these gaps.
-fn alone(gaps: &[u64], index: Index) -> Option<Example> {
-    let mut knots = vec![integer(0)];
-    for gap in gaps {
-        knots.push(&knots[knots.len() - 1] + BigRational::from_integer((*gap).into()));
-    }
-    Some(Example { basis: Basis::new(KnotVector::new(knots).ok()?, gaps.len() - 1, index).ok()?, i: 0 })
 }
 
 /// Where a witness is.
