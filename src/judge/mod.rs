@@ -204,6 +204,7 @@ mod tests {
             "a; b | a < b; alpha != infinity : one(x in (a, b): abs(phi(x, a, b) - phi(x, a, b; alpha = infinity)) = abs(sqrt(r) - 1)/(sqrt(r) + 1))",
             "k; U open; d points; x in [t[0], t[m]] : sum(i in 0..n: d[i]*G[i](x)) = sum(i in 0..n: d[n-i]*G[n-i](x))",
             "k = 1; U clamped : G'[0](t[0]) = -r/(t[2]-t[0])",
+            "k; U; i in 0..n : G[i](t[0]-) = G[i](t[m]+) = G'[i](t[m]+) = w[0,1](t[m]+) = 0",
         ] {
             assert!(matches!(judged(text), Verdict::Proved { .. }), "{text} is {:?}", judged(text));
         }

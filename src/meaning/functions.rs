@@ -119,13 +119,15 @@ impl Reading<'_> {
         x: &BigRational,
         side: Option<Side>,
     ) -> Result<Value, Stop> {
+        // Behind t_m there is no span; only the value there is that of the last one.
+        let behind = side == Some(Side::Right) && self.on.knots().is_some_and(|knots| x == knots.last());
         match (f, order, side) {
             (Function::Basis { i, degree }, ..) => {
                 let id = self.existing(i, degree.as_ref())?;
-                Ok(self.look(id, x, of(side), order).into())
+                Ok(if behind { integer(0).into() } else { self.look(id, x, of(side), order).into() })
             }
             (Function::Weight { i, degree }, 0, _) => {
-                let span = self.knots()?.span_at(x, of(side)).map(spline::Span::index);
+                let span = self.knots()?.span_at(x, of(side)).filter(|_| !behind).map(spline::Span::index);
                 self.weight(i, degree, &x.clone().into(), span)
             }
             (Function::Phi { cut: false, .. } | Function::Defined(..), 0, None) => {
