@@ -122,8 +122,10 @@ fn sentences() {
     assert!(all.is_empty(), "{}", all.join("\n"));
 }
 
-/// Definitions: heads and bodies.
-const DEFINITIONS: &[(&[(&str, &str)], &str, &str)] = &[
+/// Definitions with their bodies, the place that is underlined, and the advice.
+type WrongDefinitions = (&'static [(&'static str, &'static str)], &'static str, &'static str);
+
+const DEFINITIONS: &[WrongDefinitions] = &[
     (&[("C(x)", "‸C(x) + 1")], "the recursion of `C` never ends", "fall to a literal"),
     (&[("b[i,q](x)", "‸b[i,q-1](x)")], "the recursion of `b` never ends", "`b[q-1]` and `b[0]`"),
     (&[("b[0]", "1"), ("b[q]", "2*‸b[q-2]")], "the recursion of `b` never ends", "fall to a literal"),

@@ -289,6 +289,10 @@ impl Walk {
         }
     }
 
+    #[allow(
+        clippy::collapsible_match,
+        reason = "to ask is to count, and nothing else is done with the conjugate"
+    )]
     fn member(&mut self, member: &mut Option<Member>) {
         match member {
             Some(Member::Index(t)) if *t == conjugate() => {
