@@ -207,7 +207,9 @@ fn every_witness_is_exact_and_complete() {
             "{name}"
         );
         assert_ne!(witness.claimed, witness.found(), "{name}");
-        for text in texts(witness) {
+        // Of an irrational number the first digits are shown, which are settled, and it says so.
+        let digits = matches!(&witness.shows, Shows::Values(terms) if terms.iter().any(|term| term.rounded));
+        for text in texts(witness).into_iter().filter(|text| !digits || *text != witness.found()) {
             assert!(!has_decimal(&text) && !text.contains('≈') && !text.contains("NaN"), "{name}: {text}");
         }
     }
