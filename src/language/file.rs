@@ -132,7 +132,8 @@ pub(super) struct RawFile {
 
 type Text = Spanned<String>;
 
-/// A claim. What `amended` and `fails` don't say themselves is the printed one's.
+/// A claim. What `amended` and `fails` don't say themselves is the printed one's. Its sentence is no [`RawSaid`] within: serde does not
+/// flatten what refuses unknown keys and keeps places.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct RawStanza {
