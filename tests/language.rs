@@ -13,8 +13,8 @@ use proptest::prelude::*;
 
 use knotproof::language::{
     Adjective, Argument, Binder, Fold, Formula, Function, Int, Interval, Item, Known, Member, Name, Over,
-    Print, Range, Real, Relation, Sentence, Side, Use, Word, latex, mathml, one_line, schema, sentence,
-    source, text,
+    Print, Range, Real, Relation, Sentence, Side, Use, Word, canonical, claims, latex, mathml, one_line,
+    schema, sentence, source, text,
 };
 use knotproof::scalar::rational;
 
@@ -444,4 +444,56 @@ fn the_schema_takes_what_is_read() {
     for wrong in ["thne = []", "cause = 'end-point'", "degrees = 'all'", "then = 'k = 1'"] {
         assert!(!schema.is_valid(&stanza(&format!("{head}{wrong}"))), "{wrong}");
     }
+}
+
+/// What certificates may be made of: brackets, numbers, names, claims in quotes.
+fn has_tokens_of_certificates(text: &str) -> bool {
+    let is_name = |word: &str| {
+        let rest = |c: char| c.is_ascii_alphanumeric() || c == '.' || c == '-';
+        word.starts_with(|c: char| c.is_ascii_alphabetic()) && word.chars().all(rest)
+    };
+    let is_number = |word: &str| {
+        let digits = |part: &str| !part.is_empty() && part.chars().all(|c| c.is_ascii_digit());
+        let (up, down) = word.split_once('/').unwrap_or((word, "2"));
+        digits(up.strip_prefix('-').unwrap_or(up)) && digits(down)
+    };
+    let sign =
+        |word: &str| ["+", "-", "*", "/", "^", "=", "/=", "<", "<=", ">", ">=", "=>", "<=>"].contains(&word);
+    let quoted =
+        |word: &str| word.strip_prefix('"').and_then(|word| word.strip_suffix('"')).is_some_and(is_name);
+    let mut words = text.split([' ', '\n', '(', ')']).filter(|word| !word.is_empty());
+    words.all(|word| is_name(word) || is_number(word) || sign(word) || quoted(word))
+        && text.matches('(').count() == text.matches(')').count()
+}
+
+#[test]
+fn every_sentence_of_the_paper_has_canonical_brackets_of_its_own() {
+    let named = |id: &str, printed: bool| {
+        let claim = claims().into_iter().find(|claim| claim.id() == id)?;
+        let amended = claim.stanza.amended.as_ref().filter(|_| !printed).and_then(|said| said.sentence());
+        Some((amended.or(claim.stanza.printed.sentence())?, claim.definitions))
+    };
+    let mut seen: HashMap<String, (String, Sentence)> = HashMap::new();
+    for claim in claims() {
+        let said = [Some(&claim.stanza.printed), claim.stanza.amended.as_ref(), claim.stanza.fails.as_ref()];
+        for sentence in said.into_iter().flatten().filter_map(|said| said.sentence()) {
+            let text = canonical(sentence, claim.definitions, &named).unwrap();
+            assert!(has_tokens_of_certificates(&text), "{}: {text}", claim.id());
+            let own = claim.definitions.iter().map(source).collect::<String>();
+            if let Some((others, other)) = seen.insert(text.clone(), (own.clone(), sentence.clone())) {
+                // One text may stand in two files, where its definitions do.
+                assert!(other == *sentence && (others == own || !text.contains("(define")), "{text}");
+            }
+        }
+    }
+    assert!(seen.len() > 150, "{} sentences", seen.len());
+}
+
+#[test]
+fn no_two_have_the_same_brackets() {
+    let bracket = |tree: &Sentence| {
+        // Random trees name claims that are not there.
+        canonical(tree, &[], &|_, _| None).unwrap_or_else(|_| source(tree))
+    };
+    injective((0..4_000).map(|seed| Trees::new(seed).sentence(seed as usize % 3)), bracket);
 }

@@ -26,7 +26,7 @@ pub use complaint::Complaint;
 pub use file::{File, RestsOn, Said, Stanza, schema, stanzas};
 pub use known::Known;
 pub use paper::{About, Paper, PaperNumber, Row, paper};
-pub use print::{Print, latex, mathml, source, text};
+pub use print::{Claimed, Print, canonical, latex, mathml, source, text};
 pub use sentence::{one_line, sentence};
 pub use syntax::{
     Adjective, Argument, Binder, Definition, Fold, Formula, Function, Gap, Int, Interval, Item, Member, Name,

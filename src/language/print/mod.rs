@@ -1,11 +1,14 @@
 //! Trees → text, by one walk in several alphabets. No two trees are printed alike, and the source form is read back.
 
 mod alphabet;
+mod canonical;
 mod form;
 mod said;
 mod term;
 
 use super::syntax::{Binder, Definition, Formula, Function, Real, Sentence};
+
+pub use canonical::{Claimed, canonical};
 
 use alphabet::{html, latex_of, line_of};
 use form::Form;
