@@ -3,13 +3,14 @@
 use thiserror::Error;
 
 use crate::judge::Witness;
-use crate::language::{Claim, Form};
+use crate::language::{Claim, Form, canonical};
 
+use super::derive::{NoWindow, derive};
 use super::proof::{SectionProof, to_sexp};
 use super::prove::{ProofError, prove};
 use super::sexp::Sexp;
-use super::statement::Statement;
-use super::windows::{Windows, WindowsError, listed, windows};
+use super::statement::{Shown, Statement};
+use super::windows::{Argued, Windows, WindowsError, listed, windows};
 
 /// A statement with its proof.
 #[derive(Debug, Clone, PartialEq)]
@@ -42,6 +43,12 @@ pub enum Uncertified {
     /// The statement or the search for its proof.
     #[error(transparent)]
     Proof(#[from] ProofError),
+    /// No window follows from the sentence.
+    #[error(transparent)]
+    Underived(#[from] NoWindow),
+    /// The sentence names what there is not.
+    #[error("its sentence names {0}, which can't be written into a certificate")]
+    Unprintable(String),
     /// The checker does not accept the proof.
     #[error("the checker rejects the proof: {0}")]
     Rejected(String),
@@ -99,26 +106,39 @@ pub fn statement(
     form: Form,
     witness: Option<&Witness>,
 ) -> Result<Option<Statement>, CertificateError> {
-    let found = windows(claim.id(), form, witness).map_err(|error| failed(claim.id(), form, error))?;
-    let stated = |Windows { claim: id, scope, degrees, because, sections, refutes, own, .. }| {
-        let sections = Sexp::parse_all(&sections)
-            .map_err(|error| failed(&id, form, ProofError::Statement(error.into())))?;
-        let (text, refuted) = (in_words(claim, form), refutes.is_some());
-        let because = match refutes.filter(|_| own) {
-            Some(given) => format!("By a counterexample of its own, {}. {because}", listed(&given)),
-            None => because,
-        };
-        Ok(Statement { claim: id, form, refuted, scope, degrees, text, because, sections })
+    let id = claim.id();
+    let Some(found) = windows(id, form, witness).map_err(|error| failed(id, form, error))? else {
+        return Ok(None);
     };
-    found.cloned().map(stated).transpose()
-}
-
-/// The sentence for people, an amended one with the printed one before it.
-fn in_words(claim: Claim<'_>, form: Form) -> String {
-    match form {
-        Form::Amended => format!("Printed: {} Amended: {}", claim.text(Form::Printed), claim.text(form)),
-        _ => claim.text(form),
-    }
+    let Some(sentence) = claim.sentence(form) else { return Ok(None) };
+    let in_brackets = canonical(sentence, claim.definitions, &|id, printed| {
+        let named = Claim::of(claim.library).find(|other| other.id() == id)?;
+        let form = if printed { Form::Printed } else { named.strongest() };
+        Some((named.sentence(form)?, named.definitions))
+    });
+    let in_brackets =
+        in_brackets.map_err(|name| failed(id, form, Uncertified::Unprintable(name.to_string())))?;
+    let parse = |text: &str| {
+        Sexp::parse_all(text).map_err(|error| failed(id, form, ProofError::Statement(error.into())))
+    };
+    let Windows { scope, degrees, argued, refutes, own, .. } = found.clone();
+    let (refuted, sentence_in_brackets) = (refutes.is_some(), parse(&in_brackets)?);
+    let shown = match argued {
+        Some(Argued { because, sections }) => {
+            let because = match refutes.filter(|_| own) {
+                Some(given) => format!("By a counterexample of its own, {}. {because}", listed(&given)),
+                None => because,
+            };
+            Shown::Argued { because, sections: parse(&sections)? }
+        }
+        None => {
+            let derived = degrees.iter().map(|k| derive(sentence, claim.definitions, claim, *k));
+            let derived: Result<Vec<_>, _> = derived.collect();
+            Shown::Derived(derived.map_err(|error| failed(id, form, error))?)
+        }
+    };
+    let (claim, sentence) = (id.to_owned(), sentence_in_brackets);
+    Ok(Some(Statement { claim, form, refuted, scope, degrees, sentence, shown }))
 }
 
 /// The certificate of a sentence: that it is true, or, with a witness, that it is false. `None` if it is not stated formally.
@@ -149,6 +169,10 @@ pub fn certify_for_degree(
     };
     let Some(mut stated) = statement(claim, form, None)? else { return Ok(None) };
     if claim.is_about_knots() {
+        if let Shown::Derived(sections) = &mut stated.shown {
+            let kept = stated.degrees.iter().zip(std::mem::take(sections));
+            *sections = kept.filter(|(k, _)| degree == Some(**k)).map(|(_, sections)| sections).collect();
+        }
         stated.degrees.retain(|k| degree == Some(*k));
     }
     if stated.degrees.is_empty() { Ok(None) } else { Certificate::of(stated).map(Some) }

@@ -5,6 +5,7 @@
 //! with this, then reads both.
 
 mod certify;
+mod derive;
 mod error;
 mod evaluate;
 mod expansion;
@@ -16,11 +17,12 @@ mod term;
 mod windows;
 
 pub use certify::{Certificate, CertificateError, Uncertified, certify, certify_for_degree, statement};
+pub use derive::{NoWindow, derive};
 pub use error::StatementError;
 pub use evaluate::{EvaluationError, Evaluator, Unfolding};
 pub use proof::{Lemma, Rule, SectionProof};
 pub use prove::{GoalError, ProofError, prove};
 pub use sexp::{Sexp, SyntaxError};
-pub use statement::{Class, Gap, Hint, Section, Statement, Window};
+pub use statement::{Class, Gap, Hint, Section, Shown, Statement, Window};
 pub use term::{Formula, OfWeight, Place, Term, Where};
 pub use windows::{Windows, WindowsError, windows};

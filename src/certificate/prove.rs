@@ -52,8 +52,12 @@ pub enum GoalError {
 /// # Errors
 /// [`ProofError`]: the first goal that resists.
 pub fn prove(statement: &Statement) -> Result<Vec<SectionProof>, ProofError> {
-    let sections = statement.expand()?;
-    let numbered: Vec<_> = (1..).zip(&sections).collect();
+    prove_sections(&statement.expand()?)
+}
+
+/// The same for sections.
+pub(super) fn prove_sections(sections: &[Section]) -> Result<Vec<SectionProof>, ProofError> {
+    let numbered: Vec<_> = (1..).zip(sections).collect();
     let proofs: Vec<_> = numbered.par_iter().map(|(number, section)| of_section(*number, section)).collect();
     proofs.into_iter().collect()
 }

@@ -24,12 +24,24 @@ pub struct Statement {
     pub scope: Scope,
     /// The degrees, rising.
     pub degrees: Vec<usize>,
-    /// The claim in words.
-    pub text: String,
-    /// Why the goals are the claim, or refute it.
-    pub because: String,
-    /// The sections, not yet unrolled.
-    pub sections: Vec<Sexp>,
+    /// The sentence, with its definitions, in canonical brackets.
+    pub sentence: Vec<Sexp>,
+    /// What there is to show.
+    pub shown: Shown,
+}
+
+/// What there is to show of a sentence.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Shown {
+    /// Windows and goals that follow from it: those of each degree.
+    Derived(Vec<Vec<Section>>),
+    /// Sections, not yet unrolled, and why they are the sentence, or refute it.
+    Argued {
+        /// Why.
+        because: String,
+        /// What is to be shown.
+        sections: Vec<Sexp>,
+    },
 }
 
 /// The sign of a parameter.
@@ -106,11 +118,26 @@ impl Statement {
             Sexp::form("verdict", [Sexp::name(if self.refuted { "refuted" } else { "proved" })]),
             Sexp::form("scope", [Sexp::name(self.scope.name())]),
             Sexp::form("degrees", self.degrees.iter().map(|k| degree(*k))),
-            Sexp::form("text", [Sexp::Text(self.text.clone())]),
-            Sexp::form("because", [Sexp::Text(self.because.clone())]),
         ];
-        let parts = parts.into_iter().chain(self.sections.iter().map(without_hints));
-        Sexp::form("statement", std::iter::once(Sexp::int(1)).chain(parts))
+        let mut all = vec![Sexp::int(2)];
+        all.extend(parts.into_iter().chain(self.sentence.iter().cloned()));
+        if let Shown::Argued { because, sections } = &self.shown {
+            all.push(Sexp::form("because", [Sexp::Text(because.clone())]));
+            all.extend(sections.iter().map(without_hints));
+        }
+        Sexp::form("statement", all)
+    }
+
+    /// What there is to show, and why it is the sentence, if that is argued: of what is derived the windows and goals of the
+    /// highest degree.
+    #[must_use]
+    pub fn in_brackets(&self) -> (Option<String>, Vec<Sexp>) {
+        match &self.shown {
+            Shown::Derived(sections) => {
+                (None, sections.last().into_iter().flatten().map(Section::to_sexp).collect())
+            }
+            Shown::Argued { because, sections } => (Some(because.clone()), sections.clone()),
+        }
     }
 
     /// All sections, in the order in which a proof numbers them.
@@ -118,11 +145,15 @@ impl Statement {
     /// # Errors
     /// [`StatementError`], if the text of a section makes no sense.
     pub fn expand(&self) -> Result<Vec<Section>, StatementError> {
+        let sections = match &self.shown {
+            Shown::Derived(sections) => return Ok(sections.concat()),
+            Shown::Argued { sections, .. } => sections,
+        };
         let mut all = Vec::new();
         for &k in &self.degrees {
             let before = all.len();
             let degree = i64::try_from(k).map_err(|_| StatementError::Integer(k.to_string()))?;
-            for section in &self.sections {
+            for section in sections {
                 let Some(("section", parts)) = section.as_form() else {
                     return Err(StatementError::Form(section.to_string()));
                 };
@@ -232,6 +263,37 @@ fn gap(sexp: &Sexp, ints: &Integers) -> Result<Gap, StatementError> {
 }
 
 impl Section {
+    /// As the language writes it.
+    pub(super) fn to_sexp(&self) -> Sexp {
+        let of = |class: Class| self.parameters.iter().filter(move |(_, own)| *own == class);
+        let mut parts = Vec::new();
+        for (head, class) in
+            [("real", Class::Real), ("nonnegative", Class::Nonnegative), ("positive", Class::Positive)]
+        {
+            let names: Vec<_> = of(class)
+                .filter(|(name, _)| !matches!(&**name, "u" | "r"))
+                .map(|(name, _)| term::declared(name))
+                .collect();
+            if !names.is_empty() {
+                parts.push(Sexp::form(head, names));
+            }
+        }
+        parts.extend(
+            self.lets.iter().map(|(name, value)| Sexp::form("let", [Sexp::name(name), value.to_sexp()])),
+        );
+        for Window { name, first, gaps } in &self.windows {
+            let gap = |gap: &Gap| match gap {
+                Gap::Parameter(Class::Positive) => Sexp::name("some"),
+                Gap::Parameter(_) => Sexp::name("any"),
+                Gap::Term(term) => term.to_sexp(),
+            };
+            let items = [Sexp::name(name), Sexp::int(*first)].into_iter().chain(gaps.iter().map(gap));
+            parts.push(Sexp::form("window", items));
+        }
+        parts.push(Sexp::form("goals", self.goals.iter().map(Formula::to_sexp)));
+        Sexp::form("section", parts)
+    }
+
     fn declare(&mut self, class: Class, items: &[Sexp], ints: &Integers) -> Result<(), StatementError> {
         let names = ints.items(items, &term::parameter)?;
         self.parameters.extend(names.into_iter().map(|name| (name, class)));

@@ -252,3 +252,133 @@ pub(super) fn formula(sexp: &Sexp, ints: &Integers) -> Result<Formula, Statement
         _ => return shape(sexp),
     })
 }
+
+impl Term {
+    /// Does it speak of a parameter, or of a window?
+    pub(super) fn names(&self, name: &str) -> bool {
+        let at = |place: &Place| place.window == name;
+        match self {
+            Self::Number(_) => false,
+            Self::Named(own) => own == name,
+            Self::Sum(all) | Self::Product(all) => all.iter().any(|term| term.names(name)),
+            Self::Difference(a, b) | Self::Ratio(a, b) => a.names(name) || b.names(name),
+            Self::Power(a, _) => a.names(name),
+            Self::Knot(window, _) => window == name,
+            Self::Point(place) | Self::Weight(_, _, _, place) => at(place),
+            Self::Function { place, .. } | Self::DeBoor { place, .. } => at(place),
+            Self::At(replaced, body) => {
+                body.names(name) || replaced.iter().any(|(_, value)| value.names(name))
+            }
+            Self::Determinant(rows) => rows.iter().flatten().any(|term| term.names(name)),
+        }
+    }
+}
+
+impl Formula {
+    /// Does it speak of a parameter, or of a window?
+    pub(super) fn names(&self, name: &str) -> bool {
+        match self {
+            Self::Equal(a, b) | Self::Greater(a, b) | Self::AtLeast(a, b) => a.names(name) || b.names(name),
+            Self::Defined(a) => a.names(name),
+            Self::Order { place, .. } => place.window == name,
+            Self::Outside(_, a, others) => a.names(name) || others.iter().any(|term| term.names(name)),
+            Self::Pole(_, all, _) => all.iter().any(|term| term.names(name)),
+        }
+    }
+}
+
+/// `NAME`, or `(NAME INT…)`, as a parameter is known.
+fn named(name: &str) -> Sexp {
+    match name.strip_prefix('(').and_then(|rest| rest.strip_suffix(')')) {
+        None => Sexp::name(name),
+        Some(inside) => {
+            let mut parts = inside.split(' ');
+            let head = Sexp::name(parts.next().unwrap_or_default());
+            let numbers = parts.filter_map(|part| part.parse().ok()).map(Sexp::int);
+            Sexp::List(std::iter::once(head).chain(numbers).collect())
+        }
+    }
+}
+
+fn natural(value: usize) -> Sexp {
+    Sexp::Number(BigRational::from_integer(value.into()))
+}
+
+impl Place {
+    fn to_sexp(&self) -> Sexp {
+        let head = match self.at {
+            Where::In => "in",
+            Where::From => "from",
+            Where::To => "to",
+        };
+        Sexp::form(head, [Sexp::name(&self.window), Sexp::int(self.span)])
+    }
+}
+
+impl Term {
+    /// As the language writes it.
+    pub(super) fn to_sexp(&self) -> Sexp {
+        let all = |terms: &[Self]| terms.iter().map(Self::to_sexp).collect::<Vec<_>>();
+        match self {
+            Self::Number(value) => Sexp::Number(value.clone()),
+            Self::Named(name) => named(name),
+            Self::Sum(terms) => Sexp::form("+", all(terms)),
+            Self::Product(terms) => Sexp::form("*", all(terms)),
+            Self::Difference(a, b) => Sexp::form("-", [a.to_sexp(), b.to_sexp()]),
+            Self::Ratio(a, b) => Sexp::form("/", [a.to_sexp(), b.to_sexp()]),
+            Self::Power(a, n) => Sexp::form("^", [a.to_sexp(), natural(*n)]),
+            Self::Knot(window, i) => Sexp::form("t", [Sexp::name(window), Sexp::int(*i)]),
+            Self::Point(place) => Sexp::form("x", [place.to_sexp()]),
+            Self::Weight(of, i, d, place) => {
+                let head = match of {
+                    OfWeight::Weight => "w",
+                    OfWeight::Complement => "v",
+                    OfWeight::Derivative => "Dw",
+                };
+                Sexp::form(head, [Sexp::int(*i), natural(*d), place.to_sexp()])
+            }
+            Self::Function { derivative, i, degree, place } => {
+                let head = if *derivative { "DG" } else { "G" };
+                Sexp::form(head, [Sexp::int(*i), natural(*degree), place.to_sexp()])
+            }
+            Self::DeBoor { i, level, degree, place } => {
+                let parts = [Sexp::int(*i), natural(*level), natural(*degree), place.to_sexp()];
+                Sexp::form("de-boor", parts)
+            }
+            Self::At(pairs, body) => {
+                let pair =
+                    |(name, value): &(String, Self)| Sexp::List(vec![Sexp::name(name), value.to_sexp()]);
+                Sexp::form("at", [Sexp::List(pairs.iter().map(pair).collect()), body.to_sexp()])
+            }
+            Self::Determinant(rows) => Sexp::form("det", rows.iter().map(|row| Sexp::List(all(row)))),
+        }
+    }
+}
+
+impl Formula {
+    /// As the language writes it.
+    pub(super) fn to_sexp(&self) -> Sexp {
+        let two = |head, a: &Term, b: &Term| Sexp::form(head, [a.to_sexp(), b.to_sexp()]);
+        let list = |terms: &[Term]| Sexp::List(terms.iter().map(Term::to_sexp).collect());
+        match self {
+            Self::Equal(a, b) => two("=", a, b),
+            Self::Greater(a, b) => two(">", a, b),
+            Self::AtLeast(a, b) => two(">=", a, b),
+            Self::Defined(a) => Sexp::form("defined", [a.to_sexp()]),
+            Self::Order { i, degree, place, order } => {
+                Sexp::form("order", [Sexp::int(*i), natural(*degree), place.to_sexp(), natural(*order)])
+            }
+            Self::Outside(place, term, others) => {
+                Sexp::form("outside", [place.to_sexp(), term.to_sexp(), list(others)])
+            }
+            Self::Pole(place, all, u) => {
+                Sexp::form("pole", [place.to_sexp(), list(all), Sexp::Number(u.clone())])
+            }
+        }
+    }
+}
+
+/// A parameter, as it is declared.
+pub(super) fn declared(name: &str) -> Sexp {
+    named(name)
+}

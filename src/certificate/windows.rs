@@ -26,15 +26,23 @@ pub struct Windows {
     pub scope: Scope,
     /// The degrees, rising.
     pub degrees: Vec<usize>,
-    /// Why the goals are the claim, or refute it.
-    pub because: String,
-    /// The sections, as text.
-    pub sections: String,
+    /// What can't be derived from the sentence.
+    #[serde(flatten)]
+    pub argued: Option<Argued>,
     /// Of a refutation: [`Witness::given`] of the witness that the goals are about.
     pub refutes: Option<Vec<(String, String)>>,
     /// Is that a counterexample of its own, and not the one that the engine finds?
     #[serde(default)]
     pub own: bool,
+}
+
+/// Windows and goals that don't follow from the sentence: it has a word, or is about examples.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
+pub struct Argued {
+    /// Why the goals are the claim, or refute it.
+    pub because: String,
+    /// The sections, as text.
+    pub sections: String,
 }
 
 /// Why there are no windows to look up.
@@ -117,13 +125,15 @@ mod tests {
         let mut seen = BTreeSet::new();
         let mut faults = Vec::new();
         for windows in all {
-            let Windows { claim, form, scope, degrees, because, sections, refutes, own } = windows;
+            let Windows { claim, form, scope, degrees, argued, refutes, own } = windows;
             let known = [Form::Printed, Form::Amended].into_iter().chain((0..100).map(Form::Degree));
             let of_form = known.into_iter().find(|known| known.name() == *form);
             let has_amendment = claim_of(windows).is_none_or(|claim| claims[claim].stanza.amended.is_some());
             let is_section = |item: &Sexp| item.as_form().is_some_and(|(head, _)| head == "section");
-            let read = Sexp::parse_all(sections)
-                .is_ok_and(|items| !items.is_empty() && items.iter().all(is_section));
+            let read = argued.as_ref().is_none_or(|argued| {
+                Sexp::parse_all(&argued.sections)
+                    .is_ok_and(|items| !items.is_empty() && items.iter().all(is_section))
+            });
             let wrong = [
                 (!seen.insert((claim, form, refutes.is_some())), "stated twice"),
                 (claim_of(windows).is_none(), "no claim of the register"),
@@ -135,7 +145,7 @@ mod tests {
                     "a witness is one instance",
                 ),
                 (degrees.is_empty() || !degrees.is_sorted_by(|a, b| a < b), "the degrees do not rise"),
-                (because.trim().is_empty(), "no reason"),
+                (argued.as_ref().is_some_and(|argued| argued.because.trim().is_empty()), "no reason"),
                 (!read, "not a list of sections"),
                 (*own && refutes.is_none(), "only a refutation has a witness"),
             ];

@@ -115,12 +115,13 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
 fn part(claim: Claim<'_>, of: Form, finding: &Finding, goals: bool) -> Result<Part, CliError> {
     let certified = finding.certificate.is_some();
     let stated = statement(claim, of, finding.witness.as_ref())?.filter(|_| certified);
-    let (idea, sections) = stated.map(|stated| (stated.because, stated.sections)).unzip();
+    let shown = stated.map(|stated| stated.in_brackets());
+    let (idea, sections) = shown.unzip();
     Ok(Part {
         of: if let Form::Degree(_) = of { of.to_string() } else { format!("as {of}") },
         statement: claim.text(of),
         finding: finding.clone(),
-        idea,
+        idea: idea.flatten(),
         goals: sections
             .filter(|_| goals)
             .map(|sections| sections.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")),

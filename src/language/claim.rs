@@ -91,6 +91,12 @@ impl<'a> Claim<'a> {
         self.said(form).and_then(Said::sentence)
     }
 
+    /// The form that others mean by its name: the amended one, if there is one.
+    #[must_use]
+    pub fn strongest(&self) -> Form {
+        if self.stanza.amended.is_some() { Form::Amended } else { Form::Printed }
+    }
+
     /// It for people, with what its names stand for: empty, if there is none.
     #[must_use]
     pub fn text(&self, form: Form) -> String {

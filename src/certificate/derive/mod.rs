@@ -1,0 +1,266 @@
+//! From a sentence to windows and goals, by the place of x, the copies of a knot, and the order of indices
+//! (`proofs/FORMAT.md`, "Derivation"). The checker derives the same again, in code of its own.
+
+mod case;
+mod index;
+mod obligation;
+mod place;
+
+use thiserror::Error;
+
+use crate::language::{Claim, Definition, Sentence};
+
+use crate::scalar::integer;
+
+use super::statement::{Class, Gap, Section, Window};
+use super::term::{Formula, Term};
+use case::{Bound, Case, MIRROR, Parameters, Scope, Stop, Truth, WINDOW, gap_name};
+use index::Contradiction;
+use obligation::{Obligation, Point, Ratio, obligations};
+use place::Place;
+
+/// Why a sentence has no windows.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[error("no window: {why}{}", .place.as_ref().map(|place| format!(", at {place}")).unwrap_or_default())]
+pub struct NoWindow {
+    /// What is not decided, or not said by windows.
+    pub why: String,
+    /// Where x is.
+    pub place: Option<String>,
+}
+
+impl NoWindow {
+    fn because(why: impl Into<String>) -> Self {
+        Self { why: why.into(), place: None }
+    }
+}
+
+/// The windows and goals of a sentence for one degree: if all goals hold, it is true on every knot vector, for every α.
+///
+/// # Errors
+/// [`NoWindow`], if it says something that is not decided by the place of x, or false there.
+pub fn derive(
+    sentence: &Sentence,
+    definitions: &[Definition],
+    claim: Claim<'_>,
+    k: usize,
+) -> Result<Vec<Section>, NoWindow> {
+    let all = obligations(sentence, definitions, claim, k)?;
+    let k = i64::try_from(k).map_err(|_| NoWindow::because("a degree that is too large"))?;
+    let mut sections = Vec::new();
+    for obligation in all {
+        let straight = of_obligation(&obligation, k, false);
+        let found = match straight {
+            Err(straight) if obligation.symmetric => {
+                // Of two reasons the first one, in the order of what is tried first.
+                of_obligation(&obligation, k, true).map_err(|_| straight)
+            }
+            other => other,
+        };
+        sections.extend(found?);
+    }
+    Ok(sections)
+}
+
+/// How far r is from 1, where α < 0 or α > 1 is assumed.
+const RHO: &str = "(rho 0)";
+
+fn of_obligation(obligation: &Obligation<'_>, k: i64, mirrored: bool) -> Result<Vec<Section>, NoWindow> {
+    let mut sections = Vec::new();
+    for coarse in Place::COARSE {
+        let finer = coarse.finer(k + 3);
+        match at(obligation, k, coarse, mirrored) {
+            Ok(section) => sections.extend(section),
+            Err(stop) if finer.is_empty() => return Err(no_window(&stop, coarse)),
+            Err(_) => {
+                for place in finer {
+                    let section =
+                        at(obligation, k, place, mirrored).map_err(|stop| no_window(&stop, place))?;
+                    sections.extend(section);
+                }
+            }
+        }
+    }
+    Ok(sections)
+}
+
+fn no_window(stop: &Stop, place: Place) -> NoWindow {
+    let (Stop::Undecided(why) | Stop::Undefined(why)) = stop;
+    NoWindow { why: why.clone(), place: Some(place.to_string()) }
+}
+
+/// The section of a place; `None` if nothing is to be shown there.
+fn at(obligation: &Obligation<'_>, k: i64, place: Place, mirrored: bool) -> Result<Option<Section>, Stop> {
+    let mut parameters = Parameters::default();
+    let Ok(facts) = place.facts(k) else { return Ok(None) };
+    if place.copies().is_some_and(|least| least > obligation.most_inside(k, place)) {
+        return Ok(None);
+    }
+    let mut case = Case {
+        k,
+        place,
+        definitions: obligation.definitions,
+        parameters: &mut parameters,
+        zero: Vec::new(),
+        facts,
+        scope: Scope::default(),
+        symmetric: obligation.symmetric,
+        mirrored,
+        ratio: None,
+        beyond: 0,
+        copies_from: None,
+    };
+    match &obligation.point {
+        Point::Bound(name) => case.bind_point(name),
+        Point::Knot(_) => case.bind_point(&obligation::point_name()),
+    }
+    for (name, sign) in &obligation.reals {
+        let value = case.free(name, *sign)?;
+        case.scope.reals.push((name.clone(), Bound::Free(value)));
+    }
+    let mut goals = Vec::new();
+    // What is said without any bound integer is said in all cases.
+    let tightened = case.tighten(&obligation.assume).and_then(|()| case.coincide(&obligation.coincide));
+    match tightened.and_then(|()| case.tighten(&obligation.assume)) {
+        Ok(()) if obligation.assume.iter().any(|f| case.formula(f) == Truth::False) => {}
+        Ok(()) => cases(&mut case, obligation, 0, &mut goals)?,
+        Err(Contradiction) => {}
+    }
+    if goals.is_empty() {
+        return Ok(None);
+    }
+    let windows = case.windows(&goals)?;
+    Ok(Some(section(parameters, obligation.member.as_ref(), windows, goals)))
+}
+
+/// All cases of the integers from one binder on.
+fn cases(
+    case: &mut Case<'_>,
+    obligation: &Obligation<'_>,
+    from: usize,
+    goals: &mut Vec<Formula>,
+) -> Result<(), Stop> {
+    if let Some(range) = obligation.integers.get(from) {
+        let beyond = case.beyond;
+        for (i, _) in case.run(range)? {
+            match case.with(range, &i, |case| cases(case, obligation, from + 1, goals))? {
+                Ok(done) => done?,
+                Err(Contradiction) => {}
+            }
+        }
+        case.beyond = beyond;
+        return Ok(());
+    }
+    let facts = case.facts.clone();
+    let found =
+        if case.tighten(&obligation.assume).is_ok() { one_case(case, obligation) } else { Ok(Vec::new()) };
+    (case.facts, case.copies_from) = (facts, None);
+    for goal in found? {
+        if !goals.contains(&goal) {
+            goals.push(goal);
+        }
+    }
+    Ok(())
+}
+
+fn one_case(case: &mut Case<'_>, obligation: &Obligation<'_>) -> Result<Vec<Formula>, Stop> {
+    let mut undefined = None;
+    let mut open = None;
+    if let (Point::Knot(i), Some(is_x)) = (&obligation.point, obligation.assume.first()) {
+        match case.formula(is_x) {
+            Truth::False => return Ok(Vec::new()),
+            truth if truth.is_true() => {}
+            _ if case.place.is_coarse() => return Err(Stop::Undecided("which knot x is".into())),
+            _ => {}
+        }
+        case.copies_from = Some(case.int(i)?);
+    }
+    for hypothesis in &obligation.assume {
+        match case.formula(hypothesis) {
+            Truth::False => return Ok(Vec::new()),
+            Truth::Not(stop @ Stop::Undefined(_)) => undefined = Some(stop),
+            truth if truth.is_true() => {}
+            // What is not decided is left out: without it more is shown. A finer place may decide it.
+            _ if obligation.names_the_point(hypothesis) => {
+                open = Some(Stop::Undecided("a hypothesis on x".into()));
+            }
+            _ => {}
+        }
+    }
+    if let Some(stop) = undefined {
+        return Err(stop);
+    }
+    let claim = case.formula(&obligation.claim);
+    match claim {
+        claim if claim.is_true() => Ok(Vec::new()),
+        _ if open.is_some() && case.place.is_coarse() => Err(open.unwrap_or(Stop::Undecided(String::new()))),
+        Truth::Goals(goals) => Ok(goals),
+        Truth::False => Err(Stop::Undecided("it is false".into())),
+        Truth::Not(stop) => Err(stop),
+    }
+}
+
+impl Case<'_> {
+    /// The windows that goals look at.
+    fn windows(&mut self, goals: &[Formula]) -> Result<Vec<Window>, Stop> {
+        let names = |window: &str| goals.iter().any(|goal| goal.names(window));
+        let mut all = Vec::new();
+        let (first, last) = self.place.shown(self.k);
+        if names(WINDOW) || names(MIRROR) {
+            let gap = |e: i64| match self.gap(e) {
+                Some(class) => Gap::Parameter(class),
+                None => Gap::Term(Term::Number(integer(0))),
+            };
+            all.push(Window { name: WINDOW.into(), first, gaps: (first..last).map(gap).collect() });
+        }
+        if names(MIRROR) {
+            // t_{s'+e+1} − t_{s'+e} is the gap −e, or with q copies inside −q−e, of the window.
+            let turn = match self.place {
+                Place::Knot(place::Copies::Exactly(q)) => -q,
+                _ => 0,
+            };
+            let gap = |e: i64| match turn - e {
+                of if !(first..last).contains(&of) => Gap::Parameter(Class::Nonnegative),
+                of => match self.gap(of) {
+                    Some(_) => Gap::Term(Term::Named(gap_name(of))),
+                    None => Gap::Term(Term::Number(integer(0))),
+                },
+            };
+            all.push(Window {
+                name: MIRROR.into(),
+                first: -self.k,
+                gaps: (-self.k..=self.k).map(gap).collect(),
+            });
+        }
+        Ok(all)
+    }
+}
+
+/// With those parameters that occur.
+fn section(
+    parameters: Parameters,
+    member: Option<&Ratio>,
+    windows: Vec<Window>,
+    goals: Vec<Formula>,
+) -> Section {
+    let (rho, one) = (|| Term::Named(RHO.into()), || Term::Number(integer(1)));
+    let ratio = member.map(|member| match member {
+        Ratio::One => one(),
+        Ratio::Below => Term::Ratio(Box::new(one()), Box::new(Term::Sum(vec![one(), rho()]))),
+        Ratio::Above => Term::Sum(vec![one(), rho()]),
+    });
+    let is_gap = |name: &str| windows.iter().any(|window| name.starts_with(&format!("({} ", window.name)));
+    let always = |name: &str| matches!(name, "u" | "r");
+    let declared = parameters
+        .all
+        .into_iter()
+        .filter(|(name, _)| !always(name) && !is_gap(name) && goals.iter().any(|goal| goal.names(name)));
+    let own = ["u", "r"].map(|name| (name.to_owned(), Class::Positive));
+    let rho = member.filter(|member| **member != Ratio::One).map(|_| (RHO.to_owned(), Class::Positive));
+    let parameters = own.into_iter().chain(rho).chain(declared).collect();
+    let lets = ratio.map(|ratio| ("r".to_owned(), ratio)).into_iter().collect();
+    Section { parameters, lets, windows, goals, hints: Vec::new() }
+}
+
+#[cfg(test)]
+mod tests;

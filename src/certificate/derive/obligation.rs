@@ -1,0 +1,481 @@
+//! A sentence as obligations: each has one conclusion, the integers that it runs over, and one point x.
+
+use crate::language::{
+    Adjective, Argument, Binder, Claim, Definition, Form, Formula, Function, Int, Interval, Item, Name, Over,
+    Range, Real, Relation, Sentence, Use,
+};
+
+use super::NoWindow;
+use super::place::Place;
+
+/// What x stands for.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Point {
+    /// A real of this name.
+    Bound(Name),
+    /// This knot.
+    Knot(Int),
+}
+
+/// What r is where something is assumed of α.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Ratio {
+    /// α = ∞.
+    One,
+    /// α < 0.
+    Below,
+    /// α > 1.
+    Above,
+}
+
+/// One thing to show.
+#[derive(Debug, Clone)]
+pub(super) struct Obligation<'a> {
+    pub(super) integers: Vec<Range>,
+    /// Free reals, with their sign.
+    pub(super) reals: Vec<(Name, Option<Relation>)>,
+    pub(super) assume: Vec<Formula>,
+    /// Knots t_a = t_b.
+    pub(super) coincide: Vec<(Int, Int)>,
+    pub(super) claim: Formula,
+    pub(super) point: Point,
+    pub(super) symmetric: bool,
+    /// Every knot occurs once.
+    simple: bool,
+    /// Every knot inside occurs k times at most.
+    inner: bool,
+    /// What is assumed of α.
+    pub(super) member: Option<Ratio>,
+    pub(super) definitions: &'a [Definition],
+}
+
+/// What is known on the way down a sentence.
+#[derive(Debug, Clone, Default)]
+struct Given {
+    k: usize,
+    integers: Vec<Range>,
+    reals: Vec<(Name, Option<Relation>, Option<Interval>)>,
+    assume: Vec<Formula>,
+    adjectives: Vec<Adjective>,
+}
+
+/// The name of x where it stands for a knot: none that can be written.
+pub(super) fn point_name() -> Name {
+    "x of the point".into()
+}
+
+/// The obligations of a sentence, in its order.
+pub(super) fn obligations<'a>(
+    sentence: &Sentence,
+    definitions: &'a [Definition],
+    claim: Claim<'a>,
+    k: usize,
+) -> Result<Vec<Obligation<'a>>, NoWindow> {
+    let mut all = Vec::new();
+    if !says_of(sentence, k) {
+        return Err(NoWindow::because(format!("it says nothing of degree {k}")));
+    }
+    below(sentence, &Given { k, ..Given::default() }, definitions, claim, &mut all)?;
+    Ok(all)
+}
+
+/// Does it speak of a degree?
+fn says_of(sentence: &Sentence, k: usize) -> bool {
+    sentence.given.iter().all(|binder| match binder {
+        Binder::Degree { least, most } => *least <= k && most.is_none_or(|most| k <= most),
+        _ => true,
+    })
+}
+
+fn below<'a>(
+    sentence: &Sentence,
+    given: &Given,
+    definitions: &'a [Definition],
+    claim: Claim<'a>,
+    all: &mut Vec<Obligation<'a>>,
+) -> Result<(), NoWindow> {
+    let mut given = given.clone();
+    let mut knots = false;
+    for binder in &sentence.given {
+        match binder {
+            Binder::Degree { .. } | Binder::Points(_) | Binder::Index(_) => {}
+            Binder::Knots(adjectives) => {
+                knots = true;
+                given.adjectives.extend(adjectives);
+                given.assume.extend(adjectives.iter().flat_map(|adjective| formulas(*adjective)));
+            }
+            Binder::Integer(range) => given.integers.push(range.clone()),
+            Binder::Point(name, interval) => given.reals.push((name.clone(), None, Some(interval.clone()))),
+            Binder::Real { name, sign } => given.reals.push((name.clone(), *sign, None)),
+            Binder::Gaps(_) | Binder::Instances(_) | Binder::Indices(_) => {
+                return Err(NoWindow::because("it is about examples"));
+            }
+        }
+    }
+    if !knots {
+        return Err(NoWindow::because("it is not about all knots"));
+    }
+    given.assume.extend(sentence.assume.iter().cloned());
+    sentence.then.iter().try_for_each(|f| conclusion(f, &given, definitions, claim, all))
+}
+
+fn conclusion<'a>(
+    f: &Formula,
+    given: &Given,
+    definitions: &'a [Definition],
+    claim: Claim<'a>,
+    all: &mut Vec<Obligation<'a>>,
+) -> Result<(), NoWindow> {
+    let mut with = given.clone();
+    match f {
+        Formula::All(Over::Integers(range), body) => {
+            with.integers.push(range.clone());
+            conclusion(body, &with, definitions, claim, all)
+        }
+        Formula::All(Over::Reals(name, interval), body) => {
+            with.reals.push((name.clone(), None, Some(interval.clone())));
+            conclusion(body, &with, definitions, claim, all)
+        }
+        Formula::And(parts) => parts.iter().try_for_each(|f| conclusion(f, given, definitions, claim, all)),
+        Formula::Implies(a, b) => implied(a, b, given, definitions, claim, all),
+        Formula::Iff(a, b) => {
+            implied(a, b, given, definitions, claim, all)?;
+            implied(b, a, given, definitions, claim, all)
+        }
+        Formula::Chain(first, rest) => {
+            let mut left = first;
+            for (relation, right) in rest {
+                let atom = Formula::Chain(left.clone(), vec![(*relation, right.clone())]);
+                all.push(obligation(atom, given, definitions)?);
+                left = right;
+            }
+            Ok(())
+        }
+        Formula::Within(t, Interval { from, from_closed, to, to_closed }) => {
+            let relation = |closed: bool| if closed { Relation::AtMost } else { Relation::Less };
+            for (a, closed, b) in [(from, *from_closed, t), (t, *to_closed, to)] {
+                let atom = Formula::Chain(a.clone(), vec![(relation(closed), b.clone())]);
+                all.push(obligation(atom, given, definitions)?);
+            }
+            Ok(())
+        }
+        Formula::Claim { id, printed } => {
+            let other = Claim::of(claim.library).find(|other| other.id() == &**id);
+            let Some(other) = other else { return Err(NoWindow::because(format!("there is no claim {id}"))) };
+            let form = if *printed { Form::Printed } else { other.strongest() };
+            match other.sentence(form) {
+                Some(sentence) if !says_of(sentence, given.k) => Ok(()),
+                Some(sentence) => below(sentence, given, other.definitions, other, all),
+                None => Err(NoWindow::because(format!("{id} is said in words"))),
+            }
+        }
+        _ => {
+            all.push(obligation(f.clone(), given, definitions)?);
+            Ok(())
+        }
+    }
+}
+
+/// a ⇒ b; not b ⇒ not a, if only a is about functions.
+fn implied<'a>(
+    a: &Formula,
+    b: &Formula,
+    given: &Given,
+    definitions: &'a [Definition],
+    claim: Claim<'a>,
+    all: &mut Vec<Obligation<'a>>,
+) -> Result<(), NoWindow> {
+    let mut with = given.clone();
+    let about_functions = |f: &Formula| {
+        let mut found = Found::default();
+        found.formula(f);
+        found.functions
+    };
+    if about_functions(a) && !about_functions(b) {
+        with.assume.push(negated(b));
+        conclusion(&negated(a), &with, definitions, claim, all)
+    } else {
+        with.assume.push(a.clone());
+        conclusion(b, &with, definitions, claim, all)
+    }
+}
+
+fn negated(f: &Formula) -> Formula {
+    match f {
+        Formula::Not(f) => (**f).clone(),
+        Formula::Chain(a, rest) if rest.len() == 1 => {
+            let opposite = |relation: &Relation| match relation {
+                Relation::Equal => Relation::Unequal,
+                Relation::Unequal => Relation::Equal,
+                Relation::Less => Relation::AtLeast,
+                Relation::AtLeast => Relation::Less,
+                Relation::Greater => Relation::AtMost,
+                Relation::AtMost => Relation::Greater,
+            };
+            let rest = rest.iter().map(|(relation, b)| (opposite(relation), b.clone()));
+            Formula::Chain(a.clone(), rest.collect())
+        }
+        f => Formula::Not(Box::new(f.clone())),
+    }
+}
+
+fn obligation<'a>(
+    claim: Formula,
+    given: &Given,
+    definitions: &'a [Definition],
+) -> Result<Obligation<'a>, NoWindow> {
+    let mut found = Found::default();
+    found.formula(&claim);
+    let point = found.point(given)?;
+    let mut assume = given.assume.clone();
+    if let Point::Knot(i) = &point {
+        let x = Real::Bound(point_name());
+        assume.insert(0, Formula::Chain(x, vec![(Relation::Equal, Real::Knot(i.clone()))]));
+    }
+    let mut reals = Vec::new();
+    for (name, sign, interval) in &given.reals {
+        if let Some(interval) = interval {
+            assume.push(Formula::Within(Real::Bound(name.clone()), interval.clone()));
+        }
+        if point != Point::Bound(name.clone()) {
+            reals.push((name.clone(), *sign));
+        }
+    }
+    let coincide = assume.iter().filter_map(coinciding).collect();
+    let member = assume.iter().find_map(ratio);
+    let integers = given.integers.clone();
+    let is = |adjective| given.adjectives.contains(&adjective);
+    let (symmetric, simple) = (is(Adjective::Symmetric), is(Adjective::Simple));
+    // More than k of the indices 1, …, n+k in a row hold one of k+1, …, n, or both k and n+1.
+    let inner = is(Adjective::Inner) || is(Adjective::Interior) && assume.contains(&apart());
+    Ok(Obligation { integers, reals, assume, coincide, claim, point, symmetric, simple, inner, member, definitions })
+}
+
+fn ratio(f: &Formula) -> Option<Ratio> {
+    let Formula::Chain(Real::Index(name), rest) = f else { return None };
+    match rest.as_slice() {
+        _ if &**name != "alpha" => None,
+        [(Relation::Equal, Real::Infinity)] => Some(Ratio::One),
+        [(Relation::Less, Real::Whole(Int::Number(0)))] => Some(Ratio::Below),
+        [(Relation::Greater, Real::Whole(Int::Number(1)))] => Some(Ratio::Above),
+        _ => None,
+    }
+}
+
+impl Obligation<'_> {
+    /// So often x occurs at most.
+    pub(super) fn most_inside(&self, k: i64, place: Place) -> i64 {
+        match place {
+            _ if self.simple => 1,
+            Place::Knot(_) if self.inner => k,
+            _ => i64::MAX,
+        }
+    }
+
+    /// Does a hypothesis speak of x?
+    pub(super) fn names_the_point(&self, f: &Formula) -> bool {
+        let mut found = Found::default();
+        found.formula(f);
+        let named = |name: &Name| found.names.contains(&name);
+        match &self.point {
+            Point::Bound(name) => named(name),
+            Point::Knot(i) => named(&point_name()) || found.knots.contains(&i),
+        }
+    }
+}
+
+/// a and b of t_a = t_b.
+fn coinciding(f: &Formula) -> Option<(Int, Int)> {
+    match f {
+        Formula::Chain(Real::Knot(a), rest) => match rest.as_slice() {
+            [(Relation::Equal, Real::Knot(b))] => Some((a.clone(), b.clone())),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// What an adjective of U says, as far as places need it: the others are left out, and more is shown.
+fn formulas(adjective: Adjective) -> Vec<Formula> {
+    let minus = |a: Int, b: Int| Int::Minus(Box::new(a), Box::new(b));
+    let plus_one = |a: Int| Int::Plus(Box::new(a), Box::new(Int::Number(1)));
+    let twice = || Int::Times(Box::new(Int::Number(2)), Box::new(Int::Degree));
+    let chain = |a: Real, relation, b: Real| Formula::Chain(a, vec![(relation, b)]);
+    let knots = |a: Int, relation, b: Int| chain(Real::Knot(a), relation, Real::Knot(b));
+    let mut all = match adjective {
+        Adjective::Open | Adjective::Clamped | Adjective::Bernstein => vec![
+            knots(Int::Number(0), Relation::Equal, Int::Degree),
+            knots(minus(Int::M, Int::Degree), Relation::Equal, Int::M),
+            chain(Real::Whole(Int::M), Relation::AtLeast, Real::Whole(twice())),
+            apart(),
+        ],
+        _ => Vec::new(),
+    };
+    match adjective {
+        Adjective::Clamped => all.extend([
+            knots(Int::Degree, Relation::Less, plus_one(Int::Degree)),
+            knots(Int::Last, Relation::Less, plus_one(Int::Last)),
+        ]),
+        Adjective::Bernstein => {
+            all.push(chain(Real::Whole(Int::M), Relation::Equal, Real::Whole(plus_one(twice()))));
+        }
+        _ => {}
+    }
+    all
+}
+
+/// t_k < t_{m−k}.
+fn apart() -> Formula {
+    let right = Real::Knot(Int::Minus(Box::new(Int::M), Box::new(Int::Degree)));
+    Formula::Chain(Real::Knot(Int::Degree), vec![(Relation::Less, right)])
+}
+
+/// The arguments of functions in a formula.
+#[derive(Default)]
+struct Found<'f> {
+    arguments: Vec<&'f Real>,
+    names: Vec<&'f Name>,
+    knots: Vec<&'f Int>,
+    functions: bool,
+}
+
+impl<'f> Found<'f> {
+    fn point(&self, given: &Given) -> Result<Point, NoWindow> {
+        let bound = |name: &Name| given.reals.iter().any(|(known, ..)| known == name);
+        let mut inside = Found::default();
+        self.arguments.iter().for_each(|argument| inside.real(argument));
+        let mut names = inside.names.into_iter().filter(|name| bound(name));
+        let knot = |argument: &Real| if let Real::Knot(i) = argument { Some(i.clone()) } else { None };
+        let only = |mut all: Vec<Name>| {
+            all.dedup();
+            if all.len() == 1 { all.pop() } else { None }
+        };
+        if let Some(name) = names.next() {
+            let others = names.any(|other| other != name);
+            return if others {
+                Err(NoWindow::because("functions at several points"))
+            } else {
+                Ok(Point::Bound(name.clone()))
+            };
+        }
+        match self.arguments.split_first() {
+            Some((first, rest)) => match knot(first) {
+                Some(i) if rest.iter().all(|other| knot(other).as_ref() == Some(&i)) => Ok(Point::Knot(i)),
+                _ => Err(NoWindow::because("functions at several points")),
+            },
+            // Nothing but knots and x is compared.
+            None => {
+                let named =
+                    self.names.iter().filter(|name| bound(name)).map(|name| (*name).clone()).collect();
+                let in_intervals = given.reals.iter().filter(|(_, _, interval)| interval.is_some());
+                match only(named).or_else(|| only(in_intervals.map(|(name, ..)| name.clone()).collect())) {
+                    Some(name) => Ok(Point::Bound(name)),
+                    None => Err(NoWindow::because("there is no point x")),
+                }
+            }
+        }
+    }
+
+    fn formula(&mut self, f: &'f Formula) {
+        match f {
+            Formula::Chain(first, rest) => {
+                self.real(first);
+                rest.iter().for_each(|(_, t)| self.real(t));
+            }
+            Formula::Within(t, interval) => {
+                self.real(t);
+                self.real(&interval.from);
+                self.real(&interval.to);
+            }
+            Formula::Among(a, b, c) => [a, b, c].into_iter().for_each(|i| self.int(i)),
+            Formula::Instance(_) | Formula::Claim { .. } => {}
+            Formula::Not(f) => self.formula(f),
+            Formula::And(all) | Formula::Or(all) => all.iter().for_each(|f| self.formula(f)),
+            Formula::Implies(a, b) | Formula::Iff(a, b) => {
+                self.formula(a);
+                self.formula(b);
+            }
+            Formula::All(_, body) | Formula::Some(_, body) | Formula::One(_, body) => self.formula(body),
+            Formula::Word(of) => self.word(of),
+        }
+    }
+
+    fn word(&mut self, of: &'f Use) {
+        for item in &of.of {
+            match item {
+                Item::Real(t) | Item::Expression(t, ..) => self.real(t),
+                Item::Int(i) => self.int(i),
+                Item::Function(..) | Item::Coefficients(_) => {}
+            }
+        }
+        if let ([Item::Real(t)], false) =
+            (of.of.as_slice(), matches!(of.word, crate::language::Word::Defined))
+        {
+            self.arguments.push(t);
+        }
+    }
+
+    fn int(&mut self, t: &'f Int) {
+        match t {
+            Int::Word(of) => self.word(of),
+            Int::Plus(a, b)
+            | Int::Minus(a, b)
+            | Int::Times(a, b)
+            | Int::Least(a, b)
+            | Int::Greatest(a, b)
+            | Int::Binomial(a, b) => {
+                self.int(a);
+                self.int(b);
+            }
+            Int::Number(_) | Int::Bound(_) | Int::Degree | Int::Last | Int::M => {}
+        }
+    }
+
+    fn real(&mut self, t: &'f Real) {
+        match t {
+            Real::Bound(name) => self.names.push(name),
+            Real::Whole(i) => self.int(i),
+            Real::Knot(i) => {
+                self.knots.push(i);
+                self.int(i);
+            }
+            Real::Number(_) | Real::Index(_) | Real::Ratio | Real::Infinity => {}
+            Real::Coefficient(_, of) | Real::Defined(_, of) => of.iter().for_each(|i| self.int(i)),
+            Real::Plus(a, b)
+            | Real::Minus(a, b)
+            | Real::Times(a, b)
+            | Real::Over(a, b)
+            | Real::Least(a, b)
+            | Real::Greatest(a, b) => {
+                self.real(a);
+                self.real(b);
+            }
+            Real::Negated(a)
+            | Real::Absolute(a)
+            | Real::Root(a)
+            | Real::Power(a, _)
+            | Real::Fold(_, _, a) => {
+                self.real(a);
+            }
+            Real::Value(f, argument) => {
+                let Argument { at, .. } = &**argument;
+                self.real(at);
+                self.arguments.push(at);
+                self.functions = true;
+                self.function(f);
+            }
+            Real::Word(of) => self.word(of),
+        }
+    }
+
+    fn function(&mut self, f: &'f Function) {
+        match f {
+            Function::Derivative(f, _) => self.function(f),
+            Function::Phi { from, to, .. } => {
+                self.real(from);
+                self.real(to);
+            }
+            Function::Basis { .. } | Function::Weight { .. } | Function::Defined(..) => {}
+        }
+    }
+}
