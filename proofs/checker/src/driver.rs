@@ -2,10 +2,13 @@
 
 use std::fmt;
 
+use crate::derive::sections;
 use crate::env::Env;
 use crate::error::{Reason, Rejected, Result};
+use crate::point::Numbered;
 use crate::rules::Context;
 use crate::section::Section;
+use crate::sentence::read;
 use crate::token::{Node, tree};
 use crate::work;
 
@@ -66,7 +69,7 @@ pub fn check_within(work: usize, statement: &str, proof: &str) -> std::result::R
 /// `place` is where the run has come to.
 fn run(statement: &str, proof: &str, place: &mut String) -> Result<Checked> {
     let statement = tree(statement)?;
-    let (mut checked, sections) = header(&statement)?;
+    let (mut checked, body) = header(&statement)?;
     *place = "proof".to_owned();
     let proof = tree(proof)?;
     let [version, proofs @ ..] = proof.fields("proof")? else { return proof.wrong("a version") };
@@ -75,6 +78,12 @@ fn run(statement: &str, proof: &str, place: &mut String) -> Result<Checked> {
     for degree in checked.degrees.clone() {
         let before = checked.goals;
         let k = i64::try_from(degree).map_err(|_| Reason::Limits("a degree"))?;
+        *place = "statement".to_owned();
+        let derived = match body {
+            Body::Sections(_) | Body::Refuted => Vec::new(),
+            Body::Derived(definitions, sentence) => sections(definitions, sentence, k)?,
+        };
+        let sections = if let Body::Sections(sections) = body { sections } else { &derived };
         for section in sections {
             *place = "statement".to_owned();
             let [ranges, declarations, goals] = parts(section)?;
@@ -86,7 +95,8 @@ fn run(statement: &str, proof: &str, place: &mut String) -> Result<Checked> {
                 prove(&section, goals, proof, &mut checked, place)?;
             }
         }
-        if checked.goals == before {
+        // A sentence may be true by the order of knots alone.
+        if checked.goals == before && matches!(body, Body::Sections(_)) {
             *place = "statement".to_owned();
             return Err(Reason::NoGoal(degree));
         }
@@ -95,26 +105,70 @@ fn run(statement: &str, proof: &str, place: &mut String) -> Result<Checked> {
     if proofs.next().is_some() { Err(Reason::NoStatement("section")) } else { Ok(checked) }
 }
 
-/// What a statement says of itself, and its sections.
-fn header<'n, 't>(node: &'n Node<'t>) -> Result<(Checked, &'n [Node<'t>])> {
-    let fields = node.fields("statement")?;
-    let [version, claim, form, verdict, scope, degrees, text, because, sections @ ..] = fields else {
+/// What there is to prove.
+#[derive(Clone, Copy)]
+enum Body<'n, 't> {
+    /// Given, with the reason why they are the claim.
+    Sections(&'n [Node<'t>]),
+    /// Derived from definitions and a sentence.
+    Derived(&'n [Node<'t>], &'n Node<'t>),
+    /// A point that refutes the sentence: nothing.
+    Refuted,
+}
+
+/// What a statement says of itself, and what there is to prove.
+fn header<'n, 't>(node: &'n Node<'t>) -> Result<(Checked, Body<'n, 't>)> {
+    let [version, claim, form, verdict, scope, degrees, rest @ ..] = node.fields("statement")? else {
         return node.wrong("the parts of a statement");
     };
-    is_number(version, "format", 1)?;
-    // Those that no degree reads are looked at here.
-    sections.iter().try_for_each(|section| parts(section).map(|_| ()))?;
-    let ([claim], [text], [because]) = (claim.part("claim")?, text.part("text")?, because.part("because")?);
-    let ([form], [verdict], [scope]) = (form.part("form")?, verdict.part("verdict")?, scope.part("scope")?);
-    text.text().and(because.text())?;
+    let first = version.whole()? == 1;
+    if !first {
+        is_number(version, "format", 2)?;
+    }
+    let (claim, form) = (claim.part::<1>("claim")?, form.part::<1>("form")?);
+    let (verdict, scope) = (verdict.part::<1>("verdict")?, scope.part::<1>("scope")?);
+    let ([claim], [form], [verdict], [scope]) = (claim, form, verdict, scope);
     let list = degrees.some("degrees")?.iter().map(Node::degree).collect::<Result<Vec<_>>>()?;
     if !list.is_sorted_by(|a, b| a < b) {
         return degrees.wrong("rising degrees");
     }
+    let body = match (first, rest) {
+        (true, [text, because, sections @ ..]) => {
+            let [text] = text.part("text")?;
+            text.text().and(argued(because, sections))?
+        }
+        (true, _) => return node.wrong("the parts of a statement"),
+        (false, _) => {
+            let (definitions, rest) = rest.split_at(rest.iter().take_while(|part| part.is("define")).count());
+            let Some((sentence, rest)) = rest.split_first() else { return node.wrong("a sentence") };
+            read(definitions, sentence)?;
+            match rest {
+                [] if verdict.is_word("proved") && scope.is_word("knots") => {
+                    Body::Derived(definitions, sentence)
+                }
+                [] => return node.wrong("proved, scope knots, for what is derived"),
+                [point] if point.is("point") => {
+                    if !verdict.is_word("refuted") || !scope.is_word("instance") {
+                        return point.wrong("refuted, scope instance, for a point");
+                    }
+                    let numbers = Numbered::new(point)?;
+                    if list.iter().map(|degree| i64::from(*degree)).ne([numbers.degree()]) {
+                        return degrees.wrong("the degree of the point");
+                    }
+                    numbers.refutes(definitions, sentence)?;
+                    Body::Refuted
+                }
+                [because, sections @ ..] => argued(because, sections)?,
+            }
+        }
+    };
     let form = match form.part("degree") {
         Ok([degree]) if list == [degree.degree()?] => format!("degree {}", degree.degree()?),
         Ok(_) => return form.wrong("the only degree of the statement"),
-        Err(_) => form.word(&["printed", "amended"], "printed, amended or (degree K)")?.to_owned(),
+        Err(_) if first => form.word(&["printed", "amended"], "printed, amended or (degree K)")?.to_owned(),
+        Err(_) => {
+            form.word(&["printed", "amended", "fails"], "printed, amended, fails or (degree K)")?.to_owned()
+        }
     };
     let checked = Checked {
         claim: claim.claim()?.to_owned(),
@@ -126,7 +180,16 @@ fn header<'n, 't>(node: &'n Node<'t>) -> Result<(Checked, &'n [Node<'t>])> {
         goals: 0,
         lemmas: 0,
     };
-    Ok((checked, sections))
+    Ok((checked, body))
+}
+
+/// Sections with the reason why they are the claim.
+fn argued<'n, 't>(because: &Node<'t>, sections: &'n [Node<'t>]) -> Result<Body<'n, 't>> {
+    let [because] = because.part("because")?;
+    because.text()?;
+    // Those that no degree reads are looked at here.
+    sections.iter().try_for_each(|section| parts(section).map(|_| ()))?;
+    Ok(Body::Sections(sections))
 }
 
 /// The ranges of a section, its declarations, and its goals.

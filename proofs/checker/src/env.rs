@@ -161,12 +161,12 @@ impl<'t> Env<'t> {
 }
 
 /// Two integers in the limits have a product that fits, so it is enough to look after every step.
-fn small(value: i64) -> Result<i64> {
+pub(crate) fn small(value: i64) -> Result<i64> {
     if (-LARGEST..=LARGEST).contains(&value) { Ok(value) } else { Err(Reason::Limits("an integer")) }
 }
 
 /// The number of choices of m among n ≥ 0; 0 for m < 0 and for m > n.
-fn binomial(n: i64, m: i64) -> Result<i64> {
+pub(crate) fn binomial(n: i64, m: i64) -> Result<i64> {
     // Every partial product is a binomial coefficient: the division leaves no rest.
     let choose = |value: i64, step: i64| small(value * (n - step + 1) / step);
     match n {

@@ -47,6 +47,10 @@ pub enum Reason {
     NoLemma(i64),
     #[error("the order is {0}")]
     Order(i64),
+    #[error("no window says it: {0}; give sections, and `because`")]
+    NoWindow(&'static str),
+    #[error("conclusion {0} is not decided at {1}: give sections, and `because`")]
+    Undecided(usize, String),
     #[error("{0}")]
     NotShown(&'static str),
 }

@@ -27,15 +27,20 @@
 
 #![forbid(unsafe_code)]
 
+mod case;
+mod derive;
 mod driver;
 mod env;
 mod error;
 mod file;
 mod fraction;
+mod place;
+mod point;
 mod poly;
 mod recursion;
 mod rules;
 mod section;
+mod sentence;
 mod terms;
 mod token;
 mod work;

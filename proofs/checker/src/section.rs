@@ -19,36 +19,40 @@ pub(crate) const U: usize = 0;
 pub(crate) struct Section<'t> {
     pub(crate) env: Env<'t>,
     pub(crate) signs: Vec<Sign>,
+    /// The windows so far: names, first indices and gaps.
+    windows: Vec<(&'t str, i64, Vec<Fraction>)>,
 }
 
 impl<'t> Section<'t> {
     /// Reads the declarations one after the other; `env` has the integers.
     pub(crate) fn new(declarations: &[Node<'t>], env: Env<'t>) -> Result<Self> {
-        let mut section = Section { env, signs: Vec::new() };
+        let mut section = Section { env, signs: Vec::new(), windows: Vec::new() };
         for name in ["u", "r"] {
             section.parameter(name, Vec::new(), Sign::Positive)?;
         }
-        let mut windows = Vec::new();
-        for part in declarations {
-            match part.headed("a declaration or the goals")? {
-                ("real", list @ [_, ..]) => section.parameters(list, Sign::Real)?,
-                ("nonnegative", list @ [_, ..]) => section.parameters(list, Sign::Nonnegative)?,
-                ("positive", list @ [_, ..]) => section.parameters(list, Sign::Positive)?,
-                ("let", [name, term]) => section.abbreviation(name.name()?, term)?,
-                (head @ ("window" | "knots"), [name, first, list @ ..]) => {
-                    let (name, first) = (name.head()?, section.env.integer(first)?);
-                    section.env.check_free(name, &[])?;
-                    let gaps = match head {
-                        "knots" => Self::differences(list)?,
-                        _ => section.gaps(name, first, list)?,
-                    };
-                    windows.push((name, first, gaps));
-                    section.windows(&windows)?;
-                }
-                _ => return part.wrong("a declaration or the goals"),
-            }
-        }
+        declarations.iter().try_for_each(|part| section.declare(part))?;
         Ok(section)
+    }
+
+    /// Reads one declaration more.
+    pub(crate) fn declare(&mut self, part: &Node<'t>) -> Result<()> {
+        match part.headed("a declaration or the goals")? {
+            ("real", list @ [_, ..]) => self.parameters(list, Sign::Real),
+            ("nonnegative", list @ [_, ..]) => self.parameters(list, Sign::Nonnegative),
+            ("positive", list @ [_, ..]) => self.parameters(list, Sign::Positive),
+            ("let", [name, term]) => self.abbreviation(name.name()?, term),
+            (head @ ("window" | "knots"), [name, first, list @ ..]) => {
+                let (name, first) = (name.head()?, self.env.integer(first)?);
+                self.env.check_free(name, &[])?;
+                let gaps = match head {
+                    "knots" => Self::differences(list)?,
+                    _ => self.gaps(name, first, list)?,
+                };
+                self.windows.push((name, first, gaps));
+                self.measure()
+            }
+            _ => part.wrong("a declaration or the goals"),
+        }
     }
 
     /// A new variable.
@@ -108,7 +112,8 @@ impl<'t> Section<'t> {
     }
 
     /// Makes the gaps of all windows so far to knots over one common denominator.
-    fn windows(&mut self, all: &[(&'t str, i64, Vec<Fraction>)]) -> Result<()> {
+    fn measure(&mut self) -> Result<()> {
+        let all = &self.windows;
         let mut common = Factors::new();
         all.iter().flat_map(|(_, _, gaps)| gaps).for_each(|gap| gap.widen(&mut common));
         let scale = Fraction::integer(1).over_common(&common)?;

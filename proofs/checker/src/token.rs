@@ -18,11 +18,13 @@ const HEADS: [&str; 13] =
     ["t", "x", "w", "v", "Dw", "G", "DG", "de-boor", "at", "det", "integer", "each", "binomial"];
 
 /// A token, or a bracket with what is in it.
+#[derive(Clone)]
 pub(crate) struct Node<'t> {
     line: usize,
     pub(crate) kind: Kind<'t>,
 }
 
+#[derive(Clone, PartialEq)]
 pub(crate) enum Kind<'t> {
     /// Numerator and denominator, in lowest terms.
     Number(IBig, IBig),
@@ -31,7 +33,52 @@ pub(crate) enum Kind<'t> {
     List(Vec<Node<'t>>),
 }
 
+/// Two nodes are equal if they are the same text, wherever that stands.
+impl PartialEq for Node<'_> {
+    fn eq(&self, other: &Self) -> bool {
+        self.kind == other.kind
+    }
+}
+
 impl<'t> Node<'t> {
+    fn derived(kind: Kind<'t>) -> Self {
+        Node { line: 0, kind }
+    }
+
+    /// A name.
+    pub(crate) fn name_of(name: &'t str) -> Self {
+        Node::derived(Kind::Name(name))
+    }
+
+    /// A whole number.
+    pub(crate) fn whole_of(value: i64) -> Self {
+        Node::derived(Kind::Number(value.into(), IBig::ONE))
+    }
+
+    /// A bracket without a name in front.
+    pub(crate) fn group_of(items: Vec<Node<'t>>) -> Self {
+        Node::derived(Kind::List(items))
+    }
+
+    /// A bracket.
+    pub(crate) fn made(head: &'t str, fields: Vec<Node<'t>>) -> Self {
+        Node::group_of([Node::name_of(head)].into_iter().chain(fields).collect())
+    }
+
+    /// Whether it, or a part of it, is such.
+    pub(crate) fn any(&self, is: &mut dyn FnMut(&Self) -> bool) -> bool {
+        let inside = match &self.kind {
+            Kind::List(items) => items.as_slice(),
+            _ => &[],
+        };
+        is(self) || inside.iter().any(|item| item.any(is))
+    }
+
+    /// Whether it is this name.
+    pub(crate) fn is_word(&self, word: &str) -> bool {
+        matches!(self.kind, Kind::Name(name) if name == word)
+    }
+
     pub(crate) fn wrong<T>(&self, expected: &'static str) -> Result<T> {
         Err(Reason::Syntax { line: self.line, expected })
     }
@@ -178,7 +225,9 @@ fn atom(word: &str) -> Option<Kind<'_>> {
     if let Some(inside) = word.strip_prefix('"') {
         return inside.strip_suffix('"').filter(|text| text.chars().all(is_printed)).map(Kind::Text);
     }
-    let name = is_plain_name(word) || matches!(word, "+" | "-" | "*" | "/" | "^" | "=" | ">" | ">=" | "<");
+    let name = is_plain_name(word)
+        || matches!(word, "+" | "-" | "*" | "/" | "^" | "=" | ">" | ">=" | "<")
+        || matches!(word, "/=" | "<=" | "=>" | "<=>");
     if name { Some(Kind::Name(word)) } else { number(word) }
 }
 

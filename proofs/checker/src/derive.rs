@@ -1,0 +1,457 @@
+//! From a claim's sentence to sections: for every place of x the window there, and what has to be shown on it.
+//!
+//! Whatever is not understood, or not decided, is no derivation. Hypotheses may be left out: what is shown is then stronger.
+
+use std::collections::BTreeSet;
+
+use crate::case::{At, Bound, Case, Stop, Truth, Value, read};
+use crate::error::{Reason, Result};
+use crate::place::{Place, fine};
+use crate::sentence::adjective;
+use crate::token::Node;
+use crate::work::spend;
+
+/// What a sentence asks for: one formula, under hypotheses, for all values of what is bound.
+#[derive(Clone, Default)]
+pub(crate) struct Obligation<'t> {
+    /// NAME LO HI.
+    pub(crate) integers: Vec<Vec<Node<'t>>>,
+    /// Names, with a sign or an interval if they have one.
+    pub(crate) reals: Vec<(&'t str, Option<Node<'t>>)>,
+    hypotheses: Vec<Node<'t>>,
+    symmetric: bool,
+    pub(crate) conclusion: Option<Node<'t>>,
+    /// Adjectives say all that they mean: hypotheses have to be true, not only to be left out.
+    refuting: bool,
+}
+
+/// The obligations of a sentence for degree k, in order.
+pub(crate) fn obligations<'t>(sentence: &Node<'t>, k: i64, refuting: bool) -> Result<Vec<Obligation<'t>>> {
+    let mut found = Vec::new();
+    if !open(sentence, k, Obligation { refuting, ..Obligation::default() }, &mut found)? {
+        return sentence.wrong("a sentence about this degree");
+    }
+    Ok(found)
+}
+
+/// The binders and hypotheses of a sentence, and then each of its conclusions; `false` if it is about other degrees.
+fn open<'t>(
+    node: &Node<'t>,
+    k: i64,
+    mut of: Obligation<'t>,
+    found: &mut Vec<Obligation<'t>>,
+) -> Result<bool> {
+    let [given, assume, then] = node.part("sentence")?;
+    let mut knots = false;
+    for binder in given.fields("for")? {
+        match binder.headed("a binder")? {
+            ("degree", [low]) if k < low.whole()? => return Ok(false),
+            ("degree", [low, high]) if k < low.whole()? || k > high.whole()? => return Ok(false),
+            ("degree" | "index" | "points", _) => {}
+            ("knots", adjectives) => {
+                knots = true;
+                for node in adjectives {
+                    of.symmetric |= node.is_word("symmetric");
+                    for said in adjective(node, of.refuting)? {
+                        of.hypotheses.extend(parts(&said)?);
+                    }
+                }
+            }
+            ("integer" | "point" | "real", _) => of.bind(binder)?,
+            _ => return Err(Reason::NoWindow("it is about examples")),
+        }
+    }
+    if !knots {
+        return Err(Reason::NoWindow("it is not about all knots"));
+    }
+    of.hypotheses.extend_from_slice(assume.fields("if")?);
+    then.fields("then")?.iter().try_for_each(|conclusion| split(conclusion, k, of.clone(), found))?;
+    Ok(true)
+}
+
+fn split<'t>(node: &Node<'t>, k: i64, mut of: Obligation<'t>, found: &mut Vec<Obligation<'t>>) -> Result<()> {
+    spend(1)?;
+    match node.headed("a formula")? {
+        ("all", [over, body]) => {
+            of.bind(over)?;
+            split(body, k, of, found)
+        }
+        ("=>", [a, b]) => implied(a, b, k, of, found),
+        ("<=>", [a, b]) => implied(a, b, k, of.clone(), found).and_then(|()| implied(b, a, k, of, found)),
+        ("claim", [_, sentence]) => open(sentence, k, of, found).map(|_| ()),
+        ("and", parts) => parts.iter().try_for_each(|part| split(part, k, of.clone(), found)),
+        _ => {
+            for conclusion in parts(node)? {
+                found.push(Obligation { conclusion: Some(conclusion), ..of.clone() });
+            }
+            Ok(())
+        }
+    }
+}
+
+/// a ⇒ b; not b ⇒ not a, if only a is about functions.
+fn implied<'t>(
+    a: &Node<'t>,
+    b: &Node<'t>,
+    k: i64,
+    mut of: Obligation<'t>,
+    found: &mut Vec<Obligation<'t>>,
+) -> Result<()> {
+    let functions = |node: &Node<'t>| node.any(&mut |node| node.is("of"));
+    if functions(a) && !functions(b) {
+        of.hypotheses.push(negated(b));
+        split(&negated(a), k, of, found)
+    } else {
+        of.hypotheses.push(a.clone());
+        split(b, k, of, found)
+    }
+}
+
+fn negated<'t>(node: &Node<'t>) -> Node<'t> {
+    const OPPOSITES: [(&str, &str); 6] =
+        [("=", "/="), ("/=", "="), ("<", ">="), (">=", "<"), ("<=", ">"), (">", "<=")];
+    match node.headed("") {
+        Ok(("not", [of])) => of.clone(),
+        Ok(("chain", [a, step])) => {
+            let opposite = OPPOSITES.iter().find(|(relation, _)| step.is(relation));
+            match (opposite, step.headed("")) {
+                (Some((_, other)), Ok((_, [b]))) => {
+                    Node::made("chain", vec![a.clone(), Node::made(other, vec![b.clone()])])
+                }
+                _ => Node::made("not", vec![node.clone()]),
+            }
+        }
+        _ => Node::made("not", vec![node.clone()]),
+    }
+}
+
+/// A chain as its neighbours (where all terms exist, equal neighbours make every pair equal), an interval as two
+/// comparisons, a conjunction as what is in it.
+pub(crate) fn parts<'t>(node: &Node<'t>) -> Result<Vec<Node<'t>>> {
+    let pair = |a: &Node<'t>, relation, b: &Node<'t>| {
+        Node::made("chain", vec![a.clone(), Node::made(relation, vec![b.clone()])])
+    };
+    match node.headed("a formula")? {
+        ("and", all) => Ok(all.to_vec()),
+        ("chain", [first, steps @ ..]) => {
+            let (mut found, mut left) = (Vec::new(), first);
+            for step in steps {
+                let (relation, [right]) = step.headed("a relation")? else { return step.wrong("a relation") };
+                found.push(pair(left, relation, right));
+                left = right;
+            }
+            Ok(found)
+        }
+        ("in", [x, interval]) => {
+            let [from, a, to, b] = interval.group("an interval")?;
+            let relation = |end: &Node<'t>| if end.is_word("closed") { "<=" } else { "<" };
+            Ok(vec![pair(a, relation(from), x), pair(x, relation(to), b)])
+        }
+        _ => Ok(vec![node.clone()]),
+    }
+}
+
+/// What an obligation's functions are taken at.
+#[derive(PartialEq)]
+pub(crate) enum Point<'t> {
+    /// A bound real.
+    Real(&'t str),
+    /// A knot.
+    Knot(Node<'t>),
+}
+
+/// Which members of the family a hypothesis leaves.
+fn ratio<'t>(hypotheses: &[Node<'t>]) -> Vec<Node<'t>> {
+    let (one, rho) = (|| Node::whole_of(1), || Node::made("rho", vec![Node::whole_of(0)]));
+    let above = || Node::made("+", vec![one(), rho()]);
+    let is_alpha =
+        |node: &Node<'t>| matches!(node.headed(""), Ok(("alpha", [name])) if name.is_word("alpha"));
+    let of = |hypothesis: &Node<'t>| {
+        let Ok(("chain", [a, step])) = hypothesis.headed("") else { return None };
+        let (relation, [b]) = step.headed("").ok()? else { return None };
+        let number = match b.headed("") {
+            Ok(("int", [number])) => number.whole().ok(),
+            _ => None,
+        };
+        let r = match (relation, number) {
+            _ if !is_alpha(a) => return None,
+            ("=", _) if b.is_word("infinity") => one(),
+            ("<", Some(0)) => Node::made("/", vec![one(), above()]),
+            (">", Some(1)) => above(),
+            _ => return None,
+        };
+        Some(Node::made("let", vec![Node::name_of("r"), r]))
+    };
+    let Some(found) = hypotheses.iter().find_map(of) else { return Vec::new() };
+    let moves = found.any(&mut |node| node.is("rho"));
+    let declared = moves.then(|| Node::made("positive", vec![rho()]));
+    declared.into_iter().chain([found]).collect()
+}
+
+impl<'t> Obligation<'t> {
+    /// A binder, and what it says of its name.
+    fn bind(&mut self, binder: &Node<'t>) -> Result<()> {
+        match binder.headed("a binder")? {
+            ("integer" | "integers", range @ [_, _, _]) => self.integers.push(range.to_vec()),
+            (_, [name]) => self.reals.push((name.name()?, None)),
+            (_, [name, of]) => self.reals.push((name.name()?, Some(of.clone()))),
+            _ => return binder.wrong("a binder"),
+        }
+        Ok(())
+    }
+
+    /// The hypotheses, and the intervals and signs of the reals.
+    pub(crate) fn all_hypotheses(&self) -> Vec<Node<'t>> {
+        let mut all = self.hypotheses.clone();
+        for (name, of) in &self.reals {
+            let x = Node::made("var", vec![Node::name_of(name)]);
+            match of {
+                Some(interval) if interval.list("").is_ok() => {
+                    all.push(Node::made("in", vec![x, interval.clone()]));
+                }
+                Some(sign) if self.refuting => {
+                    let zero = Node::made("int", vec![Node::whole_of(0)]);
+                    let sign = if sign.is_word("<") { "<" } else { ">" };
+                    all.push(Node::made("chain", vec![x, Node::made(sign, vec![zero])]));
+                }
+                _ => {}
+            }
+        }
+        if self.refuting {
+            let range = |range: &Vec<Node<'t>>| Node::made("among", range.clone());
+            all.extend(self.integers.iter().map(range));
+        }
+        all
+    }
+
+    /// What the functions of the conclusion are taken at: one bound real, or one knot. Without functions, the one bound
+    /// real in it, or the one with an interval.
+    pub(crate) fn point(&self) -> Result<Point<'t>> {
+        let many = Err(Reason::NoWindow("the functions are taken at more than one point"));
+        let mut arguments = Vec::new();
+        let conclusion: Vec<_> = self.conclusion.iter().collect();
+        for node in &conclusion {
+            node.any(&mut |node| {
+                match node.headed("") {
+                    Ok(("of", [_, argument])) => {
+                        arguments.extend(argument.headed("").ok().and_then(|(_, of)| of.first()).cloned())
+                    }
+                    Ok(("mult", [of])) => {
+                        arguments.extend(of.headed("").ok().and_then(|(_, of)| of.first()).cloned())
+                    }
+                    _ => {}
+                }
+                false
+            });
+        }
+        let bound = |nodes: &[&Node<'t>]| {
+            let named =
+                |name: &&'t str| nodes.iter().any(|node| node.any(&mut |node| is_variable(node, name)));
+            self.reals.iter().map(|(name, _)| *name).filter(named).collect::<BTreeSet<_>>()
+        };
+        let only = |names: BTreeSet<&'t str>| (names.len() == 1).then(|| names.first().copied()).flatten();
+        let named = bound(&arguments.iter().collect::<Vec<_>>());
+        match (named.is_empty(), arguments.first()) {
+            (false, _) => only(named).map_or(many, |name| Ok(Point::Real(name))),
+            (true, Some(knot)) if knot.is("t") && arguments.iter().all(|other| other == knot) => {
+                Ok(Point::Knot(knot.clone()))
+            }
+            (true, Some(_)) => many,
+            (true, None) => {
+                let intervals =
+                    self.reals.iter().filter(|(_, of)| of.as_ref().is_some_and(|of| of.list("").is_ok()));
+                let name =
+                    only(bound(&conclusion)).or_else(|| only(intervals.map(|(name, _)| *name).collect()));
+                name.map(Point::Real).ok_or(Reason::NoWindow("there is no point"))
+            }
+        }
+    }
+}
+
+fn is_variable(node: &Node<'_>, name: &str) -> bool {
+    matches!(node.headed(""), Ok(("var", [of])) if of.is_word(name))
+}
+
+/// The sections of a sentence for degree k.
+pub(crate) fn sections<'t>(definitions: &[Node<'t>], sentence: &Node<'t>, k: i64) -> Result<Vec<Node<'t>>> {
+    let mut all = Vec::new();
+    for (number, obligation) in (1..).zip(obligations(sentence, k, false)?) {
+        let mut walk = Walk::new(&obligation, definitions, k)?;
+        let found = match walk.all()? {
+            Err(_) if obligation.symmetric => {
+                walk.mirrored = true;
+                walk.all()?
+            }
+            found => found,
+        };
+        all.extend(found.map_err(|place| Reason::Undecided(number, place.to_string()))?);
+    }
+    Ok(all)
+}
+
+/// One obligation for one degree.
+struct Walk<'w, 't> {
+    obligation: &'w Obligation<'t>,
+    /// Those of the obligation, and the intervals of its reals.
+    hypotheses: Vec<Node<'t>>,
+    point: Point<'t>,
+    definitions: &'w [Node<'t>],
+    k: i64,
+    mirrored: bool,
+}
+
+impl<'w, 't> Walk<'w, 't> {
+    fn new(obligation: &'w Obligation<'t>, definitions: &'w [Node<'t>], k: i64) -> Result<Self> {
+        let hypotheses = obligation.all_hypotheses();
+        Ok(Walk { obligation, hypotheses, point: obligation.point()?, definitions, k, mirrored: false })
+    }
+
+    /// The sections of all places, or the place where something is not decided.
+    fn all(&self) -> Result<std::result::Result<Vec<Node<'t>>, Place>> {
+        let mut found = Vec::new();
+        for coarse in [Place::Before, Place::Inside, Place::Start, Place::End, Place::After] {
+            if self.at(coarse, &mut found)? {
+                continue;
+            }
+            let finer: Vec<_> = match coarse {
+                Place::Start => fine(Place::First, self.k).chain(fine(Place::Knot, self.k)).collect(),
+                Place::End => fine(Place::Last, self.k).collect(),
+                _ => return Ok(Err(coarse)),
+            };
+            for place in finer {
+                if !self.at(place, &mut found)? {
+                    return Ok(Err(place));
+                }
+            }
+        }
+        Ok(Ok(found))
+    }
+
+    /// The section of a place, if anything is to be shown there; `false` if something is not decided that has to be.
+    fn at(&self, place: Place, found: &mut Vec<Node<'t>>) -> Result<bool> {
+        let mut case = Case::new(self.definitions, self.k, place)?;
+        case.symmetric = self.obligation.symmetric;
+        case.mirrored = self.mirrored;
+        // Gaps are closed first: the window is one for all cases.
+        if !case.learn(&self.hypotheses)?
+            || !case.coincide(&self.hypotheses)?
+            || !case.learn(&self.hypotheses)?
+        {
+            return Ok(true);
+        }
+        let origin = Node::made("real", vec![Node::name_of("o")]);
+        let fixed: Vec<_> = [origin].into_iter().chain(case.windows()).collect();
+        fixed.iter().try_for_each(|part| case.section.declare(part))?;
+        for (name, of) in &self.obligation.reals {
+            let own = Node::name_of(name);
+            if matches!(*name, "u" | "r" | "o" | "W" | "M" | "left" | "right" | "rho" | "outside") {
+                return Err(Reason::Taken((*name).to_owned()));
+            }
+            let bound = match of {
+                _ if self.point == Point::Real(name) => Bound::Point(At::X),
+                Some(sign) if sign.is_word(">") => Bound::Free(case.parameter("positive", own)?),
+                Some(sign) if sign.is_word("<") => {
+                    Bound::Free(case.parameter("positive", own)?.times(Value::whole(-1))?)
+                }
+                _ => Bound::Free(case.parameter("real", own)?),
+            };
+            case.reals.push((name, bound));
+        }
+        // What is false without any integer is so for all.
+        for hypothesis in &self.hypotheses {
+            if case.truth(hypothesis)? == Truth::False {
+                return Ok(true);
+            }
+        }
+        let mut goals = Vec::new();
+        if !self.cases(&self.obligation.integers, &mut case, &mut goals)? {
+            return Ok(false);
+        }
+        if goals.is_empty() {
+            return Ok(true);
+        }
+        let named = |name: &Node<'t>| goals.iter().any(|goal: &Node<'t>| goal.any(&mut |node| node == name));
+        let declared = case.parameters.iter().filter(|(_, name)| named(name));
+        let mut fields: Vec<_> = declared.map(|(sign, name)| Node::made(sign, vec![name.clone()])).collect();
+        fields.extend(ratio(&self.hypotheses));
+        fields.extend(fixed);
+        fields.push(Node::made("goals", goals));
+        found.push(Node::made("section", fields));
+        Ok(true)
+    }
+
+    /// Every choice of the integers, the last one fastest; `false` if one of them is not decided.
+    fn cases(
+        &self,
+        integers: &[Vec<Node<'t>>],
+        case: &mut Case<'w, 't>,
+        goals: &mut Vec<Node<'t>>,
+    ) -> Result<bool> {
+        let Some((first, rest)) = integers.split_first() else { return self.one(case, goals) };
+        let [name, low, high] = first.as_slice() else { return Ok(false) };
+        let each = case.each([name, low, high], |case, _| match self.cases(rest, case, goals)? {
+            true => Ok(()),
+            false => Err(Stop::Undecided),
+        });
+        Ok(read(each)?.is_some())
+    }
+
+    /// All integers are chosen.
+    fn one(&self, case: &mut Case<'w, 't>, goals: &mut Vec<Node<'t>>) -> Result<bool> {
+        let facts = case.facts.clone();
+        let decided = if case.learn(&self.hypotheses)? { self.decided(case, goals)? } else { true };
+        case.facts = facts;
+        Ok(decided)
+    }
+
+    fn decided(&self, case: &mut Case<'w, 't>, goals: &mut Vec<Node<'t>>) -> Result<bool> {
+        let (mut open, mut undefined) = (false, false);
+        if let Point::Knot(knot) = &self.point {
+            case.knot = case.index(knot)?;
+            case.on_knot = false;
+            let x = Node::made("x", Vec::new());
+            let at_knot = Node::made("chain", vec![x, Node::made("=", vec![knot.clone()])]);
+            match case.truth(&at_knot)? {
+                Truth::False => return Ok(true),
+                truth => {
+                    open |= !truth.is_true();
+                    undefined |= truth == Truth::Undefined;
+                }
+            }
+            case.on_knot = true;
+        }
+        for hypothesis in &self.hypotheses {
+            match case.truth(hypothesis)? {
+                Truth::False => return Ok(true),
+                Truth::Undefined => undefined = true,
+                truth => open |= !truth.is_true() && self.names_point(hypothesis),
+            }
+        }
+        if undefined {
+            return Ok(false);
+        }
+        let Some(conclusion) = &self.obligation.conclusion else { return Ok(false) };
+        let truth = case.truth(conclusion)?;
+        let coarse = matches!(case.place, Place::Start | Place::End);
+        match truth {
+            truth if truth.is_true() => Ok(true),
+            Truth::Goals(new) if !(coarse && open) => {
+                spend(goals.len())?;
+                for goal in new {
+                    if !goals.contains(&goal) {
+                        goals.push(goal);
+                    }
+                }
+                Ok(true)
+            }
+            _ => Ok(false),
+        }
+    }
+
+    fn names_point(&self, hypothesis: &Node<'t>) -> bool {
+        hypothesis.any(&mut |node| match &self.point {
+            Point::Real(name) => is_variable(node, name),
+            Point::Knot(knot) => node == knot,
+        })
+    }
+}

@@ -1,0 +1,198 @@
+//! A refutation: numbers for which all hypotheses of a sentence are true, and a conclusion is not.
+
+use crate::case::{At, Bound, Case, Numbers, Truth};
+use crate::derive::{Obligation, Point, obligations};
+use crate::error::{Reason, Result};
+use crate::fraction::Fraction;
+use crate::place::{Copies, Facts, Form, Place};
+use crate::poly::Sign;
+use crate::token::Node;
+
+/// What stands in `point`.
+pub(crate) struct Numbered<'n, 't> {
+    k: i64,
+    knots: &'n [Node<'t>],
+    ratio: &'n Node<'t>,
+    /// (integer NAME value), (real NAME value), (points NAME value…), (index NAME ratio).
+    values: &'n [Node<'t>],
+}
+
+/// The sign of a − b.
+fn sign<'t>(a: &Node<'t>, b: &Node<'t>) -> Result<i64> {
+    let difference = Fraction::number(a)?.minus(&Fraction::number(b)?)?.num;
+    Ok(match difference.sign(&[]) {
+        Sign::Positive => 1,
+        _ if difference.is_zero() => 0,
+        _ => -1,
+    })
+}
+
+fn index(at: usize) -> Result<i64> {
+    i64::try_from(at).map_err(|_| Reason::Limits("the knots"))
+}
+
+impl<'n, 't> Numbered<'n, 't> {
+    pub(crate) fn new(node: &'n Node<'t>) -> Result<Self> {
+        let [k, knots, ratio, values @ ..] = node.fields("point")? else {
+            return node.wrong("k, knots and a ratio");
+        };
+        let ([degree], [ratio]) = (k.part("k")?, ratio.part("ratio")?);
+        let (k, knots) = (i64::from(degree.degree()?), knots.some("knots")?);
+        for (a, b) in knots.iter().zip(knots.iter().skip(1)) {
+            if sign(b, a)? < 0 {
+                return b.wrong("knots that do not fall");
+            }
+        }
+        for (at, value) in values.iter().enumerate() {
+            let (kind, [name, list @ ..]) = value.headed("a value")? else { return value.wrong("a name") };
+            name.name()?;
+            list.iter().try_for_each(|number| number.ratio().map(|_| ()))?;
+            let fits = match (kind, list) {
+                ("integer", [number]) => number.whole().is_ok(),
+                ("real", [_]) => true,
+                ("points", _) => list.len() + usize::from(degree.degree()?) + 1 == knots.len(),
+                // Another member of the family.
+                ("index", [other]) => sign(other, &Node::whole_of(0))? > 0 && sign(other, ratio)? != 0,
+                _ => false,
+            };
+            let again = values
+                .iter()
+                .take(at)
+                .any(|other| other.headed("").is_ok_and(|(_, of)| of.first() == Some(name)));
+            if !fits || again {
+                return value.wrong("integer, real, points or index with a name of its own and its numbers");
+            }
+        }
+        let long = knots.len() >= usize::from(degree.degree()?) + 2;
+        match (knots.first(), knots.last()) {
+            (Some(first), Some(last)) if long && sign(last, first)? > 0 => {
+                Ok(Numbered { k, knots, ratio, values })
+            }
+            _ => node.wrong("k + 2 knots at least, and two that differ"),
+        }
+    }
+
+    /// The degree.
+    pub(crate) fn degree(&self) -> i64 {
+        self.k
+    }
+
+    /// The numbers of a name.
+    fn values(&self, kind: &'static str, name: &str) -> Option<&'n [Node<'t>]> {
+        let of = |value: &'n Node<'t>| match value.fields(kind) {
+            Ok([own, list @ ..]) if own.is_word(name) => Some(list),
+            _ => None,
+        };
+        self.values.iter().find_map(of)
+    }
+
+    /// Whether one of the conclusions is refuted.
+    ///
+    /// # Errors
+    /// If none is, or a value is missing.
+    pub(crate) fn refutes(&self, definitions: &[Node<'t>], sentence: &Node<'t>) -> Result<()> {
+        for obligation in obligations(sentence, self.k, true)? {
+            if self.refuted(definitions, &obligation)? {
+                return Ok(());
+            }
+        }
+        Err(Reason::NotShown("no conclusion fails there while all its hypotheses are true"))
+    }
+
+    fn refuted(&self, definitions: &[Node<'t>], obligation: &Obligation<'t>) -> Result<bool> {
+        let point = obligation.point().ok();
+        let x = match &point {
+            Some(Point::Real(name)) => match self.values("real", name) {
+                Some([x]) => Some(x),
+                _ => return Ok(false),
+            },
+            _ => None,
+        };
+        // A knot as the point is known with its integers only.
+        let mut case = Case::new(definitions, self.k, Place::Inside)?;
+        self.place(&mut case, x)?;
+        for range in &obligation.integers {
+            let [name, ..] = range.as_slice() else { return Ok(false) };
+            let Some([value]) = self.values("integer", name.name()?) else { return Ok(false) };
+            case.ints.push((name.name()?, Form::number(value.whole()?)));
+        }
+        if let Some(Point::Knot(knot)) = &point {
+            let at = case.index(knot)?.and_then(|form| case.facts.value(&form));
+            let Some(x) = at.and_then(|at| usize::try_from(at).ok()).and_then(|at| self.knots.get(at)) else {
+                return Ok(false);
+            };
+            self.place(&mut case, Some(x))?;
+            case.knot = case.index(knot)?;
+        }
+        for (name, _) in &obligation.reals {
+            let Some([value]) = self.values("real", name) else { return Ok(false) };
+            let bound = match point {
+                Some(Point::Real(point)) if point == *name => Bound::Point(At::X),
+                _ => Bound::Free(case.leaf(value.clone())?),
+            };
+            case.reals.push((name, bound));
+        }
+        for hypothesis in obligation.all_hypotheses() {
+            if !case.truth(&hypothesis)?.is_true() {
+                return Ok(false);
+            }
+        }
+        let Some(conclusion) = &obligation.conclusion else { return Ok(false) };
+        case.undecided = false;
+        Ok(match case.truth(conclusion)? {
+            Truth::False => true,
+            Truth::Undefined => !case.undecided,
+            _ => false,
+        })
+    }
+
+    /// Puts x, or any point if there is none, in its place among the knots.
+    fn place(&self, case: &mut Case<'_, 't>, x: Option<&Node<'t>>) -> Result<()> {
+        let spans = self.knots.iter().zip(self.knots.iter().skip(1)).enumerate();
+        let (mut span, mut copies) = (None, 0);
+        for (s, (left, right)) in spans {
+            let long = sign(right, left)? > 0;
+            // The last span that begins before x or at it, or the first one.
+            if long && (span.is_none() || x.map_or(Ok(-1), |x| sign(x, left))? >= 0) {
+                span = Some((s, left, right));
+            }
+        }
+        for knot in self.knots {
+            copies += i64::from(x.map_or(Ok(1), |x| sign(x, knot))? == 0);
+        }
+        let Some((s, left, right)) = span else { return Ok(()) };
+        let (s, m) = (index(s)?, index(self.knots.len())? - 1);
+        let mut u = None;
+        case.place = match x {
+            None => Place::Inside,
+            Some(x) => {
+                let (start, end) = (sign(x, left)?, sign(x, right)?);
+                let copies = Copies::Exactly(copies);
+                match (start, end) {
+                    (-1, _) => Place::Before,
+                    (_, 1) => Place::After,
+                    (0, _) if s + 1 == copies.least() => Place::First(copies),
+                    (0, _) => Place::Knot(copies),
+                    (_, 0) => Place::Last(copies),
+                    _ => {
+                        let difference =
+                            |a: &Node<'t>, b: &Node<'t>| Node::made("-", vec![a.clone(), b.clone()]);
+                        u = Some(Node::made("/", vec![difference(x, left), difference(right, x)]));
+                        Place::Inside
+                    }
+                }
+            }
+        };
+        case.facts = Facts::known(s, m - self.k - 1);
+        case.shown = (-s, m - s);
+        let window = [Node::name_of("W"), Node::whole_of(-s)].into_iter().chain(self.knots.iter().cloned());
+        let ratio = Node::made("let", vec![Node::name_of("r"), self.ratio.clone()]);
+        case.section = crate::section::Section::new(
+            &[Node::made("knots", window.collect()), ratio],
+            crate::env::Env::default(),
+        )?;
+        case.numbers =
+            Some(Numbers { x: x.cloned(), u, knots: self.knots.to_vec(), values: self.values.to_vec() });
+        Ok(())
+    }
+}
