@@ -2,10 +2,11 @@
 
 use thiserror::Error;
 
-use crate::judge::Witness;
+use crate::judge::{Scope, Witness};
 use crate::language::{Claim, Form, canonical};
 
 use super::derive::{NoWindow, derive};
+use super::point::point;
 use super::proof::{SectionProof, to_sexp};
 use super::prove::{ProofError, prove};
 use super::sexp::Sexp;
@@ -107,38 +108,52 @@ pub fn statement(
     witness: Option<&Witness>,
 ) -> Result<Option<Statement>, CertificateError> {
     let id = claim.id();
-    let Some(found) = windows(id, form, witness).map_err(|error| failed(id, form, error))? else {
-        return Ok(None);
-    };
+    let failed = |error: Uncertified| failed(id, form, error);
     let Some(sentence) = claim.sentence(form) else { return Ok(None) };
+    let found = windows(id, form, witness).map_err(|error| failed(error.into()))?;
+    let parse = |text: &str| {
+        Sexp::parse_all(text).map_err(|error| failed(ProofError::Statement(error.into()).into()))
+    };
+    let (scope, degrees, shown) = match (found, witness) {
+        (
+            Some(Windows {
+                scope, degrees, argued: Some(Argued { because, sections }), refutes, own, ..
+            }),
+            _,
+        ) => {
+            let because = match refutes.as_ref().filter(|_| *own) {
+                Some(given) => format!("By a counterexample of its own, {}. {because}", listed(given)),
+                None => because.clone(),
+            };
+            (*scope, degrees.clone(), Shown::Argued { because, sections: parse(sections)? })
+        }
+        (Some(Windows { scope, degrees, .. }), _) => {
+            let derived = degrees.iter().map(|k| derive(sentence, claim.definitions, claim, *k));
+            let derived = derived.collect::<Result<_, _>>().map_err(|error| failed(error.into()))?;
+            (*scope, degrees.clone(), Shown::Derived(derived))
+        }
+        (None, Some(witness)) => match (point(witness), witness.k) {
+            (Some(point), Some(k)) => (Scope::Instance, vec![k], Shown::Point(point)),
+            _ => return Ok(None),
+        },
+        (None, None) => return Ok(None),
+    };
     let in_brackets = canonical(sentence, claim.definitions, &|id, printed| {
         let named = Claim::of(claim.library).find(|other| other.id() == id)?;
         let form = if printed { Form::Printed } else { named.strongest() };
         Some((named.sentence(form)?, named.definitions))
     });
-    let in_brackets =
-        in_brackets.map_err(|name| failed(id, form, Uncertified::Unprintable(name.to_string())))?;
-    let parse = |text: &str| {
-        Sexp::parse_all(text).map_err(|error| failed(id, form, ProofError::Statement(error.into())))
-    };
-    let Windows { scope, degrees, argued, refutes, own, .. } = found.clone();
-    let (refuted, sentence_in_brackets) = (refutes.is_some(), parse(&in_brackets)?);
-    let shown = match argued {
-        Some(Argued { because, sections }) => {
-            let because = match refutes.filter(|_| own) {
-                Some(given) => format!("By a counterexample of its own, {}. {because}", listed(&given)),
-                None => because,
-            };
-            Shown::Argued { because, sections: parse(&sections)? }
-        }
-        None => {
-            let derived = degrees.iter().map(|k| derive(sentence, claim.definitions, claim, *k));
-            let derived: Result<Vec<_>, _> = derived.collect();
-            Shown::Derived(derived.map_err(|error| failed(id, form, error))?)
-        }
-    };
-    let (claim, sentence) = (id.to_owned(), sentence_in_brackets);
-    Ok(Some(Statement { claim, form, refuted, scope, degrees, sentence, shown }))
+    let in_brackets = in_brackets.map_err(|name| failed(Uncertified::Unprintable(name.to_string())))?;
+    let sentence = parse(&in_brackets)?;
+    Ok(Some(Statement {
+        claim: id.to_owned(),
+        form,
+        refuted: witness.is_some(),
+        scope,
+        degrees,
+        sentence,
+        shown,
+    }))
 }
 
 /// The certificate of a sentence: that it is true, or, with a witness, that it is false. `None` if it is not stated formally.
@@ -150,7 +165,11 @@ pub fn certify(
     form: Form,
     witness: Option<&Witness>,
 ) -> Result<Option<Certificate>, CertificateError> {
-    statement(claim, form, witness)?.map(Certificate::of).transpose()
+    let Some(stated) = statement(claim, form, witness)? else { return Ok(None) };
+    let is_point = matches!(stated.shown, Shown::Point(_));
+    let certificate = Certificate::of(stated)?;
+    // The checker has the last word on whether numbers are enough: of a sentence with a word they are not.
+    Ok(Some(certificate).filter(|certificate| !is_point || certificate.check().is_ok()))
 }
 
 /// What is proved of a sentence in one degree: for a weight, which has no degree, the whole of it. `None` if there is no formal

@@ -9,6 +9,7 @@ mod derive;
 mod error;
 mod evaluate;
 mod expansion;
+mod point;
 mod proof;
 mod prove;
 mod sexp;

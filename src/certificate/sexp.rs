@@ -108,8 +108,10 @@ impl Sexp {
         }
         let is_name = token.starts_with(|c: char| c.is_ascii_alphabetic())
             && token.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '.' | '-'));
-        let is_operator =
-            matches!(token, "+" | "-" | "*" | "/" | "^" | "=" | "/=" | ">" | ">=" | "<" | "<=" | "=>" | "<=>");
+        let is_operator = matches!(
+            token,
+            "+" | "-" | "*" | "/" | "^" | "=" | "/=" | ">" | ">=" | "<" | "<=" | "=>" | "<=>"
+        );
         if is_name || is_operator {
             Ok(Self::Name(token.to_owned()))
         } else {

@@ -35,6 +35,8 @@ pub struct Statement {
 pub enum Shown {
     /// Windows and goals that follow from it: those of each degree.
     Derived(Vec<Vec<Section>>),
+    /// Numbers at which it fails: nothing is left to be proved.
+    Point(Sexp),
     /// Sections, not yet unrolled, and why they are the sentence, or refute it.
     Argued {
         /// Why.
@@ -121,9 +123,13 @@ impl Statement {
         ];
         let mut all = vec![Sexp::int(2)];
         all.extend(parts.into_iter().chain(self.sentence.iter().cloned()));
-        if let Shown::Argued { because, sections } = &self.shown {
-            all.push(Sexp::form("because", [Sexp::Text(because.clone())]));
-            all.extend(sections.iter().map(without_hints));
+        match &self.shown {
+            Shown::Derived(_) => {}
+            Shown::Point(point) => all.push(point.clone()),
+            Shown::Argued { because, sections } => {
+                all.push(Sexp::form("because", [Sexp::Text(because.clone())]));
+                all.extend(sections.iter().map(without_hints));
+            }
         }
         Sexp::form("statement", all)
     }
@@ -136,6 +142,7 @@ impl Statement {
             Shown::Derived(sections) => {
                 (None, sections.last().into_iter().flatten().map(Section::to_sexp).collect())
             }
+            Shown::Point(point) => (None, vec![point.clone()]),
             Shown::Argued { because, sections } => (Some(because.clone()), sections.clone()),
         }
     }
@@ -147,6 +154,7 @@ impl Statement {
     pub fn expand(&self) -> Result<Vec<Section>, StatementError> {
         let sections = match &self.shown {
             Shown::Derived(sections) => return Ok(sections.concat()),
+            Shown::Point(_) => return Ok(Vec::new()),
             Shown::Argued { sections, .. } => sections,
         };
         let mut all = Vec::new();

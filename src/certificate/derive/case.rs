@@ -163,10 +163,30 @@ impl Value {
 /// The parameters of a section, in the order in which they are met.
 #[derive(Debug, Default)]
 pub(super) struct Parameters {
-    pub(super) all: Vec<(String, Class)>,
+    /// Those of the case at hand; first the free reals, which are those of all cases.
+    all: Vec<(String, Class)>,
+    free: usize,
+    /// Those that goals speak of.
+    pub(super) kept: Vec<(String, Class)>,
 }
 
 impl Parameters {
+    /// All free reals are there.
+    pub(super) fn begin(&mut self) {
+        self.free = self.all.len();
+    }
+
+    /// The end of a case: what its goals speak of is kept.
+    pub(super) fn close(&mut self, goals: &[term::Formula]) {
+        for (name, class) in &self.all {
+            let known = self.kept.iter().any(|(kept, _)| kept == name);
+            if !known && goals.iter().any(|goal| goal.names(name)) {
+                self.kept.push((name.clone(), *class));
+            }
+        }
+        self.all.truncate(self.free);
+    }
+
     fn value(&mut self, name: String, class: Class) -> Known<Value> {
         let at = match self.all.iter().position(|(known, _)| *known == name) {
             Some(at) => at,

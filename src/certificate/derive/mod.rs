@@ -118,11 +118,12 @@ fn at(obligation: &Obligation<'_>, k: i64, place: Place, mirrored: bool) -> Resu
         let value = case.free(name, *sign)?;
         case.scope.reals.push((name.clone(), Bound::Free(value)));
     }
+    case.parameters.begin();
     let mut goals = Vec::new();
     // What is said without any bound integer is said in all cases.
     let tightened = case.tighten(&obligation.assume).and_then(|()| case.coincide(&obligation.coincide));
     match tightened.and_then(|()| case.tighten(&obligation.assume)) {
-        Ok(()) if obligation.assume.iter().any(|f| case.formula(f) == Truth::False) => {}
+        Ok(()) if excluded(&mut case, obligation) => {}
         Ok(()) => cases(&mut case, obligation, 0, &mut goals)?,
         Err(Contradiction) => {}
     }
@@ -143,7 +144,11 @@ fn cases(
     if let Some(range) = obligation.integers.get(from) {
         let beyond = case.beyond;
         for (i, _) in case.run(range)? {
-            match case.with(range, &i, |case| cases(case, obligation, from + 1, goals))? {
+            let below = |case: &mut Case<'_>| match excluded(case, obligation) {
+                true => Ok(()),
+                false => cases(case, obligation, from + 1, goals),
+            };
+            match case.with(range, &i, below)? {
                 Ok(done) => done?,
                 Err(Contradiction) => {}
             }
@@ -155,12 +160,21 @@ fn cases(
     let found =
         if case.tighten(&obligation.assume).is_ok() { one_case(case, obligation) } else { Ok(Vec::new()) };
     (case.facts, case.copies_from) = (facts, None);
-    for goal in found? {
+    let found = found?;
+    case.parameters.close(&found);
+    for goal in found {
         if !goals.contains(&goal) {
             goals.push(goal);
         }
     }
     Ok(())
+}
+
+/// Is a hypothesis false with the integers that are bound so far?
+fn excluded(case: &mut Case<'_>, obligation: &Obligation<'_>) -> bool {
+    let excluded = obligation.assume.iter().any(|f| case.formula(f) == Truth::False);
+    case.parameters.close(&[]);
+    excluded
 }
 
 fn one_case(case: &mut Case<'_>, obligation: &Obligation<'_>) -> Result<Vec<Formula>, Stop> {
@@ -251,10 +265,7 @@ fn section(
     });
     let is_gap = |name: &str| windows.iter().any(|window| name.starts_with(&format!("({} ", window.name)));
     let always = |name: &str| matches!(name, "u" | "r");
-    let declared = parameters
-        .all
-        .into_iter()
-        .filter(|(name, _)| !always(name) && !is_gap(name) && goals.iter().any(|goal| goal.names(name)));
+    let declared = parameters.kept.into_iter().filter(|(name, _)| !always(name) && !is_gap(name));
     let own = ["u", "r"].map(|name| (name.to_owned(), Class::Positive));
     let rho = member.filter(|member| **member != Ratio::One).map(|_| (RHO.to_owned(), Class::Positive));
     let parameters = own.into_iter().chain(rho).chain(declared).collect();

@@ -248,7 +248,19 @@ fn obligation<'a>(
     let (symmetric, simple) = (is(Adjective::Symmetric), is(Adjective::Simple));
     // More than k of the indices 1, …, n+k in a row hold one of k+1, …, n, or both k and n+1.
     let inner = is(Adjective::Inner) || is(Adjective::Interior) && assume.contains(&apart());
-    Ok(Obligation { integers, reals, assume, coincide, claim, point, symmetric, simple, inner, member, definitions })
+    Ok(Obligation {
+        integers,
+        reals,
+        assume,
+        coincide,
+        claim,
+        point,
+        symmetric,
+        simple,
+        inner,
+        member,
+        definitions,
+    })
 }
 
 fn ratio(f: &Formula) -> Option<Ratio> {
