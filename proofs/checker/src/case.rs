@@ -236,8 +236,17 @@ impl<'c, 't> Case<'c, 't> {
         })
     }
 
+    /// Declares the origin and the windows, and nothing else.
+    pub(crate) fn open(&mut self) -> Result<Vec<Node<'t>>> {
+        let origin = Node::made("real", vec![Node::name_of("o")]);
+        let fixed: Vec<_> = [origin].into_iter().chain(self.windows()).collect();
+        self.section = Section::new(&fixed, Env::default())?;
+        self.parameters.clear();
+        Ok(fixed)
+    }
+
     /// (window W FIRST GAP…), and if the knots are symmetric the reflected one.
-    pub(crate) fn windows(&self) -> Vec<Node<'t>> {
+    fn windows(&self) -> Vec<Node<'t>> {
         let (first, last) = self.shown;
         let gap = |e| match self.place.gap(e) {
             Gap::Some => Node::name_of("some"),

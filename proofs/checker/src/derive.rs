@@ -333,15 +333,11 @@ impl<'w, 't> Walk<'w, 't> {
         case.symmetric = self.obligation.symmetric;
         case.mirrored = self.mirrored;
         // Gaps are closed first: the window is one for all cases.
-        if !case.learn(&self.hypotheses)?
-            || !case.coincide(&self.hypotheses)?
-            || !case.learn(&self.hypotheses)?
-        {
+        case.open()?;
+        if !case.learn(&self.hypotheses)? || !case.coincide(&self.hypotheses)? || !case.learn(&self.hypotheses)? {
             return Ok(true);
         }
-        let origin = Node::made("real", vec![Node::name_of("o")]);
-        let fixed: Vec<_> = [origin].into_iter().chain(case.windows()).collect();
-        fixed.iter().try_for_each(|part| case.section.declare(part))?;
+        let fixed = case.open()?;
         for (name, of) in &self.obligation.reals {
             let own = Node::name_of(name);
             if matches!(*name, "u" | "r" | "o" | "W" | "M" | "left" | "right" | "rho" | "outside") {
