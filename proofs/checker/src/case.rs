@@ -462,7 +462,9 @@ impl<'c, 't> Case<'c, 't> {
         let parts = match node.headed("a formula")? {
             ("chain", [a, step]) => {
                 let (relation, [b]) = step.headed("a relation")? else { return step.wrong("a relation") };
-                let (("int", [a]), ("int", [b])) = (a.headed("")?, b.headed("")?) else { return Ok(true) };
+                let (Ok(("int", [a])), Ok(("int", [b]))) = (a.headed(""), b.headed("")) else {
+                    return Ok(true);
+                };
                 let (Some(a), Some(b)) = (read(self.int(a))?, read(self.int(b))?) else { return Ok(true) };
                 let (up, down) = (b.plus(-1, &a)?, a.plus(-1, &b)?);
                 let more = |form: Form| form.plus(-1, &Form::number(1));

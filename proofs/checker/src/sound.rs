@@ -35,7 +35,9 @@ impl Small {
 /// G_i^d at x/2, by D3.3: on the span that holds x, or for the limit from the left the one that ends there or holds it.
 fn definition(knots: &[i128], (i, d): (usize, usize), x: i128, r: Small, left: bool) -> Small {
     let last = knots[knots.len() - 1];
-    let holds = |a: i128, b: i128| if left || x == 2 * last { 2 * a < x && x <= 2 * b } else { 2 * a <= x && x < 2 * b };
+    let holds = |a: i128, b: i128| {
+        if left || x == 2 * last { 2 * a < x && x <= 2 * b } else { 2 * a <= x && x < 2 * b }
+    };
     if d == 0 {
         return Small::new(i128::from(holds(knots[i], knots[i + 1])), 1);
     }
@@ -47,7 +49,8 @@ fn definition(knots: &[i128], (i, d): (usize, usize), x: i128, r: Small, left: b
     };
     let (a, b) = (definition(knots, (i, d - 1), x, r, left), definition(knots, (i + 1, d - 1), x, r, left));
     let rising = if a.0 == 0 { a } else { weight(i).times(a) };
-    let falling = if b.0 == 0 { b } else { Small::new(1, 1).plus(weight(i + 1).times(Small::new(-1, 1))).times(b) };
+    let falling =
+        if b.0 == 0 { b } else { Small::new(1, 1).plus(weight(i + 1).times(Small::new(-1, 1))).times(b) };
     rising.plus(falling)
 }
 
@@ -119,9 +122,12 @@ fn proved(definitions: &str, sentence: &str, k: i64) -> Result<usize, String> {
     let (sentence, definitions) = parts.split_last().unwrap();
     crate::sentence::read(definitions, sentence).map_err(|e| e.to_string())?;
     let sections = sections(definitions, sentence, k).map_err(|e| e.to_string())?;
-    let goals = |section: &Node<'_>| section.fields("section").unwrap().last().unwrap().fields("goals").unwrap().len();
+    let goals = |section: &Node<'_>| {
+        section.fields("section").unwrap().last().unwrap().fields("goals").unwrap().len()
+    };
     let by = |count| (1..=count).map(|goal| format!(" (goal {goal} (by))")).collect::<String>();
-    let proofs = (1..).zip(&sections).map(|(label, section)| format!("(section {label}{})", by(goals(section))));
+    let proofs =
+        (1..).zip(&sections).map(|(label, section)| format!("(section {label}{})", by(goals(section))));
     let checked = crate::check(&statement, &format!("(proof 1 {})", list(proofs)));
     checked.map(|checked| checked.goals).map_err(|e| e.to_string())
 }
@@ -137,20 +143,24 @@ fn refuted(definitions: &str, sentence: &str, k: usize, longest: usize) -> Optio
     for obligation in &obligations {
         names.extend(obligation.integers.iter().map(|range| range[0].name().unwrap()));
     }
-    let reals: BTreeSet<_> = obligations.iter().flat_map(|of| of.reals.iter().map(|(name, _)| *name)).collect();
+    let reals: BTreeSet<_> =
+        obligations.iter().flat_map(|of| of.reals.iter().map(|(name, _)| *name)).collect();
     for knots in vectors(k, longest) {
         let last = knots[knots.len() - 1];
         let m = i128::try_from(knots.len()).unwrap() - 1;
         let mut choices = vec![String::new()];
         for name in &names {
-            let with = |so_far: &String| (0..=m + 1).map(|i| format!("{so_far} (integer {name} {i})")).collect::<Vec<_>>();
+            let with = |so_far: &String| {
+                (0..=m + 1).map(|i| format!("{so_far} (integer {name} {i})")).collect::<Vec<_>>()
+            };
             choices = choices.iter().flat_map(with).collect();
         }
         let controls = list((0..knots.len() - k - 1).map(|i| [2, -1, 3, 7, -5][i % 5]));
         for x in -1..=2 * last + 1 {
             for choice in &choices {
                 let r = ["1/2", "1", "3"][choice.len() % 3];
-                let reals = list(reals.iter().map(|name| format!("(real {name} {})", Small::new(x, 2).text())));
+                let reals =
+                    list(reals.iter().map(|name| format!("(real {name} {})", Small::new(x, 2).text())));
                 let point = format!(
                     "(point (k {k}) (knots {}) (ratio {r}) {reals} {choice} (points d {controls}))",
                     list(&knots)
@@ -214,7 +224,10 @@ fn no_place_is_left_out() {
         let mut table = vec![
             (sentence(i, "(chain (var x) (< (t 0)))", &positive), "before"),
             (sentence(i, "(chain (var x) (> (t m)))", &positive), "after"),
-            (sentence(i, inside, &format!("(or (chain (int (mult (real (var x)))) (> (int 0))) {zero})")), "inside"),
+            (
+                sentence(i, inside, &format!("(or (chain (int (mult (real (var x)))) (> (int 0))) {zero})")),
+                "inside",
+            ),
             (sentence(i, &format!("{inside} {}", knot("=")), &zero), "inside, by hypothesis"),
         ];
         for q in 1..k + 5 {
@@ -231,7 +244,11 @@ fn no_place_is_left_out() {
             assert!(found.is_err(), "{name}, k = {k}: {found:?}\n{sentence}");
         }
         // Without its fault the sentence is proved.
-        let good = sentence("(integer i 0 n) (point x (closed (t 0) closed (t m)))", "", &format!("(chain {x} (>= (int 0)))"));
+        let good = sentence(
+            "(integer i 0 n) (point x (closed (t 0) closed (t m)))",
+            "",
+            &format!("(chain {x} (>= (int 0)))"),
+        );
         assert!(proved("", &good, k).is_ok(), "{:?}", proved("", &good, k));
         let good = sentence(i, "(chain (var x) (< (t 0)))", &zero);
         assert!(proved("", &good, k).is_ok(), "{:?}", proved("", &good, k));
@@ -243,9 +260,14 @@ fn mutants(sentence: &str) -> Vec<String> {
     let spaced = sentence.replace('(', " ( ").replace(')', " ) ");
     let tokens: Vec<_> = spaced.split_whitespace().collect();
     let mut all = Vec::new();
-    let groups = ["0 1 k n m i j", "= < <= > >=", "closed open", "at left right", "+ -", "and or", "k 2", "knots"];
+    let groups =
+        ["0 1 k n m i j", "= < <= > >=", "closed open", "at left right", "+ -", "and or", "k 2", "knots"];
     for (at, token) in tokens.iter().enumerate() {
-        for other in groups.iter().map(|group| group.split(' ').collect::<Vec<_>>()).filter(|group| group.contains(token)) {
+        for other in groups
+            .iter()
+            .map(|group| group.split(' ').collect::<Vec<_>>())
+            .filter(|group| group.contains(token))
+        {
             for other in other.into_iter().filter(|other| other != token) {
                 let mut mutant = tokens.clone();
                 mutant[at] = other;
@@ -266,7 +288,8 @@ fn mutants(sentence: &str) -> Vec<String> {
 fn no_false_sentence_is_proved() {
     let (mut tried, mut accepted) = (0, 0);
     for (name, definitions, sentence) in claims() {
-        let short = ["L3.6", "L3.7", "P3.1.3", "T3.5.1", "T3.5.2", "T3.5.3", "P4.1.3", "T3.11", "proof.T3.5.3"];
+        let short =
+            ["L3.6", "L3.7", "P3.1.3", "T3.5.1", "T3.5.2", "T3.5.3", "P4.1.3", "T3.11", "proof.T3.5.3"];
         if !short.iter().any(|own| name.starts_with(own)) {
             continue;
         }
