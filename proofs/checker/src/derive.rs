@@ -378,11 +378,8 @@ impl<'w, 't> Walk<'w, 't> {
             };
             case.reals.push((name, bound));
         }
-        // What is false without any integer is so for all.
-        for hypothesis in &self.hypotheses {
-            if case.truth(hypothesis)? == Truth::False {
-                return Ok(true);
-            }
+        if self.is_false(&mut case)? {
+            return Ok(true);
         }
         let mut goals = Vec::new();
         if !self.cases(&self.obligation.integers, &mut case, &mut goals)? {
@@ -410,11 +407,26 @@ impl<'w, 't> Walk<'w, 't> {
     ) -> Result<bool> {
         let Some((first, rest)) = integers.split_first() else { return self.one(case, goals) };
         let [name, low, high] = first.as_slice() else { return Ok(false) };
-        let each = case.each([name, low, high], |case, _| match self.cases(rest, case, goals)? {
-            true => Ok(()),
-            false => Err(Stop::Undecided),
+        let each = case.each([name, low, high], |case, _| {
+            // What is false already is so whatever the others are.
+            case.on_knot = false;
+            if !case.learn(&self.hypotheses)? || self.is_false(case)? || self.cases(rest, case, goals)? {
+                Ok(())
+            } else {
+                Err(Stop::Undecided)
+            }
         });
         Ok(read(each)?.is_some())
+    }
+
+    /// Whether a hypothesis is false with the integers so far.
+    fn is_false(&self, case: &mut Case<'w, 't>) -> Result<bool> {
+        for hypothesis in &self.hypotheses {
+            if case.truth(hypothesis)? == Truth::False {
+                return Ok(true);
+            }
+        }
+        Ok(false)
     }
 
     /// All integers are chosen.

@@ -278,6 +278,18 @@ fn points_refute_what_is_false_there_and_nothing_else() {
             whole,
             "no conclusion fails",
         ),
+        // At 0 + 2 − 3/2 and at the value of a function there.
+        ("", "(chain (of (G 0) (at (- (+ (t 0) (t m)) (var x)))) (/= 1/3))", whole, "accepted"),
+        (
+            "",
+            "(chain (of (G 0) (at (- (+ (t 0) (t m)) (var x)))) (/= 2/3))",
+            whole,
+            "no conclusion fails there",
+        ),
+        ("", "(chain (of (G 0) (at (of (G 1) (at (var x))))) (/= 1/2))", whole, "accepted"),
+        ("", "(chain (of (G 0) (at (of (G 1) (at (var x))))) (/= 1/3))", whole, "no conclusion fails there"),
+        ("", "(chain (of (G 0) (left (- (var x) 1/2))) (/= (int 0)))", whole, "accepted"),
+        ("", "(chain (of (G 9) (at (- (var x) 1/2))) (= (int 0)))", whole, "accepted"),
         ("", &sum, "(integer i 2) (real x 3/2)", "no conclusion fails there"),
         ("", &sum, "(integer i 1) (real x 5/2)", "no conclusion fails there"),
         ("", &sum, "(integer i 1)", "no conclusion fails there"),
