@@ -158,11 +158,13 @@ impl<'t> Value<'t> {
 }
 
 /// Numbers for everything, where a sentence is refuted.
+#[derive(Clone)]
 pub(crate) struct Numbers<'t> {
     pub(crate) x: Option<Node<'t>>,
     /// Where x is on its span.
     pub(crate) u: Option<Node<'t>>,
     pub(crate) knots: Vec<Node<'t>>,
+    pub(crate) ratio: Node<'t>,
     /// (points NAME value…) and (index NAME ratio), among others.
     pub(crate) values: Vec<Node<'t>>,
 }
@@ -179,7 +181,7 @@ impl<'t> Numbers<'t> {
 
 pub(crate) struct Case<'c, 't> {
     definitions: &'c [Node<'t>],
-    k: i64,
+    pub(crate) k: i64,
     pub(crate) place: Place,
     pub(crate) facts: Facts,
     /// The window and the parameters.
@@ -236,8 +238,17 @@ impl<'c, 't> Case<'c, 't> {
         })
     }
 
+    /// Declares the origin and the windows, and nothing else.
+    pub(crate) fn open(&mut self) -> Result<Vec<Node<'t>>> {
+        let origin = Node::made("real", vec![Node::name_of("o")]);
+        let fixed: Vec<_> = [origin].into_iter().chain(self.windows()).collect();
+        self.section = Section::new(&fixed, Env::default())?;
+        self.parameters.clear();
+        Ok(fixed)
+    }
+
     /// (window W FIRST GAP…), and if the knots are symmetric the reflected one.
-    pub(crate) fn windows(&self) -> Vec<Node<'t>> {
+    fn windows(&self) -> Vec<Node<'t>> {
         let (first, last) = self.shown;
         let gap = |e| match self.place.gap(e) {
             Gap::Some => Node::name_of("some"),
@@ -453,7 +464,9 @@ impl<'c, 't> Case<'c, 't> {
         let parts = match node.headed("a formula")? {
             ("chain", [a, step]) => {
                 let (relation, [b]) = step.headed("a relation")? else { return step.wrong("a relation") };
-                let (("int", [a]), ("int", [b])) = (a.headed("")?, b.headed("")?) else { return Ok(true) };
+                let (Ok(("int", [a])), Ok(("int", [b]))) = (a.headed(""), b.headed("")) else {
+                    return Ok(true);
+                };
                 let (Some(a), Some(b)) = (read(self.int(a))?, read(self.int(b))?) else { return Ok(true) };
                 let (up, down) = (b.plus(-1, &a)?, a.plus(-1, &b)?);
                 let more = |form: Form| form.plus(-1, &Form::number(1));
@@ -695,13 +708,7 @@ impl<'c, 't> Case<'c, 't> {
             (head @ ("sum" | "product"), [name, low, high, body]) => {
                 self.fold(head == "sum", [name, low, high], &|own| own.real(body))
             }
-            ("of", [function, argument]) => {
-                let (at, ratio) = self.argument(argument)?;
-                let before = std::mem::replace(&mut self.ratio, ratio);
-                let value = self.function(function, at, 0);
-                self.ratio = before;
-                value
-            }
+            ("of", [function, argument]) => self.of(function, argument),
             _ => Err(Stop::Undecided),
         }
     }
@@ -890,20 +897,34 @@ impl<'c, 't> Case<'c, 't> {
         }
     }
 
-    /// Where an argument is, and r of its member.
-    fn argument(&mut self, argument: &Node<'t>) -> Found<(At, Option<Node<'t>>)> {
+    /// A function at an argument; of numbers, whatever the number is.
+    fn of(&mut self, function: &Node<'t>, argument: &Node<'t>) -> Found<Value<'t>> {
         let (side, [x, member @ ..]) = argument.headed("an argument")? else { return Err(Stop::Undecided) };
         let ratio = match (member.first(), &self.ratio) {
             (None, ratio) => ratio.clone(),
             (Some(_), Some(_)) => return Err(Stop::Undecided),
             (Some(member), None) => Some(self.member(member)?),
         };
-        Ok(match (self.place_of(x)?, side) {
-            (at, "at") => (at, ratio),
-            (At::X, "left") => (At::Left, ratio),
-            (At::X, "right") => (At::Right, ratio),
+        let (at, moved) = match self.place_of(x) {
+            Err(Stop::Undecided) if self.numbers.is_some() => {
+                let plain = self.real(x)?.plain.ok_or(Stop::Undecided)?;
+                (At::X, Node::number_of(&plain.num, &plain.denominator()?))
+            }
+            at => (at?, None),
+        };
+        let at = match (at, side) {
+            (at, "at") => at,
+            (At::X, "left") => At::Left,
+            (At::X, "right") => At::Right,
             _ => return Err(Stop::Undecided),
-        })
+        };
+        let before = (std::mem::replace(&mut self.ratio, ratio), moved.map(|x| self.locate(x)).transpose()?);
+        let value = self.function(function, at, 0);
+        self.ratio = before.0;
+        if let Some(before) = before.1 {
+            self.restore(before);
+        }
+        value
     }
 
     fn member(&mut self, member: &Node<'t>) -> Found<Node<'t>> {

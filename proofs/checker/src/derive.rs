@@ -8,7 +8,7 @@ use crate::case::{At, Bound, Case, Stop, Truth, Value, read};
 use crate::error::{Reason, Result};
 use crate::place::{Place, fine};
 use crate::sentence::adjective;
-use crate::token::Node;
+use crate::token::{Node, tree};
 use crate::work::spend;
 
 /// What a sentence asks for: one formula, under hypotheses, for all values of what is bound.
@@ -19,7 +19,8 @@ pub(crate) struct Obligation<'t> {
     /// Names, with a sign or an interval if they have one.
     pub(crate) reals: Vec<(&'t str, Option<Node<'t>>)>,
     hypotheses: Vec<Node<'t>>,
-    symmetric: bool,
+    /// Of the knots.
+    adjectives: Vec<&'t str>,
     pub(crate) conclusion: Option<Node<'t>>,
     /// Adjectives say all that they mean: hypotheses have to be true, not only to be left out.
     refuting: bool,
@@ -51,7 +52,7 @@ fn open<'t>(
             ("knots", adjectives) => {
                 knots = true;
                 for node in adjectives {
-                    of.symmetric |= node.is_word("symmetric");
+                    of.adjectives.push(node.name()?);
                     for said in adjective(node, of.refuting)? {
                         of.hypotheses.extend(parts(&said)?);
                     }
@@ -189,6 +190,24 @@ fn ratio<'t>(hypotheses: &[Node<'t>]) -> Vec<Node<'t>> {
 }
 
 impl<'t> Obligation<'t> {
+    fn is(&self, adjective: &str) -> bool {
+        self.adjectives.contains(&adjective)
+    }
+
+    /// Whether adjectives forbid so many copies of a knot there.
+    fn forbids(&self, place: Place, k: i64) -> Result<bool> {
+        // q > k consecutive indices in 1, …, n + k have one in k + 1, …, n, or hold both k and n + 1.
+        let proper = tree("(chain (t k) (< (t (- m k))))")?;
+        Ok(match place {
+            Place::First(copies) | Place::Last(copies) => self.is("simple") && copies.least() > 1,
+            Place::Knot(copies) => {
+                let few = self.is("inner") || self.is("interior") && self.hypotheses.contains(&proper);
+                self.is("simple") && copies.least() > 1 || few && copies.least() > k
+            }
+            _ => false,
+        })
+    }
+
     /// A binder, and what it says of its name.
     fn bind(&mut self, binder: &Node<'t>) -> Result<()> {
         match binder.headed("a binder")? {
@@ -278,7 +297,7 @@ pub(crate) fn sections<'t>(definitions: &[Node<'t>], sentence: &Node<'t>, k: i64
     for (number, obligation) in (1..).zip(obligations(sentence, k, false)?) {
         let mut walk = Walk::new(&obligation, definitions, k)?;
         let found = match walk.all()? {
-            Err(_) if obligation.symmetric => {
+            Err(_) if obligation.is("symmetric") => {
                 walk.mirrored = true;
                 walk.all()?
             }
@@ -329,19 +348,21 @@ impl<'w, 't> Walk<'w, 't> {
 
     /// The section of a place, if anything is to be shown there; `false` if something is not decided that has to be.
     fn at(&self, place: Place, found: &mut Vec<Node<'t>>) -> Result<bool> {
+        if self.obligation.forbids(place, self.k)? {
+            return Ok(true);
+        }
         let mut case = Case::new(self.definitions, self.k, place)?;
-        case.symmetric = self.obligation.symmetric;
+        case.symmetric = self.obligation.is("symmetric");
         case.mirrored = self.mirrored;
         // Gaps are closed first: the window is one for all cases.
+        case.open()?;
         if !case.learn(&self.hypotheses)?
             || !case.coincide(&self.hypotheses)?
             || !case.learn(&self.hypotheses)?
         {
             return Ok(true);
         }
-        let origin = Node::made("real", vec![Node::name_of("o")]);
-        let fixed: Vec<_> = [origin].into_iter().chain(case.windows()).collect();
-        fixed.iter().try_for_each(|part| case.section.declare(part))?;
+        let fixed = case.open()?;
         for (name, of) in &self.obligation.reals {
             let own = Node::name_of(name);
             if matches!(*name, "u" | "r" | "o" | "W" | "M" | "left" | "right" | "rho" | "outside") {
@@ -357,11 +378,8 @@ impl<'w, 't> Walk<'w, 't> {
             };
             case.reals.push((name, bound));
         }
-        // What is false without any integer is so for all.
-        for hypothesis in &self.hypotheses {
-            if case.truth(hypothesis)? == Truth::False {
-                return Ok(true);
-            }
+        if self.is_false(&mut case)? {
+            return Ok(true);
         }
         let mut goals = Vec::new();
         if !self.cases(&self.obligation.integers, &mut case, &mut goals)? {
@@ -389,11 +407,26 @@ impl<'w, 't> Walk<'w, 't> {
     ) -> Result<bool> {
         let Some((first, rest)) = integers.split_first() else { return self.one(case, goals) };
         let [name, low, high] = first.as_slice() else { return Ok(false) };
-        let each = case.each([name, low, high], |case, _| match self.cases(rest, case, goals)? {
-            true => Ok(()),
-            false => Err(Stop::Undecided),
+        let each = case.each([name, low, high], |case, _| {
+            // What is false already is so whatever the others are.
+            case.on_knot = false;
+            if !case.learn(&self.hypotheses)? || self.is_false(case)? || self.cases(rest, case, goals)? {
+                Ok(())
+            } else {
+                Err(Stop::Undecided)
+            }
         });
         Ok(read(each)?.is_some())
+    }
+
+    /// Whether a hypothesis is false with the integers so far.
+    fn is_false(&self, case: &mut Case<'w, 't>) -> Result<bool> {
+        for hypothesis in &self.hypotheses {
+            if case.truth(hypothesis)? == Truth::False {
+                return Ok(true);
+            }
+        }
+        Ok(false)
     }
 
     /// All integers are chosen.

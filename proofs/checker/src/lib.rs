@@ -41,6 +41,8 @@ mod recursion;
 mod rules;
 mod section;
 mod sentence;
+#[cfg(test)]
+mod sound;
 mod terms;
 mod token;
 mod work;

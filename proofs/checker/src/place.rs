@@ -298,3 +298,148 @@ impl Facts {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn copies(copies: Copies, q: i64) -> bool {
+        match copies {
+            Copies::Exactly(exactly) => q == exactly,
+            Copies::AtLeast(least) => q >= least,
+        }
+    }
+
+    /// All knot vectors with gaps 0 and 1 (here 2), all knots, the points between them and beyond: exactly one coarse
+    /// place and one fine one is theirs, and all that it says is so: of s, n − s, the gaps, and what exists.
+    #[test]
+    fn every_x_has_one_place_that_tells_the_truth() -> Result<()> {
+        crate::work::begin(1_000_000_000);
+        let mut seen = [0; 2];
+        for (k, m) in (0..4).flat_map(|k| (k + 1..=8).map(move |m| (k, m))) {
+            for pattern in 1..1_u32 << m {
+                let mut knots = vec![0];
+                for gap in 0..m {
+                    knots.push(knots.last().unwrap() + 2 * i64::from(pattern >> gap & 1));
+                }
+                let (at, last) = (
+                    |i: i64| usize::try_from(i).ok().and_then(|i| knots.get(i)).copied(),
+                    knots[knots.len() - 1],
+                );
+                for x in -1..=last + 1 {
+                    let q = i64::try_from(knots.iter().filter(|t| **t == x).count()).unwrap();
+                    let holds = |place: &Place| match *place {
+                        Place::Before => x < 0,
+                        Place::Inside => 0 < x && x < last && q == 0,
+                        Place::Start => 0 <= x && x < last && q > 0,
+                        Place::First(of) => x == 0 && copies(of, q),
+                        Place::Knot(of) => 0 < x && x < last && q > 0 && copies(of, q),
+                        Place::End => x == last,
+                        Place::Last(of) => x == last && copies(of, q),
+                        Place::After => x > last,
+                    };
+                    let coarse = [Place::Before, Place::Inside, Place::Start, Place::End, Place::After];
+                    let ends = fine(Place::First, k).chain(fine(Place::Knot, k)).chain(fine(Place::Last, k));
+                    let all: Vec<_> = coarse.into_iter().chain(ends).filter(holds).collect();
+                    let refined = all.iter().filter(|place| !coarse.contains(place)).count();
+                    let at_knot = matches!(all[0], Place::Start | Place::End);
+                    assert_eq!((all.len() - refined, refined), (1, usize::from(at_knot)), "{knots:?}, {x}");
+                    // The last span that begins at x or before; any, where x is outside.
+                    let spans: Vec<_> = (0..m).filter(|s| at(*s) < at(s + 1)).collect();
+                    let here =
+                        spans.iter().rev().find(|s| at(**s) <= Some(x)).filter(|_| (0..=last).contains(&x));
+                    for place in all {
+                        for s in here.map_or(spans.clone(), |s| vec![*s]) {
+                            let n = m - k - 1;
+                            seen[usize::from(matches!(place, Place::Knot(_)))] += 1;
+                            let facts = Facts::at(place, k);
+                            let truth = Facts::known(s, n);
+                            for (a, b, c) in
+                                [(1, 0, 0), (-1, 0, 0), (-1, 1, 0), (1, -1, 0), (0, 1, 0), (2, -1, 1)]
+                            {
+                                let form = Form { s: a, n: b, c, ..Form::default() };
+                                let value = truth.value(&form).unwrap();
+                                let (least, most) = facts.bounds(&form);
+                                assert!(
+                                    least.is_none_or(|least| least <= value),
+                                    "{knots:?}, {x}, {place}: {form:?}"
+                                );
+                                assert!(
+                                    most.is_none_or(|most| value <= most),
+                                    "{knots:?}, {x}, {place}: {form:?}"
+                                );
+                                let known = facts.is_nonnegative(&form)?;
+                                assert!(known.is_none_or(|known| known == (value >= 0)));
+                            }
+                            // Functions and knots that exist for sure do, those that do not for sure do not.
+                            for (e, d) in (-2 * k - 3..=2 * k + 3).flat_map(|e| (0..=k).map(move |d| (e, d)))
+                            {
+                                let (i, most) = (Form::near(e), Form::last(k - d));
+                                let sure =
+                                    [facts.is_nonnegative(&i)?, facts.is_nonnegative(&most.plus(-1, &i)?)?];
+                                let exists = 0 <= s + e && s + e <= n + k - d;
+                                assert!(
+                                    sure != [Some(true); 2] || exists,
+                                    "{knots:?}, {x}, {place}: G_(s+{e})^{d}"
+                                );
+                                assert!(!sure.contains(&Some(false)) || !exists, "{knots:?}, {x}, {place}");
+                            }
+                            let (first, end) = place.shown(k);
+                            for e in first..end {
+                                let (Some(a), Some(b)) = (at(s + e), at(s + e + 1)) else { continue };
+                                match place.gap(e) {
+                                    Gap::Zero => assert_eq!(a, b, "{knots:?}, {x}, {place}, gap {e}"),
+                                    Gap::Some => assert!(a < b, "{knots:?}, {x}, {place}, gap {e}"),
+                                    Gap::Any => {}
+                                }
+                            }
+                            let on = match place.on_span() {
+                                None => x < 0 || x > last,
+                                Some("in") => at(s) < Some(x) && Some(x) < at(s + 1),
+                                Some("from") => at(s) == Some(x),
+                                _ => at(s + 1) == Some(x),
+                            };
+                            assert!(on, "{knots:?}, {x}, {place}");
+                        }
+                    }
+                }
+            }
+        }
+        assert!(seen[0] > 30_000 && seen[1] > 5_000, "{seen:?}");
+        Ok(())
+    }
+
+    /// What is assumed and what follows from it is true wherever the assumption is.
+    #[test]
+    fn what_is_assumed_excludes_no_case() -> Result<()> {
+        crate::work::begin(1_000_000_000);
+        let forms: Vec<_> =
+            (-2..=2).flat_map(|s| (-2..=2).flat_map(move |n| (-3..=3).map(move |c| (s, n, c)))).collect();
+        let form = |(s, n, c): (i64, i64, i64)| Form { s, n, c, ..Form::default() };
+        for (at, a) in forms.iter().enumerate() {
+            for b in forms.iter().skip(at % 7).step_by(7) {
+                for k in [0, 2] {
+                    let mut facts = Facts::at(Place::Inside, k);
+                    let possible = facts.assume(&form(*a))? && facts.assume(&form(*b))?;
+                    for (s, n) in
+                        (0..7).flat_map(|s| (0..7).map(move |n| (s, n))).filter(|(s, n)| n - s >= -k)
+                    {
+                        let value = |(x, y, c): &(i64, i64, i64)| x * s + y * n + c;
+                        if value(a) < 0 || value(b) < 0 {
+                            continue;
+                        }
+                        assert!(possible, "{a:?}, {b:?}: s = {s}, n = {n}");
+                        for other in forms.iter().step_by(5) {
+                            let known = facts.is_nonnegative(&form(*other))?;
+                            assert!(
+                                known.is_none_or(|known| known == (value(other) >= 0)),
+                                "{a:?}, {b:?} ⇒ {other:?}"
+                            );
+                        }
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+}

@@ -2,10 +2,12 @@
 
 use crate::case::{At, Bound, Case, Numbers, Truth};
 use crate::derive::{Obligation, Point, obligations};
+use crate::env::Env;
 use crate::error::{Reason, Result};
 use crate::fraction::Fraction;
 use crate::place::{Copies, Facts, Form, Place};
 use crate::poly::Sign;
+use crate::section::Section;
 use crate::token::Node;
 
 /// What stands in `point`.
@@ -19,12 +21,7 @@ pub(crate) struct Numbered<'n, 't> {
 
 /// The sign of a − b.
 fn sign<'t>(a: &Node<'t>, b: &Node<'t>) -> Result<i64> {
-    let difference = Fraction::number(a)?.minus(&Fraction::number(b)?)?.num;
-    Ok(match difference.sign(&[]) {
-        Sign::Positive => 1,
-        _ if difference.is_zero() => 0,
-        _ => -1,
-    })
+    Ok(sign_of(&Fraction::number(a)?.minus(&Fraction::number(b)?)?))
 }
 
 fn index(at: usize) -> Result<i64> {
@@ -108,9 +105,13 @@ impl<'n, 't> Numbered<'n, 't> {
             },
             _ => None,
         };
-        // A knot as the point is known with its integers only.
+        // Without a point any number does.
+        let Some(any) = self.knots.first() else { return Ok(false) };
         let mut case = Case::new(definitions, self.k, Place::Inside)?;
-        self.place(&mut case, x)?;
+        let values = self.values.to_vec();
+        case.numbers =
+            Some(Numbers { x: None, u: None, knots: self.knots.to_vec(), ratio: self.ratio.clone(), values });
+        case.locate(x.unwrap_or(any).clone())?;
         for range in &obligation.integers {
             let [name, ..] = range.as_slice() else { return Ok(false) };
             let Some([value]) = self.values("integer", name.name()?) else { return Ok(false) };
@@ -121,8 +122,7 @@ impl<'n, 't> Numbered<'n, 't> {
             let Some(x) = at.and_then(|at| usize::try_from(at).ok()).and_then(|at| self.knots.get(at)) else {
                 return Ok(false);
             };
-            self.place(&mut case, Some(x))?;
-            case.knot = case.index(knot)?;
+            case.locate(x.clone())?;
         }
         for (name, _) in &obligation.reals {
             let Some([value]) = self.values("real", name) else { return Ok(false) };
@@ -145,54 +145,72 @@ impl<'n, 't> Numbered<'n, 't> {
             _ => false,
         })
     }
+}
 
-    /// Puts x, or any point if there is none, in its place among the knots.
-    fn place(&self, case: &mut Case<'_, 't>, x: Option<&Node<'t>>) -> Result<()> {
-        let spans = self.knots.iter().zip(self.knots.iter().skip(1)).enumerate();
+/// Where a case is at numbers.
+pub(crate) struct Located<'t> {
+    place: Place,
+    facts: Facts,
+    shown: (i64, i64),
+    section: Section<'t>,
+    numbers: Option<Numbers<'t>>,
+}
+
+impl<'t> Case<'_, 't> {
+    /// Puts x in its place among the knots; what was before.
+    pub(crate) fn locate(&mut self, x: Node<'t>) -> Result<Located<'t>> {
+        let Some(mut numbers) = self.numbers.clone() else {
+            return Err(Reason::NotShown("there are no numbers"));
+        };
+        // Nothing but numbers and r is in x.
+        let value = |node: &Node<'t>| self.section.term(node, &self.section.env);
+        let sign = |a: &Node<'t>, b: &Node<'t>| Ok::<_, Reason>(sign_of(&value(a)?.minus(&value(b)?)?));
         let (mut span, mut copies) = (None, 0);
-        for (s, (left, right)) in spans {
-            let long = sign(right, left)? > 0;
+        for (s, (left, right)) in numbers.knots.iter().zip(numbers.knots.iter().skip(1)).enumerate() {
             // The last span that begins before x or at it, or the first one.
-            if long && (span.is_none() || x.map_or(Ok(-1), |x| sign(x, left))? >= 0) {
+            if sign(right, left)? > 0 && (span.is_none() || sign(&x, left)? >= 0) {
                 span = Some((s, left, right));
             }
         }
-        for knot in self.knots {
-            copies += i64::from(x.map_or(Ok(1), |x| sign(x, knot))? == 0);
+        for knot in &numbers.knots {
+            copies += i64::from(sign(&x, knot)? == 0);
         }
-        let Some((s, left, right)) = span else { return Ok(()) };
-        let (s, m) = (index(s)?, index(self.knots.len())? - 1);
-        let mut u = None;
-        case.place = match x {
-            None => Place::Inside,
-            Some(x) => {
-                let (start, end) = (sign(x, left)?, sign(x, right)?);
-                let copies = Copies::Exactly(copies);
-                match (start, end) {
-                    (-1, _) => Place::Before,
-                    (_, 1) => Place::After,
-                    (0, _) if s + 1 == copies.least() => Place::First(copies),
-                    (0, _) => Place::Knot(copies),
-                    (_, 0) => Place::Last(copies),
-                    _ => {
-                        let difference =
-                            |a: &Node<'t>, b: &Node<'t>| Node::made("-", vec![a.clone(), b.clone()]);
-                        u = Some(Node::made("/", vec![difference(x, left), difference(right, x)]));
-                        Place::Inside
-                    }
-                }
-            }
+        let Some((s, left, right)) = span else { return Err(Reason::Limits("the knots")) };
+        let (s, m, copies) = (index(s)?, index(numbers.knots.len())? - 1, Copies::Exactly(copies));
+        let difference = |a: &Node<'t>, b: &Node<'t>| Node::made("-", vec![a.clone(), b.clone()]);
+        let (place, u) = match (sign(&x, left)?, sign(&x, right)?) {
+            (-1, _) => (Place::Before, None),
+            (_, 1) => (Place::After, None),
+            (0, _) if s + 1 == copies.least() => (Place::First(copies), None),
+            (0, _) => (Place::Knot(copies), None),
+            (_, 0) => (Place::Last(copies), None),
+            _ => (Place::Inside, Some(Node::made("/", vec![difference(&x, left), difference(right, &x)]))),
         };
-        case.facts = Facts::known(s, m - self.k - 1);
-        case.shown = (-s, m - s);
-        let window = [Node::name_of("W"), Node::whole_of(-s)].into_iter().chain(self.knots.iter().cloned());
-        let ratio = Node::made("let", vec![Node::name_of("r"), self.ratio.clone()]);
-        case.section = crate::section::Section::new(
-            &[Node::made("knots", window.collect()), ratio],
-            crate::env::Env::default(),
-        )?;
-        case.numbers =
-            Some(Numbers { x: x.cloned(), u, knots: self.knots.to_vec(), values: self.values.to_vec() });
-        Ok(())
+        let window =
+            [Node::name_of("W"), Node::whole_of(-s)].into_iter().chain(numbers.knots.iter().cloned());
+        let ratio = Node::made("let", vec![Node::name_of("r"), numbers.ratio.clone()]);
+        let section = Section::new(&[Node::made("knots", window.collect()), ratio], Env::default())?;
+        (numbers.x, numbers.u) = (Some(x), u);
+        Ok(Located {
+            place: std::mem::replace(&mut self.place, place),
+            facts: std::mem::replace(&mut self.facts, Facts::known(s, m - self.k - 1)),
+            shown: std::mem::replace(&mut self.shown, (-s, m - s)),
+            section: std::mem::replace(&mut self.section, section),
+            numbers: self.numbers.replace(numbers),
+        })
+    }
+
+    pub(crate) fn restore(&mut self, before: Located<'t>) {
+        let Located { place, facts, shown, section, numbers } = before;
+        (self.place, self.facts, self.shown, self.section, self.numbers) =
+            (place, facts, shown, section, numbers);
+    }
+}
+
+fn sign_of(value: &Fraction) -> i64 {
+    match value.num.sign(&[]) {
+        Sign::Positive => 1,
+        _ if value.is_zero() => 0,
+        _ => -1,
     }
 }

@@ -112,7 +112,7 @@ const ADJECTIVES: [(&str, &str); 7] = [
     (
         "interior",
         "(all (integers i 0 (- m k)) (or (chain (t i) (< (t (+ i k)))) (chain (int i) (< (int 1)))
-            (chain (int i) (> (int n)))))",
+            (chain (int i) (> (int n))) (chain (int n) (<= (int k)))))",
     ),
 ];
 
