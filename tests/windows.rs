@@ -178,7 +178,7 @@ fn range(section: &Sexp) -> Range {
 fn effect() -> BTreeMap<Key, Vec<Range>> {
     let stated = windows("Ill5.1.effect", Form::Printed, None).unwrap().unwrap();
     let mut all: BTreeMap<_, Vec<_>> = BTreeMap::new();
-    for section in Sexp::parse_all(&stated.sections).unwrap() {
+    for section in Sexp::parse_all(&stated.argued.as_ref().unwrap().sections).unwrap() {
         let range = range(&section);
         all.entry(range.key.clone()).or_default().push(range);
     }

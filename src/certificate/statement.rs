@@ -134,6 +134,22 @@ impl Statement {
         Sexp::form("statement", all)
     }
 
+    /// The sections that are given, and why they are the sentence; `None` if nothing is argued.
+    #[must_use]
+    pub fn argued(&self) -> Option<(&str, &[Sexp])> {
+        match &self.shown {
+            Shown::Argued { because, sections } => Some((because, sections)),
+            Shown::Derived(_) | Shown::Point(_) => None,
+        }
+    }
+
+    /// With other sections in the place of those that are given.
+    #[must_use]
+    pub fn with_sections(self, sections: Vec<Sexp>) -> Self {
+        let because = self.argued().map_or("", |(because, _)| because).to_owned();
+        Self { shown: Shown::Argued { because, sections }, ..self }
+    }
+
     /// What there is to show, and why it is the sentence, if that is argued: of what is derived the windows and goals of the
     /// highest degree.
     #[must_use]

@@ -148,9 +148,8 @@ fn cases(
                 true => Ok(()),
                 false => cases(case, obligation, from + 1, goals),
             };
-            match case.with(range, &i, below)? {
-                Ok(done) => done?,
-                Err(Contradiction) => {}
+            if let Ok(done) = case.with(range, &i, below)? {
+                done?;
             }
         }
         case.beyond = beyond;
@@ -272,6 +271,3 @@ fn section(
     let lets = ratio.map(|ratio| ("r".to_owned(), ratio)).into_iter().collect();
     Section { parameters, lets, windows, goals, hints: Vec::new() }
 }
-
-#[cfg(test)]
-mod tests;
