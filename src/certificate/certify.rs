@@ -3,7 +3,7 @@
 use thiserror::Error;
 
 use crate::judge::{Scope, Witness};
-use crate::language::{Claim, Form, canonical};
+use crate::language::{Claim, Form, Sentence, canonical};
 
 use super::derive::{NoWindow, derive};
 use super::point::point;
@@ -56,7 +56,11 @@ pub enum Uncertified {
 }
 
 impl Certificate {
-    fn of(statement: Statement) -> Result<Self, CertificateError> {
+    /// Proves a statement.
+    ///
+    /// # Errors
+    /// [`CertificateError`], if no proof is found.
+    pub fn of(statement: Statement) -> Result<Self, CertificateError> {
         match prove(&statement) {
             Ok(proof) => Ok(Self { statement, proof }),
             Err(error) => Err(failed(&statement.claim, statement.form, error)),
@@ -127,24 +131,14 @@ pub fn statement(
             };
             (*scope, degrees.clone(), Shown::Argued { because, sections: parse(sections)? })
         }
-        (Some(Windows { scope, degrees, .. }), _) => {
-            let derived = degrees.iter().map(|k| derive(sentence, claim.definitions, claim, *k));
-            let derived = derived.collect::<Result<_, _>>().map_err(|error| failed(error.into()))?;
-            (*scope, degrees.clone(), Shown::Derived(derived))
-        }
+        (Some(Windows { degrees, .. }), _) => return derived(claim, form, sentence, degrees).map(Some),
         (None, Some(witness)) => match (point(witness), witness.k) {
             (Some(point), Some(k)) => (Scope::Instance, vec![k], Shown::Point(point)),
             _ => return Ok(None),
         },
         (None, None) => return Ok(None),
     };
-    let in_brackets = canonical(sentence, claim.definitions, &|id, printed| {
-        let named = Claim::of(claim.library).find(|other| other.id() == id)?;
-        let form = if printed { Form::Printed } else { named.strongest() };
-        Some((named.sentence(form)?, named.definitions))
-    });
-    let in_brackets = in_brackets.map_err(|name| failed(Uncertified::Unprintable(name.to_string())))?;
-    let sentence = parse(&in_brackets)?;
+    let sentence = in_brackets(claim, form, sentence)?;
     Ok(Some(Statement {
         claim: id.to_owned(),
         form,
@@ -154,6 +148,41 @@ pub fn statement(
         sentence,
         shown,
     }))
+}
+
+/// That a sentence is true in these degrees, for all knots and every α: windows and goals follow from it.
+///
+/// # Errors
+/// [`CertificateError`], if they don't.
+pub fn derived(
+    claim: Claim<'_>,
+    form: Form,
+    sentence: &Sentence,
+    degrees: &[usize],
+) -> Result<Statement, CertificateError> {
+    let sections = degrees.iter().map(|k| derive(sentence, claim.definitions, claim, *k));
+    let sections =
+        sections.collect::<Result<_, _>>().map_err(|error: NoWindow| failed(claim.id(), form, error))?;
+    Ok(Statement {
+        claim: claim.id().to_owned(),
+        form,
+        refuted: false,
+        scope: Scope::Knots,
+        degrees: degrees.to_vec(),
+        sentence: in_brackets(claim, form, sentence)?,
+        shown: Shown::Derived(sections),
+    })
+}
+
+/// A sentence in canonical brackets, with the definitions and the other claims that it names.
+fn in_brackets(claim: Claim<'_>, form: Form, sentence: &Sentence) -> Result<Vec<Sexp>, CertificateError> {
+    let text = canonical(sentence, claim.definitions, &|id, printed| {
+        let named = Claim::of(claim.library).find(|other| other.id() == id)?;
+        let form = if printed { Form::Printed } else { named.strongest() };
+        Some((named.sentence(form)?, named.definitions))
+    });
+    let text = text.map_err(|name| failed(claim.id(), form, Uncertified::Unprintable(name.to_string())))?;
+    Sexp::parse_all(&text).map_err(|error| failed(claim.id(), form, ProofError::Statement(error.into())))
 }
 
 /// The certificate of a sentence: that it is true, or, with a witness, that it is false. `None` if it is not stated formally.

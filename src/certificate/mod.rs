@@ -17,7 +17,9 @@ mod statement;
 mod term;
 mod windows;
 
-pub use certify::{Certificate, CertificateError, Uncertified, certify, certify_for_degree, statement};
+pub use certify::{
+    Certificate, CertificateError, Uncertified, certify, certify_for_degree, derived, statement,
+};
 pub use derive::{NoWindow, derive};
 pub use error::StatementError;
 pub use evaluate::{EvaluationError, Evaluator, Unfolding};

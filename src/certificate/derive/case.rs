@@ -188,7 +188,12 @@ impl Parameters {
     }
 
     fn value(&mut self, name: String, class: Class) -> Known<Value> {
-        let at = match self.all.iter().position(|(known, _)| *known == name) {
+        let known = self.all.iter().position(|(known, _)| *known == name);
+        let other = |(own, before): &(String, Class)| *own == name && *before != class;
+        if self.all.iter().chain(&self.kept).any(other) {
+            return undecided(format!("{name} has two signs"));
+        }
+        let at = match known {
             Some(at) => at,
             None if self.all.len() == Multivariate::VARIABLES => {
                 return undecided("more parameters than a section can have");
@@ -270,9 +275,7 @@ impl Case<'_> {
 
     /// A real that is free, with its sign.
     pub(super) fn free(&mut self, name: &Name, sign: Option<Relation>) -> Known<Value> {
-        if matches!(&**name, "u" | "r" | "o" | "W" | "M" | "left" | "right" | "rho" | "outside") {
-            return undecided(format!("{name} is the name of something else in windows"));
-        }
+        own_name(name)?;
         let positive = |own: &mut Self| own.parameters.value(name.to_string(), Class::Positive);
         match sign {
             None => self.parameters.value(name.to_string(), Class::Real),
@@ -674,6 +677,7 @@ impl Case<'_> {
                 self.knot(&i)?
             }
             Real::Coefficient(name, of) => {
+                own_name(name)?;
                 let mut key = format!("({name}");
                 if of.len() > 1 {
                     return undecided("control points of an example");
@@ -804,6 +808,7 @@ impl Case<'_> {
             }
             Some(Member::Index(Real::Infinity)) => Some(Term::Number(integer(1))),
             Some(Member::Index(Real::Index(name))) if &**name != "alpha" => {
+                own_name(name)?;
                 Some(self.parameters.value(format!("({name} 0)"), Class::Positive)?.term)
             }
             Some(Member::Index(Real::Minus(a, b)))
@@ -1204,6 +1209,16 @@ impl Case<'_> {
 
 pub(super) fn gap_name(e: i64) -> String {
     format!("({WINDOW} {e})")
+}
+
+/// What windows call something else is no name of a sentence's own.
+fn own_name(name: &Name) -> Known<()> {
+    match &**name {
+        "u" | "r" | "o" | "W" | "M" | "left" | "right" | "rho" | "outside" => {
+            undecided(format!("{name} is the name of something else in windows"))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// A parameter of an integer.
