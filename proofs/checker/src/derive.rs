@@ -4,11 +4,13 @@
 
 use std::collections::BTreeSet;
 
-use crate::case::{At, Bound, Case, Stop, Truth, Value, read};
+use crate::case::{At, Bound, Case, Stop, read};
 use crate::error::{Reason, Result};
 use crate::place::{Place, fine};
 use crate::sentence::adjective;
 use crate::token::{Node, tree};
+use crate::truth::Truth;
+use crate::value::Value;
 use crate::work::spend;
 
 /// What a sentence asks for: one formula, under hypotheses, for all values of what is bound.

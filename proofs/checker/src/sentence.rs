@@ -21,77 +21,38 @@ pub(crate) enum Sort {
 use Sort::{Argument, Coefficients, Expression, Formula, Function, Index, Int, Interval, Member, Real};
 
 /// Brackets with a fixed number of fields that bind no name.
-const FORMS: [(Sort, &str, &[Sort]); 42] = [
-    (Int, "+", &[Int, Int]),
-    (Int, "-", &[Int, Int]),
-    (Int, "*", &[Int, Int]),
-    (Int, "min", &[Int, Int]),
-    (Int, "max", &[Int, Int]),
-    (Int, "binomial", &[Int, Int]),
-    (Real, "int", &[Int]),
-    (Real, "var", &[Real]),
+const FORMS: [(Sort, &str, &[Sort]); 20] = [
+    (Int, "+ - * min max binomial", &[Int, Int]),
+    (Real, "int t", &[Int]),
     (Real, "alpha", &[Index]),
-    (Real, "t", &[Int]),
-    (Real, "+", &[Real, Real]),
-    (Real, "-", &[Real, Real]),
-    (Real, "*", &[Real, Real]),
-    (Real, "/", &[Real, Real]),
-    (Real, "neg", &[Real]),
+    (Real, "+ - * / min max", &[Real, Real]),
+    (Real, "neg abs sqrt", &[Real]),
     (Real, "^", &[Real, Int]),
-    (Real, "abs", &[Real]),
-    (Real, "sqrt", &[Real]),
-    (Real, "min", &[Real, Real]),
-    (Real, "max", &[Real, Real]),
     (Real, "of", &[Function, Argument]),
     (Function, "G", &[Int]),
-    (Function, "G", &[Int, Int]),
-    (Function, "w", &[Int, Int]),
-    (Function, "phi", &[Real, Real]),
-    (Function, "f", &[Real, Real]),
+    (Function, "G w", &[Int, Int]),
+    (Function, "phi f", &[Real, Real]),
     (Function, "D", &[Function, Int]),
-    (Argument, "at", &[Real]),
-    (Argument, "at", &[Real, Member]),
-    (Argument, "left", &[Real]),
-    (Argument, "left", &[Real, Member]),
-    (Argument, "right", &[Real]),
-    (Argument, "right", &[Real, Member]),
-    (Member, "alpha", &[Real]),
-    (Member, "ratio", &[Real]),
+    (Argument, "at left right", &[Real]),
+    (Argument, "at left right", &[Real, Member]),
+    (Member, "alpha ratio", &[Real]),
     (Formula, "in", &[Real, Interval]),
     (Formula, "among", &[Int, Int, Int]),
     (Formula, "not", &[Formula]),
-    (Formula, "=>", &[Formula, Formula]),
-    (Formula, "<=>", &[Formula, Formula]),
+    (Formula, "=> <=>", &[Formula, Formula]),
     (Expression, "real", &[Real]),
     (Expression, "integer", &[Int]),
 ];
 
-/// Words: what they are, and how many things they are said of. They are read, and never decided here.
-const WORDS: [(Sort, &str, usize); 24] = [
-    (Int, "mult", 1),
-    (Int, "maxima", 1),
-    (Int, "minima", 1),
-    (Int, "maximisers", 1),
-    (Formula, "tied", 1),
-    (Formula, "continuous", 1),
-    (Int, "changes", 1),
-    (Int, "polygon-changes", 1),
-    (Int, "rank", 1),
-    (Formula, "combination", 2),
-    (Int, "valleys", 1),
-    (Formula, "totally-positive", 1),
-    (Formula, "nested", 1),
-    (Formula, "elevated", 1),
-    (Int, "nurbs-degree", 1),
-    (Formula, "free-weights", 1),
-    (Real, "word-sup", 1),
-    (Formula, "defined", 1),
-    (Formula, "rational", 1),
-    (Formula, "smooth", 1),
-    (Real, "word-stop", 1),
+/// Words: what they are, and how many things they are said of. Most are read and never decided here.
+const WORDS: [(Sort, &str, usize); 7] = [
+    (Int, "mult maxima minima maximisers changes polygon-changes rank valleys nurbs-degree", 1),
     (Int, "stops", 0),
-    (Formula, "strays", 3),
     (Int, "implicit-degree", 3),
+    (Real, "word-sup word-stop", 1),
+    (Formula, "tied continuous totally-positive nested elevated free-weights defined rational smooth", 1),
+    (Formula, "combination", 2),
+    (Formula, "strays", 3),
 ];
 
 /// What the adjectives of knots say.
@@ -332,11 +293,14 @@ impl<'t> Reader<'t> {
                 self.bind(name, Real)?;
                 self.inside(Real, body, known)
             }
-            _ if WORDS.contains(&(sort, head, fields.len())) => self.all(Expression, fields),
             _ => {
-                let fits = |form: &&(Sort, &str, &[Sort])| {
-                    form.0 == sort && form.1 == head && form.2.len() == fields.len()
-                };
+                let named = |heads: &str| heads.split(' ').any(|known| known == head);
+                let count = fields.len();
+                if WORDS.iter().any(|(is, heads, of)| *is == sort && *of == count && named(heads)) {
+                    return self.all(Expression, fields);
+                }
+                let fits =
+                    |form: &&(Sort, &str, &[Sort])| form.0 == sort && form.2.len() == count && named(form.1);
                 let Some((_, _, sorts)) = FORMS.iter().find(fits) else { return node.wrong(expected) };
                 sorts.iter().zip(fields).try_for_each(|(sort, field)| self.read(*sort, field))
             }
