@@ -86,6 +86,8 @@ pub(crate) struct Case<'c, 't> {
     pub(crate) knot: Option<Form>,
     /// It is known that x is this knot.
     pub(crate) on_knot: bool,
+    /// From which knots those beyond the window are measured, in one comparison: from one each.
+    pub(crate) bases: Vec<(Form, i64)>,
     pub(crate) symmetric: bool,
     /// Integers run around the mirror image of the span.
     pub(crate) mirrored: bool,
@@ -116,6 +118,7 @@ impl<'c, 't> Case<'c, 't> {
             reals: Vec::new(),
             knot: None,
             on_knot: false,
+            bases: Vec::new(),
             symmetric: false,
             mirrored: false,
             ratio: None,
@@ -163,9 +166,13 @@ impl<'c, 't> Case<'c, 't> {
 
     /// A parameter, declared once.
     pub(crate) fn parameter(&mut self, sign: &'static str, name: Node<'t>) -> Result<Value<'t>> {
-        if !self.parameters.iter().any(|(_, known)| *known == name) {
-            self.section.declare(&Node::made(sign, vec![name.clone()]))?;
-            self.parameters.push((sign, name.clone()));
+        match self.parameters.iter().find(|(_, known)| *known == name) {
+            Some((known, _)) if *known == sign => {}
+            Some(_) => return Err(Reason::NoWindow("a parameter would have two signs")),
+            None => {
+                self.section.declare(&Node::made(sign, vec![name.clone()]))?;
+                self.parameters.push((sign, name.clone()));
+            }
         }
         self.leaf(name)
     }

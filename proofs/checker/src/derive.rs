@@ -50,7 +50,8 @@ fn open<'t>(
         match binder.headed("a binder")? {
             ("degree", [low]) if k < low.whole()? => return Ok(false),
             ("degree", [low, high]) if k < low.whole()? || k > high.whole()? => return Ok(false),
-            ("degree" | "index" | "points", _) => {}
+            ("degree", _) => {}
+            ("index" | "points", [name]) => not_reserved(name)?,
             ("knots", adjectives) => {
                 knots = true;
                 for node in adjectives {
@@ -212,6 +213,9 @@ impl<'t> Obligation<'t> {
 
     /// A binder, and what it says of its name.
     fn bind(&mut self, binder: &Node<'t>) -> Result<()> {
+        if let ("point" | "real" | "reals", [name, ..]) = binder.headed("a binder")? {
+            not_reserved(name)?;
+        }
         match binder.headed("a binder")? {
             ("integer" | "integers", range @ [_, _, _]) => self.integers.push(range.to_vec()),
             (_, [name]) => self.reals.push((name.name()?, None)),
@@ -287,6 +291,13 @@ impl<'t> Obligation<'t> {
             }
         }
     }
+}
+
+/// These are names of something else in a derived section.
+fn not_reserved(name: &Node<'_>) -> Result<()> {
+    const RESERVED: [&str; 9] = ["u", "r", "o", "W", "M", "left", "right", "rho", "outside"];
+    let reserved = RESERVED.iter().find(|reserved| name.is_word(reserved));
+    reserved.map_or(Ok(()), |reserved| Err(Reason::Taken((*reserved).to_owned())))
 }
 
 fn is_variable(node: &Node<'_>, name: &str) -> bool {
@@ -367,9 +378,6 @@ impl<'w, 't> Walk<'w, 't> {
         let fixed = case.open()?;
         for (name, of) in &self.obligation.reals {
             let own = Node::name_of(name);
-            if matches!(*name, "u" | "r" | "o" | "W" | "M" | "left" | "right" | "rho" | "outside") {
-                return Err(Reason::Taken((*name).to_owned()));
-            }
             let bound = match of {
                 _ if self.point == Point::Real(name) => Bound::Point(At::X),
                 Some(sign) if sign.is_word(">") => Bound::Free(case.parameter("positive", own)?),
@@ -411,7 +419,7 @@ impl<'w, 't> Walk<'w, 't> {
         let [name, low, high] = first.as_slice() else { return Ok(false) };
         let each = case.each([name, low, high], |case, _| {
             // What is false already is so whatever the others are.
-            case.on_knot = false;
+            (case.knot, case.on_knot) = (None, false);
             if !case.learn(&self.hypotheses)? || self.is_false(case)? || self.cases(rest, case, goals)? {
                 Ok(())
             } else {

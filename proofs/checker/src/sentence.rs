@@ -94,13 +94,22 @@ pub(crate) struct Reader<'t> {
     names: Vec<(&'t str, Sort)>,
     /// With the number of indices, and whether there is a variable.
     definitions: Vec<(&'t str, usize, bool)>,
-    /// In a definition control values are those of whoever uses it.
+    /// In a definition control values are those of whoever uses it: their names.
     defining: bool,
+    controls: Vec<Node<'t>>,
+    /// All that was bound anywhere.
+    ever: Vec<(&'t str, Sort)>,
 }
 
 /// Reads definitions and the sentence; whatever has no meaning is refused.
 pub(crate) fn read<'t>(definitions: &[Node<'t>], sentence: &Node<'t>) -> Result<()> {
-    let mut reader = Reader { names: Vec::new(), definitions: Vec::new(), defining: true };
+    let mut reader = Reader {
+        names: Vec::new(),
+        definitions: Vec::new(),
+        defining: true,
+        controls: Vec::new(),
+        ever: Vec::new(),
+    };
     for definition in definitions {
         let [name, patterns, variable, _] = definition.part("define")?;
         let Kind::List(patterns) = &patterns.kind else { return patterns.wrong("patterns") };
@@ -120,7 +129,15 @@ pub(crate) fn read<'t>(definitions: &[Node<'t>], sentence: &Node<'t>) -> Result<
         reader.names.clear();
     }
     reader.defining = false;
-    reader.sentence(sentence)
+    reader.ever.clear();
+    reader.sentence(sentence)?;
+    for name in &reader.controls {
+        let mut sorts = reader.ever.iter().filter(|(known, _)| name.is_word(known)).map(|(_, sort)| *sort);
+        if sorts.next() != Some(Coefficients) || sorts.any(|sort| sort != Coefficients) {
+            return name.wrong("the name of control values of the sentence");
+        }
+    }
+    Ok(())
 }
 
 impl<'t> Reader<'t> {
@@ -131,6 +148,7 @@ impl<'t> Reader<'t> {
             return Err(Reason::Taken(word.to_owned()));
         }
         self.names.push((word, sort));
+        self.ever.push((word, sort));
         Ok(())
     }
 
@@ -186,6 +204,7 @@ impl<'t> Reader<'t> {
             ("instances", names @ [_, ..]) => {
                 // The control points of an instance have this name.
                 self.names.push(("P", Coefficients));
+                self.ever.push(("P", Coefficients));
                 names.iter().try_for_each(|name| name.name().map(|_| ()))
             }
             ("alphas", list @ [_, ..]) => {
@@ -257,6 +276,9 @@ impl<'t> Reader<'t> {
             (Real, "var", [name]) => self.bound(name, Real),
             (Real, "coefficient", [name, indices @ ..]) if !indices.is_empty() => {
                 self.bound(name, Coefficients)?;
+                if self.defining {
+                    self.controls.push(name.clone());
+                }
                 self.all(Int, indices)
             }
             (Real, "sum" | "product" | "least" | "greatest", [name, low, high, body]) => {
