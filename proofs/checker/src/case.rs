@@ -8,6 +8,10 @@ use crate::poly::Sign;
 use crate::section::Section;
 use crate::token::Node;
 use crate::value::Value;
+use crate::work::spend;
+
+/// Terms with the definitions in them are read so deep.
+const DEPTH: usize = 120;
 
 /// Why there is no value.
 pub(crate) enum Stop {
@@ -98,12 +102,12 @@ pub(crate) struct Case<'c, 't> {
     pub(crate) undecided: bool,
     /// Names of far numbers so far.
     pub(crate) far: usize,
+    /// How deep the terms are that are being read, those of definitions in them.
     pub(crate) depth: usize,
 }
 
 impl<'c, 't> Case<'c, 't> {
-    /// A place, where knots coincide as hypotheses say that depend on no integer: t_a = t_b for these pairs. Nothing, if
-    /// there is no such case.
+    /// A place of which nothing but itself is known.
     pub(crate) fn new(definitions: &'c [Node<'t>], k: i64, place: Place) -> Result<Self> {
         Ok(Case {
             definitions,
@@ -181,6 +185,18 @@ impl<'c, 't> Case<'c, 't> {
     pub(crate) fn leaf(&self, term: Node<'t>) -> Result<Value<'t>> {
         let plain = Some(self.section.term(&term, &self.section.env)?);
         Ok(Value { term, plain, knot: None })
+    }
+
+    /// Something about a part of a term, if it is not too deep.
+    pub(crate) fn deeper<T>(&mut self, of: impl FnOnce(&mut Self) -> Found<T>) -> Found<T> {
+        spend(1)?;
+        if self.depth == DEPTH {
+            return Err(Stop::Undecided);
+        }
+        self.depth += 1;
+        let value = of(self);
+        self.depth -= 1;
+        value
     }
 
     pub(crate) fn sign(&self, value: &Fraction) -> Sign {

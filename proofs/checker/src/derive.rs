@@ -253,18 +253,13 @@ impl<'t> Obligation<'t> {
     /// real in it, or the one with an interval.
     pub(crate) fn point(&self) -> Result<Point<'t>> {
         let many = Err(Reason::NoWindow("the functions are taken at more than one point"));
-        let mut arguments = Vec::new();
-        let conclusion: Vec<_> = self.conclusion.iter().collect();
+        let (conclusion, mut arguments) = (self.conclusion.iter().collect::<Vec<_>>(), Vec::new());
         for node in &conclusion {
             node.any(&mut |node| {
-                match node.headed("") {
-                    Ok(("of", [_, argument])) => {
-                        arguments.extend(argument.headed("").ok().and_then(|(_, of)| of.first()).cloned())
-                    }
-                    Ok(("mult", [of])) => {
-                        arguments.extend(of.headed("").ok().and_then(|(_, of)| of.first()).cloned())
-                    }
-                    _ => {}
+                if let Ok(("of", [_, of]) | ("mult", [of])) = node.headed("")
+                    && let Ok((_, [argument, ..])) = of.headed("")
+                {
+                    arguments.push(argument.clone());
                 }
                 false
             });

@@ -7,9 +7,6 @@ use crate::token::{Kind, Node, tree};
 use crate::truth::Truth;
 use crate::value::Value;
 
-/// Definitions are opened so deep.
-const DEPTH: usize = 40;
-
 impl<'t> Case<'_, 't> {
     /// Whether a term is x.
     pub(crate) fn is_point(&mut self, node: &Node<'t>) -> Found<bool> {
@@ -227,9 +224,6 @@ impl<'t> Case<'_, 't> {
         at: At,
         order: i64,
     ) -> Found<Value<'t>> {
-        if self.depth == DEPTH {
-            return Err(Stop::Undecided);
-        }
         let forms = indices.iter().map(|index| self.int(index)).collect::<Found<Vec<_>>>()?;
         for definition in self.definitions {
             let [own, patterns, variable, body] = definition.part("define")?;
@@ -248,9 +242,7 @@ impl<'t> Case<'_, 't> {
                 let reals = vec![(variable.name()?, Bound::Point(at))];
                 let outer =
                     (std::mem::replace(&mut self.ints, ints), std::mem::replace(&mut self.reals, reals));
-                self.depth += 1;
                 let value = if order == 0 { self.real(body) } else { self.slope(body) };
-                self.depth -= 1;
                 (self.ints, self.reals) = outer;
                 return value;
             }
@@ -259,7 +251,11 @@ impl<'t> Case<'_, 't> {
     }
 
     /// The derivative of the body of a definition.
-    pub(crate) fn slope(&mut self, node: &Node<'t>) -> Found<Value<'t>> {
+    fn slope(&mut self, node: &Node<'t>) -> Found<Value<'t>> {
+        self.deeper(|own| own.slope_part(node))
+    }
+
+    fn slope_part(&mut self, node: &Node<'t>) -> Found<Value<'t>> {
         if let Kind::Number(..) | Kind::Name("ratio") = node.kind {
             return Ok(Value::whole(0));
         }

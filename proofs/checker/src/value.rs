@@ -7,7 +7,6 @@ use crate::integers::RANGE;
 use crate::place::{Copies, Form, Place};
 use crate::poly::Sign;
 use crate::token::{Kind, Node};
-use crate::work::spend;
 
 /// A real number: its term, and its value where the knots and parameters tell that without a rule.
 #[derive(Clone)]
@@ -64,7 +63,10 @@ impl<'t> Value<'t> {
 
 impl<'t> Case<'_, 't> {
     pub(crate) fn real(&mut self, node: &Node<'t>) -> Found<Value<'t>> {
-        spend(1)?;
+        self.deeper(|own| own.real_part(node))
+    }
+
+    fn real_part(&mut self, node: &Node<'t>) -> Found<Value<'t>> {
         match &node.kind {
             Kind::Number(..) => return Ok(self.leaf(node.clone())?),
             Kind::Name("ratio") if self.ratio.is_none() => return Ok(self.leaf(Node::name_of("r"))?),

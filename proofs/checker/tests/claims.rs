@@ -356,3 +356,24 @@ fn adjectives_have_to_be_true_where_a_point_refutes() {
         assert!(found.contains(want), "{knots}: {found}");
     }
 }
+
+#[test]
+fn definitions_without_an_end_are_given_up_on() {
+    let deep = |inside: &str| format!("{}{inside}{}", "(neg ".repeat(60), ")".repeat(60));
+    let statement = |body: &str, order: &str| {
+        format!(
+            "(statement 2 (claim \"X\") (form printed) (verdict proved) (scope knots) (degrees 2)
+                (define E (i) y {body})
+                (sentence (for (degree 0) (knots) (point x (open (t 0) open (t m)))) (if)
+                    (then (chain (of {order} (at (var x))) (= (int 0))))))"
+        )
+    };
+    let again = "(of (defined E (+ i 1)) (at (var y)))";
+    let sum = format!("(sum j 0 n (* (int j) {again}))");
+    for body in [again.to_owned(), deep(again), sum, format!("(* (var y) {})", deep(again))] {
+        for order in ["(defined E 0)", "(D (defined E 0) 1)"] {
+            let found = reason(&statement(&body, order), "(proof 1)");
+            assert!(found.contains("conclusion 1 is not decided"), "{body}: {found}");
+        }
+    }
+}
