@@ -90,8 +90,6 @@ pub(crate) struct Case<'c, 't> {
     pub(crate) knot: Option<Form>,
     /// It is known that x is this knot.
     pub(crate) on_knot: bool,
-    /// From which knots those beyond the window are measured, in one comparison: from one each.
-    pub(crate) bases: Vec<(Form, i64)>,
     pub(crate) symmetric: bool,
     /// Integers run around the mirror image of the span.
     pub(crate) mirrored: bool,
@@ -122,7 +120,6 @@ impl<'c, 't> Case<'c, 't> {
             reals: Vec::new(),
             knot: None,
             on_knot: false,
-            bases: Vec::new(),
             symmetric: false,
             mirrored: false,
             ratio: None,

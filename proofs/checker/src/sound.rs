@@ -240,6 +240,23 @@ fn no_place_is_left_out() {
                 table.push((sentence(i, at, &named), name));
             }
         }
+        // Far from the span, on either side.
+        let near = "(integer i 0 n) (integer j 0 n) (point x (open (t j) open (t (+ j 1))))";
+        for (away, range) in [("(>= (int (+ j 40)))", "(+ j 40) n"), ("(<= (int (- j 40)))", "0 (- j 40)")] {
+            table.push((sentence(near, &format!("(chain (int i) {away})"), &positive), "far"));
+            let sum = format!("(chain (sum l {range} (* (int 1) (of (G l 0) (at (var x))))) (= (int 0)))");
+            let ones = format!("(chain (sum l {range} (int 1)) (= (int 0)))");
+            let none = format!(
+                "(or (all (integers l {range}) (chain (int 0) (= (int 1)))) (chain {x} (> (int 1))))"
+            );
+            let good = proved("", &sentence(near, "", &sum), k);
+            assert!(good.is_ok(), "{good:?}");
+            table.push((
+                sentence(near, "", &format!("(and (chain {x} (>= (int 0))) {ones})")),
+                "far, in a sum",
+            ));
+            table.push((sentence(near, "", &none), "far, in all"));
+        }
         for (sentence, name) in table {
             let found = proved("", &sentence, k);
             assert!(found.is_err(), "{name}, k = {k}: {found:?}\n{sentence}");

@@ -90,7 +90,6 @@ impl<'t> Case<'_, 't> {
                         _ => Err(Stop::Undecided),
                     };
                 }
-                self.bases.clear();
                 match (self.real(a), self.real(b)) {
                     (Ok(a), Ok(b)) => self.compare(a, relation, b),
                     (Err(Stop::Undefined), _) | (_, Err(Stop::Undefined)) => Err(Stop::Undefined),

@@ -271,25 +271,14 @@ impl<'t> Case<'_, 't> {
                     Place::Knot(Copies::AtLeast(q)) => base > -q && from_first,
                     _ => false,
                 };
-                self.measured(i, base)?;
                 let by = beyond(self, "left", if less { "positive" } else { "nonnegative" })?;
                 Ok(self.shown_knot(base)?.minus(by)?)
             }
             (Some(least), _) if least >= first => {
-                self.measured(i, least.min(last))?;
                 let by = beyond(self, "right", "nonnegative")?;
                 Ok(self.shown_knot(least.min(last))?.plus(by)?)
             }
             _ => Err(Stop::Undecided),
         }
-    }
-
-    /// One parameter is one distance: inside of a sum more is known of s, and a knot might be measured from another one.
-    fn measured(&mut self, i: &Form, base: i64) -> Found<()> {
-        if self.bases.iter().any(|(known, other)| known == i && *other != base) {
-            return Err(Stop::Undecided);
-        }
-        self.bases.push((i.clone(), base));
-        Ok(())
     }
 }
