@@ -184,7 +184,7 @@ fn claims() -> Vec<(String, String, String)> {
         let path = entry.unwrap().path();
         if path.extension().is_some_and(|extension| extension == "statement") {
             let text = fs::read_to_string(&path).unwrap();
-            let start = text.find("(define").or(text.find("(sentence")).unwrap();
+            let start = text.find("(define ").or(text.find("(sentence")).unwrap();
             let middle = text.find("(sentence").unwrap();
             let end = text.rfind(')').unwrap();
             let name = path.file_stem().unwrap().to_string_lossy().into_owned();
