@@ -4,11 +4,13 @@
 
 use std::collections::BTreeSet;
 
-use crate::case::{At, Bound, Case, Stop, Truth, Value, read};
+use crate::case::{At, Bound, Case, Stop, read};
 use crate::error::{Reason, Result};
 use crate::place::{Place, fine};
 use crate::sentence::adjective;
 use crate::token::{Node, tree};
+use crate::truth::Truth;
+use crate::value::Value;
 use crate::work::spend;
 
 /// What a sentence asks for: one formula, under hypotheses, for all values of what is bound.
@@ -48,7 +50,8 @@ fn open<'t>(
         match binder.headed("a binder")? {
             ("degree", [low]) if k < low.whole()? => return Ok(false),
             ("degree", [low, high]) if k < low.whole()? || k > high.whole()? => return Ok(false),
-            ("degree" | "index" | "points", _) => {}
+            ("degree", _) => {}
+            ("index" | "points", [name]) => not_reserved(name)?,
             ("knots", adjectives) => {
                 knots = true;
                 for node in adjectives {
@@ -210,6 +213,9 @@ impl<'t> Obligation<'t> {
 
     /// A binder, and what it says of its name.
     fn bind(&mut self, binder: &Node<'t>) -> Result<()> {
+        if let ("point" | "real" | "reals", [name, ..]) = binder.headed("a binder")? {
+            not_reserved(name)?;
+        }
         match binder.headed("a binder")? {
             ("integer" | "integers", range @ [_, _, _]) => self.integers.push(range.to_vec()),
             (_, [name]) => self.reals.push((name.name()?, None)),
@@ -247,18 +253,13 @@ impl<'t> Obligation<'t> {
     /// real in it, or the one with an interval.
     pub(crate) fn point(&self) -> Result<Point<'t>> {
         let many = Err(Reason::NoWindow("the functions are taken at more than one point"));
-        let mut arguments = Vec::new();
-        let conclusion: Vec<_> = self.conclusion.iter().collect();
+        let (conclusion, mut arguments) = (self.conclusion.iter().collect::<Vec<_>>(), Vec::new());
         for node in &conclusion {
             node.any(&mut |node| {
-                match node.headed("") {
-                    Ok(("of", [_, argument])) => {
-                        arguments.extend(argument.headed("").ok().and_then(|(_, of)| of.first()).cloned())
-                    }
-                    Ok(("mult", [of])) => {
-                        arguments.extend(of.headed("").ok().and_then(|(_, of)| of.first()).cloned())
-                    }
-                    _ => {}
+                if let Ok(("of", [_, of]) | ("mult", [of])) = node.headed("")
+                    && let Ok((_, [argument, ..])) = of.headed("")
+                {
+                    arguments.push(argument.clone());
                 }
                 false
             });
@@ -285,6 +286,13 @@ impl<'t> Obligation<'t> {
             }
         }
     }
+}
+
+/// These are names of something else in a derived section.
+fn not_reserved(name: &Node<'_>) -> Result<()> {
+    const RESERVED: [&str; 9] = ["u", "r", "o", "W", "M", "left", "right", "rho", "outside"];
+    let reserved = RESERVED.iter().find(|reserved| name.is_word(reserved));
+    reserved.map_or(Ok(()), |reserved| Err(Reason::Taken((*reserved).to_owned())))
 }
 
 fn is_variable(node: &Node<'_>, name: &str) -> bool {
@@ -365,9 +373,6 @@ impl<'w, 't> Walk<'w, 't> {
         let fixed = case.open()?;
         for (name, of) in &self.obligation.reals {
             let own = Node::name_of(name);
-            if matches!(*name, "u" | "r" | "o" | "W" | "M" | "left" | "right" | "rho" | "outside") {
-                return Err(Reason::Taken((*name).to_owned()));
-            }
             let bound = match of {
                 _ if self.point == Point::Real(name) => Bound::Point(At::X),
                 Some(sign) if sign.is_word(">") => Bound::Free(case.parameter("positive", own)?),
@@ -409,7 +414,7 @@ impl<'w, 't> Walk<'w, 't> {
         let [name, low, high] = first.as_slice() else { return Ok(false) };
         let each = case.each([name, low, high], |case, _| {
             // What is false already is so whatever the others are.
-            case.on_knot = false;
+            (case.knot, case.on_knot) = (None, false);
             if !case.learn(&self.hypotheses)? || self.is_false(case)? || self.cases(rest, case, goals)? {
                 Ok(())
             } else {

@@ -22,7 +22,7 @@ pub const WORK: usize = 1_200_000_000;
 pub struct Checked {
     /// The paper's number of the claim.
     pub claim: String,
-    /// `printed`, `amended` or `degree K`.
+    /// `printed`, `amended`, `fails` or `degree K`.
     pub form: String,
     /// `proved` or `refuted`.
     pub verdict: String,
@@ -30,9 +30,10 @@ pub struct Checked {
     pub scope: String,
     /// The degrees, rising.
     pub degrees: Vec<usize>,
-    /// Expanded sections.
+    /// Sections, derived or expanded.
     pub sections: usize,
-    /// Goals proved, at least one for every degree.
+    /// Goals proved: at least one for every degree of given sections. What is derived may be true by the order of knots
+    /// alone, and what a point refutes has none.
     pub goals: usize,
     /// Lemmas proved.
     pub lemmas: usize,

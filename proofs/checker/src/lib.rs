@@ -20,10 +20,12 @@
 //!
 //! To be read in this order, from the ground up: `token` (text to a tree of brackets), `poly`, `fraction`, `env` (names,
 //! integers, `each`), `terms` with `recursion` (what a term is worth, by the paper's definition), `section` (what is
-//! declared), `rules` (what a rule shows), `driver` (every section, every goal), `error`; beside them `file`, and `work`,
-//! which is counted everywhere. Terms and rules are read from
-//! the tree as they are needed. No recursion is deeper than the brackets of the text or the degree of a function, which
-//! have limits.
+//! declared), `rules` (what a rule shows); then how a claim becomes sections: `sentence` (what may stand where), `place` (of x
+//! among the knots), `case` (what is known there) with `integers`, `value`, `function` and `truth` (what the parts of a sentence are
+//! there), `derive` (obligations, places, goals), `point` (numbers that refute); `driver` (every section, every goal), `error`;
+//! beside them `file`, and `work`, which is counted everywhere. Terms, rules and sentences are read from the tree as they are
+//! needed. No recursion is deeper than the brackets of the text, the degree of a function or the definitions that may be opened,
+//! which have limits.
 
 #![forbid(unsafe_code)]
 
@@ -34,6 +36,8 @@ mod env;
 mod error;
 mod file;
 mod fraction;
+mod function;
+mod integers;
 mod place;
 mod point;
 mod poly;
@@ -45,6 +49,8 @@ mod sentence;
 mod sound;
 mod terms;
 mod token;
+mod truth;
+mod value;
 mod work;
 
 pub use driver::{Checked, WORK, check, check_within};

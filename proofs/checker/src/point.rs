@@ -1,6 +1,6 @@
 //! A refutation: numbers for which all hypotheses of a sentence are true, and a conclusion is not.
 
-use crate::case::{At, Bound, Case, Numbers, Truth};
+use crate::case::{At, Bound, Case, Numbers};
 use crate::derive::{Obligation, Point, obligations};
 use crate::env::Env;
 use crate::error::{Reason, Result};
@@ -9,6 +9,7 @@ use crate::place::{Copies, Facts, Form, Place};
 use crate::poly::Sign;
 use crate::section::Section;
 use crate::token::Node;
+use crate::truth::Truth;
 
 /// What stands in `point`.
 pub(crate) struct Numbered<'n, 't> {

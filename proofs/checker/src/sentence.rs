@@ -21,77 +21,38 @@ pub(crate) enum Sort {
 use Sort::{Argument, Coefficients, Expression, Formula, Function, Index, Int, Interval, Member, Real};
 
 /// Brackets with a fixed number of fields that bind no name.
-const FORMS: [(Sort, &str, &[Sort]); 42] = [
-    (Int, "+", &[Int, Int]),
-    (Int, "-", &[Int, Int]),
-    (Int, "*", &[Int, Int]),
-    (Int, "min", &[Int, Int]),
-    (Int, "max", &[Int, Int]),
-    (Int, "binomial", &[Int, Int]),
-    (Real, "int", &[Int]),
-    (Real, "var", &[Real]),
+const FORMS: [(Sort, &str, &[Sort]); 20] = [
+    (Int, "+ - * min max binomial", &[Int, Int]),
+    (Real, "int t", &[Int]),
     (Real, "alpha", &[Index]),
-    (Real, "t", &[Int]),
-    (Real, "+", &[Real, Real]),
-    (Real, "-", &[Real, Real]),
-    (Real, "*", &[Real, Real]),
-    (Real, "/", &[Real, Real]),
-    (Real, "neg", &[Real]),
+    (Real, "+ - * / min max", &[Real, Real]),
+    (Real, "neg abs sqrt", &[Real]),
     (Real, "^", &[Real, Int]),
-    (Real, "abs", &[Real]),
-    (Real, "sqrt", &[Real]),
-    (Real, "min", &[Real, Real]),
-    (Real, "max", &[Real, Real]),
     (Real, "of", &[Function, Argument]),
     (Function, "G", &[Int]),
-    (Function, "G", &[Int, Int]),
-    (Function, "w", &[Int, Int]),
-    (Function, "phi", &[Real, Real]),
-    (Function, "f", &[Real, Real]),
+    (Function, "G w", &[Int, Int]),
+    (Function, "phi f", &[Real, Real]),
     (Function, "D", &[Function, Int]),
-    (Argument, "at", &[Real]),
-    (Argument, "at", &[Real, Member]),
-    (Argument, "left", &[Real]),
-    (Argument, "left", &[Real, Member]),
-    (Argument, "right", &[Real]),
-    (Argument, "right", &[Real, Member]),
-    (Member, "alpha", &[Real]),
-    (Member, "ratio", &[Real]),
+    (Argument, "at left right", &[Real]),
+    (Argument, "at left right", &[Real, Member]),
+    (Member, "alpha ratio", &[Real]),
     (Formula, "in", &[Real, Interval]),
     (Formula, "among", &[Int, Int, Int]),
     (Formula, "not", &[Formula]),
-    (Formula, "=>", &[Formula, Formula]),
-    (Formula, "<=>", &[Formula, Formula]),
+    (Formula, "=> <=>", &[Formula, Formula]),
     (Expression, "real", &[Real]),
     (Expression, "integer", &[Int]),
 ];
 
-/// Words: what they are, and how many things they are said of. They are read, and never decided here.
-const WORDS: [(Sort, &str, usize); 24] = [
-    (Int, "mult", 1),
-    (Int, "maxima", 1),
-    (Int, "minima", 1),
-    (Int, "maximisers", 1),
-    (Formula, "tied", 1),
-    (Formula, "continuous", 1),
-    (Int, "changes", 1),
-    (Int, "polygon-changes", 1),
-    (Int, "rank", 1),
-    (Formula, "combination", 2),
-    (Int, "valleys", 1),
-    (Formula, "totally-positive", 1),
-    (Formula, "nested", 1),
-    (Formula, "elevated", 1),
-    (Int, "nurbs-degree", 1),
-    (Formula, "free-weights", 1),
-    (Real, "word-sup", 1),
-    (Formula, "defined", 1),
-    (Formula, "rational", 1),
-    (Formula, "smooth", 1),
-    (Real, "word-stop", 1),
+/// Words: what they are, and how many things they are said of. Most are read and never decided here.
+const WORDS: [(Sort, &str, usize); 7] = [
+    (Int, "mult maxima minima maximisers changes polygon-changes rank valleys nurbs-degree", 1),
     (Int, "stops", 0),
-    (Formula, "strays", 3),
     (Int, "implicit-degree", 3),
+    (Real, "word-sup word-stop", 1),
+    (Formula, "tied continuous totally-positive nested elevated free-weights defined rational smooth", 1),
+    (Formula, "combination", 2),
+    (Formula, "strays", 3),
 ];
 
 /// What the adjectives of knots say.
@@ -133,13 +94,22 @@ pub(crate) struct Reader<'t> {
     names: Vec<(&'t str, Sort)>,
     /// With the number of indices, and whether there is a variable.
     definitions: Vec<(&'t str, usize, bool)>,
-    /// In a definition control values are those of whoever uses it.
+    /// In a definition control values are those of whoever uses it: their names.
     defining: bool,
+    controls: Vec<Node<'t>>,
+    /// All that was bound anywhere.
+    ever: Vec<(&'t str, Sort)>,
 }
 
 /// Reads definitions and the sentence; whatever has no meaning is refused.
 pub(crate) fn read<'t>(definitions: &[Node<'t>], sentence: &Node<'t>) -> Result<()> {
-    let mut reader = Reader { names: Vec::new(), definitions: Vec::new(), defining: true };
+    let mut reader = Reader {
+        names: Vec::new(),
+        definitions: Vec::new(),
+        defining: true,
+        controls: Vec::new(),
+        ever: Vec::new(),
+    };
     for definition in definitions {
         let [name, patterns, variable, _] = definition.part("define")?;
         let Kind::List(patterns) = &patterns.kind else { return patterns.wrong("patterns") };
@@ -159,7 +129,15 @@ pub(crate) fn read<'t>(definitions: &[Node<'t>], sentence: &Node<'t>) -> Result<
         reader.names.clear();
     }
     reader.defining = false;
-    reader.sentence(sentence)
+    reader.ever.clear();
+    reader.sentence(sentence)?;
+    for name in &reader.controls {
+        let mut sorts = reader.ever.iter().filter(|(known, _)| name.is_word(known)).map(|(_, sort)| *sort);
+        if sorts.next() != Some(Coefficients) || sorts.any(|sort| sort != Coefficients) {
+            return name.wrong("the name of control values of the sentence");
+        }
+    }
+    Ok(())
 }
 
 impl<'t> Reader<'t> {
@@ -170,6 +148,7 @@ impl<'t> Reader<'t> {
             return Err(Reason::Taken(word.to_owned()));
         }
         self.names.push((word, sort));
+        self.ever.push((word, sort));
         Ok(())
     }
 
@@ -225,6 +204,7 @@ impl<'t> Reader<'t> {
             ("instances", names @ [_, ..]) => {
                 // The control points of an instance have this name.
                 self.names.push(("P", Coefficients));
+                self.ever.push(("P", Coefficients));
                 names.iter().try_for_each(|name| name.name().map(|_| ()))
             }
             ("alphas", list @ [_, ..]) => {
@@ -296,6 +276,9 @@ impl<'t> Reader<'t> {
             (Real, "var", [name]) => self.bound(name, Real),
             (Real, "coefficient", [name, indices @ ..]) if !indices.is_empty() => {
                 self.bound(name, Coefficients)?;
+                if self.defining {
+                    self.controls.push(name.clone());
+                }
                 self.all(Int, indices)
             }
             (Real, "sum" | "product" | "least" | "greatest", [name, low, high, body]) => {
@@ -332,11 +315,14 @@ impl<'t> Reader<'t> {
                 self.bind(name, Real)?;
                 self.inside(Real, body, known)
             }
-            _ if WORDS.contains(&(sort, head, fields.len())) => self.all(Expression, fields),
             _ => {
-                let fits = |form: &&(Sort, &str, &[Sort])| {
-                    form.0 == sort && form.1 == head && form.2.len() == fields.len()
-                };
+                let named = |heads: &str| heads.split(' ').any(|known| known == head);
+                let count = fields.len();
+                if WORDS.iter().any(|(is, heads, of)| *is == sort && *of == count && named(heads)) {
+                    return self.all(Expression, fields);
+                }
+                let fits =
+                    |form: &&(Sort, &str, &[Sort])| form.0 == sort && form.2.len() == count && named(form.1);
                 let Some((_, _, sorts)) = FORMS.iter().find(fits) else { return node.wrong(expected) };
                 sorts.iter().zip(fields).try_for_each(|(sort, field)| self.read(*sort, field))
             }

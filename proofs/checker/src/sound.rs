@@ -184,7 +184,7 @@ fn claims() -> Vec<(String, String, String)> {
         let path = entry.unwrap().path();
         if path.extension().is_some_and(|extension| extension == "statement") {
             let text = fs::read_to_string(&path).unwrap();
-            let start = text.find("(define").or(text.find("(sentence")).unwrap();
+            let start = text.find("(define ").or(text.find("(sentence")).unwrap();
             let middle = text.find("(sentence").unwrap();
             let end = text.rfind(')').unwrap();
             let name = path.file_stem().unwrap().to_string_lossy().into_owned();
@@ -203,7 +203,8 @@ fn what_is_proved_is_refuted_nowhere() {
             // Points at t_0 + t_m − x, or of another index, and very many integers.
             continue;
         }
-        assert_eq!(refuted(&definitions, &sentence, 1, 3), None, "{name}");
+        let k = if sentence.contains("(degree 2)") { 2 } else { 1 };
+        assert_eq!(refuted(&definitions, &sentence, k, k + 2), None, "{name}");
     }
 }
 
@@ -238,6 +239,23 @@ fn no_place_is_left_out() {
                 let named = format!("(and {false_there} (chain {x} (>= (int 0))))");
                 table.push((sentence(i, at, &named), name));
             }
+        }
+        // Far from the span, on either side.
+        let near = "(integer i 0 n) (integer j 0 n) (point x (open (t j) open (t (+ j 1))))";
+        for (away, range) in [("(>= (int (+ j 40)))", "(+ j 40) n"), ("(<= (int (- j 40)))", "0 (- j 40)")] {
+            table.push((sentence(near, &format!("(chain (int i) {away})"), &positive), "far"));
+            let sum = format!("(chain (sum l {range} (* (int 1) (of (G l 0) (at (var x))))) (= (int 0)))");
+            let ones = format!("(chain (sum l {range} (int 1)) (= (int 0)))");
+            let none = format!(
+                "(or (all (integers l {range}) (chain (int 0) (= (int 1)))) (chain {x} (> (int 1))))"
+            );
+            let good = proved("", &sentence(near, "", &sum), k);
+            assert!(good.is_ok(), "{good:?}");
+            table.push((
+                sentence(near, "", &format!("(and (chain {x} (>= (int 0))) {ones})")),
+                "far, in a sum",
+            ));
+            table.push((sentence(near, "", &none), "far, in all"));
         }
         for (sentence, name) in table {
             let found = proved("", &sentence, k);

@@ -312,6 +312,36 @@ fn points_refute_what_is_false_there_and_nothing_else() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
+/// Claims of the paper as printed, each refuted by its smallest case; as amended, the same case refutes none.
+#[test]
+fn points_refute_claims_as_printed_only() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/points");
+    let (all, mut amended) = (certificates(), 0);
+    for entry in fs::read_dir(folder).expect("the folder is there") {
+        let path = entry.expect("its entries can be read").path();
+        let name = path.file_stem().expect("a file has a name").to_string_lossy().into_owned();
+        let text = fs::read_to_string(&path).expect("it can be read");
+        let found = reason(&text, "(proof 1)");
+        assert!(
+            found.ends_with("refuted, scope instance, degrees 1; sections 0, goals 0, lemmas 0"),
+            "{name}: {found}"
+        );
+        assert!(
+            reason(&text, "(proof 1 (section 1))").contains("that the statement does not have"),
+            "{name}"
+        );
+        if let Some([other, _]) = all.get(&format!("{name}.amended")) {
+            let of = |text: &str| bracket(text, "(sentence ").expect("there is a sentence");
+            let mut forged = text.clone();
+            forged.replace_range(of(&text), &other[of(other)]);
+            let found = reason(&forged, "(proof 1)");
+            assert!(found.contains("no conclusion fails there"), "{name}: {found}");
+            amended += 1;
+        }
+    }
+    assert!(amended > 6, "{amended}");
+}
+
 #[test]
 fn adjectives_have_to_be_true_where_a_point_refutes() {
     // False whatever the knots are: so the point is a refutation exactly if the knots have the property.
@@ -354,5 +384,26 @@ fn adjectives_have_to_be_true_where_a_point_refutes() {
     {
         let found = check_of("", 1, knots);
         assert!(found.contains(want), "{knots}: {found}");
+    }
+}
+
+#[test]
+fn definitions_without_an_end_are_given_up_on() {
+    let deep = |inside: &str| format!("{}{inside}{}", "(neg ".repeat(60), ")".repeat(60));
+    let statement = |body: &str, order: &str| {
+        format!(
+            "(statement 2 (claim \"X\") (form printed) (verdict proved) (scope knots) (degrees 2)
+                (define E (i) y {body})
+                (sentence (for (degree 0) (knots) (point x (open (t 0) open (t m)))) (if)
+                    (then (chain (of {order} (at (var x))) (= (int 0))))))"
+        )
+    };
+    let again = "(of (defined E (+ i 1)) (at (var y)))";
+    let sum = format!("(sum j 0 n (* (int j) {again}))");
+    for body in [again.to_owned(), deep(again), sum, format!("(* (var y) {})", deep(again))] {
+        for order in ["(defined E 0)", "(D (defined E 0) 1)"] {
+            let found = reason(&statement(&body, order), "(proof 1)");
+            assert!(found.contains("conclusion 1 is not decided"), "{body}: {found}");
+        }
     }
 }

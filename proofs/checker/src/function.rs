@@ -1,0 +1,284 @@
+//! The functions of a sentence in a case: basis functions, weights and definitions at x.
+
+use crate::case::{At, Bound, Case, Found, Stop};
+use crate::place::{Copies, Form, Place};
+use crate::poly::Sign;
+use crate::token::{Kind, Node, tree};
+use crate::truth::Truth;
+use crate::value::Value;
+
+impl<'t> Case<'_, 't> {
+    /// Whether a term is x.
+    pub(crate) fn is_point(&mut self, node: &Node<'t>) -> Found<bool> {
+        if let (Some(knot), true) = (self.knot.clone(), node.is("t"))
+            && self.index(node)? == Some(knot)
+        {
+            return Ok(true);
+        }
+        let (value, x) = (self.real(node)?, self.x()?);
+        match (value.plain, x.plain) {
+            (Some(a), Some(b)) => Ok(a.minus(&b)?.is_zero()),
+            _ => Ok(false),
+        }
+    }
+
+    /// A function at an argument; of numbers, whatever the number is.
+    pub(crate) fn of(&mut self, function: &Node<'t>, argument: &Node<'t>) -> Found<Value<'t>> {
+        let (side, [x, member @ ..]) = argument.headed("an argument")? else { return Err(Stop::Undecided) };
+        let ratio = match (member.first(), &self.ratio) {
+            (None, ratio) => ratio.clone(),
+            (Some(_), Some(_)) => return Err(Stop::Undecided),
+            (Some(member), None) => Some(self.member(member)?),
+        };
+        let (at, moved) = match self.place_of(x) {
+            Err(Stop::Undecided) if self.numbers.is_some() => {
+                let plain = self.real(x)?.plain.ok_or(Stop::Undecided)?;
+                (At::X, Node::number_of(&plain.num, &plain.denominator()?))
+            }
+            at => (at?, None),
+        };
+        let at = match (at, side) {
+            (at, "at") => at,
+            (At::X, "left") => At::Left,
+            (At::X, "right") => At::Right,
+            _ => return Err(Stop::Undecided),
+        };
+        let before = (std::mem::replace(&mut self.ratio, ratio), moved.map(|x| self.locate(x)).transpose()?);
+        let value = self.function(function, at, 0);
+        self.ratio = before.0;
+        if let Some(before) = before.1 {
+            self.restore(before);
+        }
+        value
+    }
+
+    pub(crate) fn member(&mut self, member: &Node<'t>) -> Found<Node<'t>> {
+        let inverse = || Node::made("/", vec![Node::whole_of(1), Node::name_of("r")]);
+        match member.headed("another index")? {
+            ("alpha", [alpha]) if alpha.is_word("infinity") => Ok(Node::whole_of(1)),
+            ("alpha", [alpha]) if *alpha == tree("(- (int 1) (alpha alpha))")? => Ok(inverse()),
+            ("alpha", [alpha]) => match alpha.headed("an index")? {
+                ("alpha", [name]) if !name.is_word("alpha") => self.other(name.name()?),
+                _ => Err(Stop::Undecided),
+            },
+            ("ratio", [ratio]) => {
+                let value = self.real(ratio)?;
+                let positive = value.plain.as_ref().is_some_and(|plain| self.sign(plain) == Sign::Positive);
+                if positive { Ok(value.term) } else { Err(Stop::Undecided) }
+            }
+            _ => Err(Stop::Undecided),
+        }
+    }
+
+    /// r of another index that is bound.
+    pub(crate) fn other(&mut self, name: &'t str) -> Found<Node<'t>> {
+        match &self.numbers {
+            Some(numbers) => numbers.of("index", name, 0).ok_or(Stop::Undecided),
+            None => Ok(self.parameter("positive", Node::made(name, vec![Node::whole_of(0)]))?.term),
+        }
+    }
+
+    /// An index α = r/(r − 1), as a number; nothing for ∞.
+    pub(crate) fn alpha(&mut self, name: &Node<'t>) -> Found<Option<Value<'t>>> {
+        if self.numbers.is_none() || self.ratio.is_some() {
+            return Err(Stop::Undecided);
+        }
+        let name = name.name()?;
+        let ratio = if name == "alpha" { Node::name_of("r") } else { self.other(name)? };
+        let ratio = self.leaf(ratio)?;
+        let less = ratio.clone().minus(Value::whole(1))?;
+        if less.is_zero() { Ok(None) } else { self.over(ratio, less).map(Some) }
+    }
+
+    /// x, t_0 + t_m − x, or what the variable of a definition stands for.
+    fn place_of(&mut self, node: &Node<'t>) -> Found<At> {
+        if let Ok(("var", [name])) = node.headed("")
+            && let Bound::Point(at) = self.bound(name)?
+        {
+            return Ok(at);
+        }
+        if let Ok(("-", [sum, x])) = node.headed("")
+            && self.symmetric
+            && *sum == tree("(+ (t 0) (t m))")?
+            && self.place_of(x)? == At::X
+        {
+            return Ok(At::Mirrored);
+        }
+        if self.is_point(node)? { Ok(At::X) } else { Err(Stop::Undecided) }
+    }
+
+    /// A function, or its derivative of order 1.
+    pub(crate) fn function(&mut self, node: &Node<'t>, at: At, order: i64) -> Found<Value<'t>> {
+        match node.headed("a function")? {
+            ("D", [of, by]) => match order + self.fixed(by)? {
+                order @ 0..=1 => self.function(of, at, order),
+                _ => Err(Stop::Undecided),
+            },
+            ("G", [i, degree @ ..]) => {
+                let i = self.int(i)?;
+                let degree = degree.first().map_or(Ok(self.k), |degree| self.fixed(degree))?;
+                if !(0..=self.k).contains(&degree) {
+                    return Err(Stop::Undefined);
+                }
+                self.exists(&i, &Form::last(self.k - degree))?;
+                self.on_window(if order == 0 { "G" } else { "DG" }, &i, degree, at)
+            }
+            ("w", [i, degree]) => {
+                let (i, degree) = (self.int(i)?, self.fixed(degree)?);
+                if degree < 1 {
+                    return Err(Stop::Undecided);
+                }
+                self.exists(&i, &Form::last(self.k + 1 - degree))?;
+                self.on_window(if order == 0 { "w" } else { "Dw" }, &i, degree, at)
+            }
+            (head @ ("phi" | "f"), [a, b]) if at == At::X => {
+                let (a, b) = (self.real(a)?, self.real(b)?);
+                self.phi(head == "phi", a, b, order)
+            }
+            ("defined", [name, indices @ ..]) => self.defined(name, indices, at, order),
+            _ => Err(Stop::Undecided),
+        }
+    }
+
+    /// The weight of an interval between two knots of the window; φ is 0 outside of it.
+    pub(crate) fn phi(&mut self, cut: bool, a: Value<'t>, b: Value<'t>, order: i64) -> Found<Value<'t>> {
+        if cut {
+            if order == 1 && self.place != Place::Inside {
+                return Err(Stop::Undecided);
+            }
+            let x = self.x()?;
+            let inside = self.compare(a.clone(), "<=", x.clone())?.and(self.compare(x, "<", b.clone())?);
+            match inside {
+                Truth::False => return Ok(Value::whole(0)),
+                inside if inside.is_true() => {}
+                _ => return Err(Stop::Undecided),
+            }
+        }
+        let (Some(a @ ..=0), Some(b @ 1..)) = (a.knot, b.knot) else { return Err(Stop::Undecided) };
+        self.term(if order == 0 { "w" } else { "Dw" }, a, b - a, 0, At::X)
+    }
+
+    /// A function at the place of span e.
+    pub(crate) fn term(&self, head: &'static str, i: i64, degree: i64, e: i64, at: At) -> Found<Value<'t>> {
+        let mirrored = at == At::Mirrored;
+        let on = match (self.place, self.place.on_span()) {
+            (_, None) => return Err(Stop::Undecided),
+            (Place::First(_), _) if mirrored => "to",
+            (_, Some("in")) => "in",
+            _ if mirrored => "from",
+            _ if e != 0 => "to",
+            (_, Some(on)) => on,
+        };
+        let window = Node::name_of(if mirrored { "M" } else { "W" });
+        let place = Node::made(on, vec![window, Node::whole_of(e)]);
+        let mut term = Node::made(head, vec![Node::whole_of(i), Node::whole_of(degree), place]);
+        let mut moved = Vec::new();
+        if mirrored && self.place == Place::Inside {
+            let inverse = Node::made("/", vec![Node::whole_of(1), Node::name_of("u")]);
+            moved.push(Node::made("u", vec![inverse]));
+        }
+        moved.extend(self.ratio.iter().map(|ratio| Node::made("r", vec![ratio.clone()])));
+        if !moved.is_empty() {
+            term = Node::made("at", vec![Node::group_of(moved), term]);
+        }
+        match &self.numbers {
+            None => Ok(Value { term, plain: None, knot: None }),
+            Some(_) => Ok(self.leaf(self.at_numbers(term))?),
+        }
+    }
+
+    /// A function that exists, at the place: 0 if it does not live on the span.
+    fn on_window(&mut self, head: &'static str, i: &Form, degree: i64, at: At) -> Found<Value<'t>> {
+        let basis = head.ends_with('G');
+        let (span, e) = match (self.place, at) {
+            (Place::Before | Place::After, _) | (Place::First(_), At::Left) => return Ok(Value::whole(0)),
+            (Place::End | Place::Last(_), At::Right) => return Ok(Value::whole(0)),
+            (_, At::Mirrored) if head == "G" => (self.mirror()?, 0),
+            (_, At::Mirrored) | (Place::Start, At::Left) => return Err(Stop::Undecided),
+            (Place::Knot(Copies::Exactly(q)), At::Left) => (Form::near(-q), -q),
+            (Place::Knot(Copies::AtLeast(q)), At::Left) => {
+                // The span on the left is s − Q, or before that.
+                let zero = basis && self.surely(&i.plus(-1, &Form::near(1 - q))?)?;
+                return if zero { Ok(Value::whole(0)) } else { Err(Stop::Undecided) };
+            }
+            _ => (Form::near(0), 0),
+        };
+        let from = i.plus(-1, &span)?;
+        let until = Form::number(-degree - i64::from(basis)).plus(-1, &from)?;
+        if self.surely(&from.plus(-1, &Form::number(1))?)? || self.surely(&until)? {
+            return Ok(Value::whole(0));
+        }
+        let i = e + self.facts.value(&from).ok_or(Stop::Undecided)?;
+        let (first, last) = self.shown;
+        if !basis && (i < first || i + degree > last) {
+            return Err(Stop::Undecided);
+        }
+        self.term(head, i, degree, e, at)
+    }
+
+    /// A definition for some indices, its variable at a place; or its derivative.
+    pub(crate) fn defined(
+        &mut self,
+        name: &Node<'t>,
+        indices: &[Node<'t>],
+        at: At,
+        order: i64,
+    ) -> Found<Value<'t>> {
+        let forms = indices.iter().map(|index| self.int(index)).collect::<Found<Vec<_>>>()?;
+        for definition in self.definitions {
+            let [own, patterns, variable, body] = definition.part("define")?;
+            let Kind::List(patterns) = &patterns.kind else { continue };
+            if own != name || patterns.len() != forms.len() {
+                continue;
+            }
+            let (mut fits, mut ints) = (true, Vec::new());
+            for (pattern, form) in patterns.iter().zip(&forms) {
+                match pattern.whole() {
+                    Ok(wanted) => fits &= self.facts.value(form).ok_or(Stop::Undecided)? == wanted,
+                    Err(_) => ints.push((pattern.name()?, form.clone())),
+                }
+            }
+            if fits {
+                let reals = vec![(variable.name()?, Bound::Point(at))];
+                let outer =
+                    (std::mem::replace(&mut self.ints, ints), std::mem::replace(&mut self.reals, reals));
+                let value = if order == 0 { self.real(body) } else { self.slope(body) };
+                (self.ints, self.reals) = outer;
+                return value;
+            }
+        }
+        Err(Stop::Undecided)
+    }
+
+    /// The derivative of the body of a definition.
+    fn slope(&mut self, node: &Node<'t>) -> Found<Value<'t>> {
+        self.deeper(|own| own.slope_part(node))
+    }
+
+    fn slope_part(&mut self, node: &Node<'t>) -> Found<Value<'t>> {
+        if let Kind::Number(..) | Kind::Name("ratio") = node.kind {
+            return Ok(Value::whole(0));
+        }
+        match node.headed("a real")? {
+            // The only name of a real in a definition is that of its variable.
+            ("var", _) => Ok(Value::whole(1)),
+            ("int" | "t" | "coefficient", _) => self.real(node).map(|_| Value::whole(0)),
+            ("+", [a, b]) => Ok(self.slope(a)?.plus(self.slope(b)?)?),
+            ("-", [a, b]) => Ok(self.slope(a)?.minus(self.slope(b)?)?),
+            ("neg", [a]) => Ok(self.slope(a)?.times(Value::whole(-1))?),
+            ("*", [a, b]) => {
+                let (f, g) = (self.real(a)?, self.real(b)?);
+                Ok(self.slope(a)?.times(g)?.plus(f.times(self.slope(b)?)?)?)
+            }
+            ("sum", [name, low, high, body]) => self.fold(true, [name, low, high], &|own| own.slope(body)),
+            ("of", [function, argument]) => match argument.headed("an argument")? {
+                ("at", [x]) if x.is("var") => {
+                    let at = self.place_of(x)?;
+                    self.function(function, at, 1)
+                }
+                _ => Err(Stop::Undecided),
+            },
+            _ => Err(Stop::Undecided),
+        }
+    }
+}
