@@ -99,7 +99,7 @@ pub fn statement(
     form: Form,
     witness: Option<&Witness>,
 ) -> Result<Option<Statement>, CertificateError> {
-    let found = windows(claim.id(), form, witness).map_err(|error| failed(claim.id(), form, error))?;
+    let found = windows(claim, form, witness).map_err(|error| failed(claim.id(), form, error))?;
     let stated = |Windows { claim: id, scope, degrees, because, sections, refutes, own, .. }| {
         let sections = Sexp::parse_all(&sections)
             .map_err(|error| failed(&id, form, ProofError::Statement(error.into())))?;
@@ -110,7 +110,7 @@ pub fn statement(
         };
         Ok(Statement { claim: id, form, refuted, scope, degrees, text, because, sections })
     };
-    found.cloned().map(stated).transpose()
+    found.map(stated).transpose()
 }
 
 /// The sentence for people, an amended one with the printed one before it.

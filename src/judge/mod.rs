@@ -262,7 +262,7 @@ mod tests {
             println!("{witness}");
             let told = witness.to_string();
             assert!(says.ends_with('…') || told == says, "{told}");
-            assert_eq!(witness.again("X"), command);
+            assert_eq!(witness.again("X", None), command);
             let json = serde_json::to_string(&witness).unwrap();
             assert_eq!(serde_json::from_str::<Witness>(&json).unwrap(), *witness, "{json}");
         }

@@ -302,9 +302,10 @@ impl Witness {
     }
 
     /// The shortest command that shows it: `shape` where it is about maxima, `eval` where it is about values at one place;
-    /// elsewhere the claim is judged on the witness's knots, or with all its cases.
+    /// elsewhere the claim is judged on the witness's knots, or with all its cases. `paper` is how a command line names the paper of
+    /// the claim, if it has to.
     #[must_use]
-    pub fn again(&self, claim: &str) -> String {
+    pub fn again(&self, claim: &str, paper: Option<&str>) -> String {
         const SHAPES: [&str; 4] = ["maxima", "minima", "maximisers", "tied"];
         let basis =
             self.k.map(|k| format!("--degree {k} --knots {} --alpha {}", self.knots.join(","), self.alpha));
@@ -327,9 +328,13 @@ impl Witness {
                 format!("knotproof eval {basis} --x {x}{derivatives}{side}")
             }
             (Some(basis), ..) if self.instance.is_none() => {
-                format!("knotproof check {basis} --property {claim}")
+                let of = paper.map(|paper| format!(" --paper {paper}")).unwrap_or_default();
+                format!("knotproof check {basis}{of} --property {claim}")
             }
-            _ => format!("knotproof report --claim {claim}"),
+            _ => match paper {
+                Some(paper) => format!("knotproof judge {paper} --claim {claim}"),
+                None => format!("knotproof report --claim {claim}"),
+            },
         }
     }
 }

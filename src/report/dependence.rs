@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::language::{Source, claims};
+use crate::language::{Claim, Paper, Source};
 
 use super::record::Record;
 
@@ -67,9 +67,9 @@ fn is_theorem(source: Source, locator: &str) -> bool {
 impl Dependence {
     /// From the records, which may be those of a part of the claims.
     #[must_use]
-    pub fn of(records: &[Record]) -> Self {
+    pub fn of(paper: &Paper, records: &[Record]) -> Self {
         let record = |id: &str| records.iter().find(|record| record.id == id);
-        let stated = claims();
+        let stated: Vec<_> = Claim::of(paper).collect();
         let uses = stated.iter().flat_map(|claim| claim.stanza.uses.iter().map(|one| (claim.id(), one)));
         let uses: Vec<Dependency> = uses
             .filter_map(|(claim, one)| {
@@ -98,7 +98,7 @@ impl Dependence {
             .map(|record| record.id.clone())
             .collect();
         let all = stated.iter().filter(|claim| is_theorem(claim.source(), &claim.stanza.at)).count();
-        let sentence = (theorems.len() == all).then(|| sentence(&theorems, &falls));
+        let sentence = (all > 0 && theorems.len() == all).then(|| sentence(&theorems, &falls));
         Self { sentence, falls, uses }
     }
 }
