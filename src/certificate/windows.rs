@@ -8,7 +8,7 @@ use serde::Deserialize;
 use thiserror::Error;
 
 use crate::judge::{Scope, Witness};
-use crate::language::{Claim, Form};
+use crate::language::{Claim, Complaint, Form, Paper};
 
 /// Where the windows are, in the folder of a paper.
 const FILE: &str = "windows.toml";
@@ -84,6 +84,14 @@ fn all_windows(text: &Arc<str>) -> Result<Arc<Vec<Windows>>, WindowsError> {
     let all = Arc::new(parse(text)?);
     *last = Some((Arc::clone(text), Arc::clone(&all)));
     Ok(all)
+}
+
+/// What keeps the windows of a paper from being read, with its place.
+#[must_use]
+pub fn window_fault(paper: &Paper) -> Option<Complaint> {
+    let error = parse(&paper.windows).err()?;
+    let advice = "write `[[window]]` as that of the paper that comes with the program has it";
+    Some(Complaint::in_file((FILE, &paper.windows), error.span().unwrap_or(0..0), error.message(), advice))
 }
 
 /// The windows of a statement about a claim: that it is true, or, with a witness, that it is false. `None` if it is not

@@ -224,7 +224,7 @@ impl Args {
             match all.iter().find(|claim| claim.id() == name) {
                 None => return Err(CliError::unknown_claim("--property", name, &ids)),
                 Some(claim) if !claim.is_general() => {
-                    return Err(CliError::NotGeneral { claim: name.clone() });
+                    return Err(CliError::NotGeneral { claim: name.clone(), judges: paper.judges(name) });
                 }
                 Some(_) => {}
             }

@@ -285,11 +285,13 @@ pub enum CliError {
     /// The claim is about examples that the paper shows, not about any instance.
     #[error(
         "--property: {claim} is about examples of the paper, not about instances in general; \
-         judge it with `knotproof report --claim {claim}`"
+         judge it with `{judges}`"
     )]
     NotGeneral {
         /// The claim.
         claim: String,
+        /// The command that judges it.
+        judges: String,
     },
     /// A file or folder that cannot be read or written.
     #[error("{argument}: cannot {action} {}: {error}", path.display())]

@@ -141,7 +141,7 @@ impl fmt::Display for Explanation {
             }
             if let Some(witness) = &finding.witness {
                 writeln!(f, "  witness: {witness}")?;
-                writeln!(f, "  again: {}", witness.again(self.id, None))?;
+                writeln!(f, "  again: {}", witness.again(self.id, paper()))?;
             }
             if let Some(reason) = &finding.reason {
                 writeln!(f, "  {reason}")?;

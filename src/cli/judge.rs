@@ -261,11 +261,10 @@ impl fmt::Display for Judged<'_> {
         let about = &self.report.of.about;
         writeln!(f, "{}\n", visible(&about.to_string()))?;
         write!(f, "{}", Shown { report: &self.report, written: &self.written })?;
-        let called = self.report.of.called.as_deref();
         let mut told = |id: &str, form: &str, finding: &Finding| -> fmt::Result {
             if let Some(witness) = &finding.witness {
                 writeln!(f, "\n{id}{form}: {witness}")?;
-                writeln!(f, "  again: {}", witness.again(id, called))?;
+                writeln!(f, "  again: {}", witness.again(id, self.report.of))?;
             } else if let Some(reason) = finding.reason.as_ref().filter(|_| !finding.is_proved()) {
                 writeln!(f, "\n{id}{form}, {}: {reason}", finding.status)?;
             }

@@ -7,6 +7,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use crate::certificate::window_fault;
 use crate::language::{Complaint, Paper, shipped, shipped_names};
 use crate::meaning::row_faults;
 
@@ -57,7 +58,7 @@ fn read_folder(argument: &'static str, folder: &Path) -> Result<Paper, CliError>
                 Ok(text) => _ = files.insert(name, text),
                 Err(why) => {
                     let advice = "make it a text file that can be read, or move it away";
-                    complaints.push(Complaint::of_file(&name, why, advice));
+                    complaints.push(Complaint::in_file((&name, ""), 0..0, why, advice));
                     // It is there: nothing else is to be said of it.
                     files.insert(name, String::new());
                 }
@@ -69,6 +70,7 @@ fn read_folder(argument: &'static str, folder: &Path) -> Result<Paper, CliError>
     complaints
         .extend(wrong.into_iter().filter(|complaint| !unread.iter().any(|name| name == complaint.source())));
     complaints.extend(row_faults(&paper));
+    complaints.extend(window_fault(&paper));
     if complaints.is_empty() {
         return Ok(Paper { called: Some(quoted(folder)), ..paper });
     }

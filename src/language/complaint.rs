@@ -66,10 +66,15 @@ impl Complaint {
         Self { origin: Arc::clone(origin), at, rule: rule.into(), advice: advice.into() }
     }
 
-    /// Of a file as a whole, such as one that can't be read.
+    /// Of a file that another room reads; without a text, of the file as a whole.
     #[must_use]
-    pub fn of_file(name: &str, rule: impl Into<String>, advice: impl Into<String>) -> Self {
-        Self::new(&Arc::new(Origin { name: name.to_owned(), text: String::new() }), 0..0, rule, advice)
+    pub fn in_file(
+        (name, text): (&str, &str),
+        at: Range<usize>,
+        rule: impl Into<String>,
+        advice: impl Into<String>,
+    ) -> Self {
+        Self::new(&Arc::new(Origin { name: name.to_owned(), text: text.to_owned() }), at, rule, advice)
     }
 
     /// The same, with the folder of the file before its name.

@@ -296,6 +296,15 @@ impl Paper {
         Self { files, ..self.clone() }
     }
 
+    /// The command that judges one of its claims with all cases.
+    #[must_use]
+    pub fn judges(&self, claim: &str) -> String {
+        match &self.called {
+            Some(paper) => format!("knotproof judge {paper} --claim {claim}"),
+            None => format!("knotproof report --claim {claim}"),
+        }
+    }
+
     /// Its claims with their files, in its order.
     pub fn claims(&self) -> impl Iterator<Item = (&File, &Stanza)> {
         self.files.iter().flat_map(|file| file.claims.iter().map(move |claim| (file, claim)))

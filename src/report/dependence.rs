@@ -103,14 +103,20 @@ impl Dependence {
     }
 }
 
+/// `1 is`, `2 are`.
+fn are(count: usize) -> String {
+    format!("{count} {}", if count == 1 { "is" } else { "are" })
+}
+
 fn sentence(theorems: &[&Record], falls: &[String]) -> String {
     let amended = theorems.iter().filter(|record| !record.as_printed.finding.is_proved()).count();
     let count = theorems.len();
     match falls {
         [] => format!(
-            "No theorem of the paper falls: of its {count} theorems, propositions, corollaries and lemmas, {} are true as printed, \
-             and {amended} are once amended.",
-            count - amended
+            "No theorem of the paper falls: of its {count} theorems, propositions, corollaries and lemmas, {} true as printed, \
+             and {} once amended.",
+            are(count - amended),
+            are(amended)
         ),
         falls => format!(
             "Of the paper's {count} theorems, propositions, corollaries and lemmas, {} {}: {}.",

@@ -110,7 +110,7 @@ impl Erratum {
                     claim: record.id.clone(),
                     locator: record.locator.clone(),
                     text: witness.to_string(),
-                    again: witness.again(&record.id, paper.called.as_deref()),
+                    again: witness.again(&record.id, paper),
                 },
             ))
         });

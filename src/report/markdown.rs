@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use crate::float::MethodRecord;
-use crate::language::{About, Source};
+use crate::language::{About, Paper, Source};
 
 use super::baseline::{Baseline, Entry};
 use super::corners::Corner;
@@ -49,8 +49,8 @@ pub(super) fn plain(text: &str) -> String {
 
 /// Where readers find what the text names.
 struct Place<'a> {
-    /// The paper, on a command line.
-    called: Option<&'a str>,
+    /// The paper.
+    paper: &'a Paper,
     /// The folder of certificates.
     certificates: &'a str,
 }
@@ -61,9 +61,8 @@ fn items(claim: &str, stated: &Stated, of: &Place<'_>) -> Vec<String> {
     let mut items = Vec::new();
     items.extend(stated.rests_on.as_ref().map(decided));
     items.extend(finding.witness.iter().map(|witness| format!("witness: {}", plain(&witness.to_string()))));
-    items.extend(
-        finding.witness.iter().map(|witness| format!("again: `{}`", witness.again(claim, of.called))),
-    );
+    items
+        .extend(finding.witness.iter().map(|witness| format!("again: `{}`", witness.again(claim, of.paper))));
     items.extend(finding.reason.iter().chain(&finding.remarks).map(|text| plain(text)));
     items.extend(finding.certificate.iter().map(|name| format!("certificate: `{}/{name}`", of.certificates)));
     if !finding.checked_by.is_empty() {
@@ -194,7 +193,7 @@ fn source(paper: &About) -> String {
 /// The whole report; `certificates` is the folder in which they are.
 #[must_use]
 pub fn markdown(report: &Report<'_>, certificates: &str) -> String {
-    let of = Place { called: report.of.called.as_deref(), certificates };
+    let of = Place { paper: report.of, certificates };
     let opening: String = opening(report).iter().map(|line| format!("- {}\n", plain(line))).collect();
     let sections: String = report.claims.iter().map(|record| section(record, &of)).collect();
     let (verdicts, source) = (verdicts(report), source(&report.of.about));

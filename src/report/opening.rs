@@ -51,15 +51,18 @@ fn corners(report: &Report<'_>) -> Option<String> {
     // Of a curve and its mirror image, the one that gets faster.
     let speed = |turn: &Turn| (jump(turn), turn.speed_ratio_squared.clone());
     let (fastest, jump) = turns().max_by(|(_, a), (_, b)| speed(a).cmp(&speed(b)))?;
-    let smooth = turn.cos2.is_one() && !turn.turns_back && jump.speed_ratio_squared.is_one();
-    (!smooth).then(|| format!(
-        "Curves of the paper have corners at knots where the classical curve is smooth: the tangent turns by up to {}° ({}), and the \
-         speed jumps by a factor of up to {} ({}).",
-        turn.angle_degrees,
-        place(sharpest),
-        jump.speed_ratio,
-        place(fastest)
-    ))
+    let corner = (!turn.cos2.is_one() || turn.turns_back)
+        .then(|| format!("the tangent turns by up to {}° ({})", turn.angle_degrees, place(sharpest)));
+    let jumps = (!jump.speed_ratio_squared.is_one())
+        .then(|| format!("the speed jumps by a factor of up to {} ({})", jump.speed_ratio, place(fastest)));
+    let told: Vec<String> = corner.iter().chain(&jumps).cloned().collect();
+    let noun = if corner.is_some() { "corners" } else { "jumps of their speed" };
+    (!told.is_empty()).then(|| {
+        format!(
+            "Curves of the paper have {noun} at knots where the classical curve is smooth: {}.",
+            told.join(", and ")
+        )
+    })
 }
 
 /// Larger for a larger angle: the angle is acute or obtuse, and then its cosine decides.

@@ -189,7 +189,7 @@ impl Shown {
             claimed: formula::html(&witness.claimed),
             found: formula::html(&witness.found()),
             workings: if worked { workings(witness) } else { Vec::new() },
-            command: witness.again(claim, paper.called.as_deref()),
+            command: witness.again(claim, paper),
             panel: panel(witness),
         }
     }
@@ -235,11 +235,8 @@ impl<'a> Section<'a> {
             formula::html(&format!("Cause: {cause}. Severity: {}, {because}.", severity.name()))
         });
         let command = match &record.as_printed.finding.witness {
-            Some(witness) => witness.again(&record.id, report.of.called.as_deref()),
-            None => match &report.of.called {
-                Some(paper) => format!("knotproof judge {paper} --claim {}", record.id),
-                None => format!("knotproof report --claim {}", record.id),
-            },
+            Some(witness) => witness.again(&record.id, report.of),
+            None => report.of.judges(&record.id),
         };
         let degrees = record
             .by_degree
