@@ -39,7 +39,7 @@ fn all_corners_are_there() {
     let corners = corners(paper());
     assert_eq!(corners.len(), 561);
     for corner in &corners {
-        let stops = ["S3", "S6"].contains(&corner.instance) && corner.multiplicity == 2;
+        let stops = ["S3", "S6"].contains(&corner.instance.as_str()) && corner.multiplicity == 2;
         assert_eq!(corner.turn.is_none(), stops, "{corner:?}");
     }
 }
@@ -57,7 +57,7 @@ fn what_is_lost_is_small_in_direction_and_large_in_speed() {
     assert!(other.iter().all(|(_, turn)| !turn.turns_back));
     let (sharpest, turn) = other.iter().min_by(|a, b| a.1.cos2.cmp(&b.1.cos2)).expect("some");
     assert_eq!(
-        (sharpest.instance, sharpest.alpha.to_string(), &sharpest.knot),
+        (sharpest.instance.as_str(), sharpest.alpha.to_string(), &sharpest.knot),
         ("S4", "-1/5".into(), &rational(2, 1))
     );
     assert_eq!(turn.angle_degrees, "0.996360");

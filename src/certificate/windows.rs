@@ -74,7 +74,8 @@ fn parse(text: &str) -> Result<Vec<Windows>, toml::de::Error> {
 
 /// All entries of a file, in the order of the register of claims. A long file is parsed once, and not for each claim.
 fn all_windows(text: &Arc<str>) -> Result<Arc<Vec<Windows>>, WindowsError> {
-    static LAST: Mutex<Option<(Arc<str>, Arc<Vec<Windows>>)>> = Mutex::new(None);
+    type Read = (Arc<str>, Arc<Vec<Windows>>);
+    static LAST: Mutex<Option<Read>> = Mutex::new(None);
     let mut last = LAST.lock().unwrap_or_else(PoisonError::into_inner);
     if let Some((of, all)) = &*last
         && Arc::ptr_eq(of, text)

@@ -1,7 +1,7 @@
 //! A paper as a folder of data: what it is, its files of claims, its instances, and further cases.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::sync::{Arc, LazyLock};
+use std::sync::{Arc, LazyLock, OnceLock};
 
 use include_dir::{Dir, include_dir};
 use schemars::JsonSchema;
@@ -386,14 +386,9 @@ pub fn shipped_names() -> impl Iterator<Item = &'static str> {
 /// If the program was built with a damaged folder, which a test rules out: with all that is wrong in it.
 #[must_use]
 pub fn shipped(name: &str) -> Option<&'static Paper> {
-    static READ: LazyLock<BTreeMap<&str, LazyLock<Paper, Box<dyn FnOnce() -> Paper + Send>>>> =
-        LazyLock::new(|| {
-            let read = |name: &'static str| -> Box<dyn FnOnce() -> Paper + Send> {
-                Box::new(move || built_in(name))
-            };
-            shipped_names().map(|name| (name, LazyLock::new(read(name)))).collect()
-        });
-    READ.get(name).map(|paper| &**paper)
+    static READ: LazyLock<BTreeMap<&str, OnceLock<Paper>>> =
+        LazyLock::new(|| shipped_names().map(|name| (name, OnceLock::new())).collect());
+    READ.get(name).map(|paper| paper.get_or_init(|| built_in(name)))
 }
 
 fn built_in(name: &str) -> Paper {

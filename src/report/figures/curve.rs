@@ -289,6 +289,7 @@ fn turn(a: &Point, b: &Point, c: &Point) -> BigRational {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::meaning::examples_named;
 
     fn points(list: &[[usize; 2]]) -> Vec<Point> {
         list.iter().map(|point| point.map(integer).to_vec()).collect()
