@@ -499,6 +499,19 @@ fn windows_of_a_folder_are_proved_and_written() {
     );
 }
 
+/// Numbers beyond `f64` are judged like all others; only a picture of them there can't be.
+#[test]
+fn what_can_not_be_drawn_is_said() {
+    let place = started();
+    let instance =
+        "[[instance]]\nname = \"Big\"\ndegree = 1\nknots = \"0 1e-300 1 1e300\"\nalpha = \"-1e200 inf\"\n";
+    fs::write(place.path().join("mine").join(INSTANCES), instance).unwrap();
+    let (code, text, _) = run(place.path(), &["judge", "mine", "--claim", "P1", "--out", "report"]);
+    assert_eq!(code, 0);
+    assert!(text.contains("Not drawn: Big, degree 1: its numbers are too large"), "{text}");
+    assert!(!place.path().join("report/Big-1.svg").exists());
+}
+
 /// One claim on one's own knots, and what a witness says about seeing it again is a command that works.
 #[test]
 fn claims_of_a_folder_are_checked_on_knots() {

@@ -77,6 +77,9 @@ pub(super) struct Judged<'a> {
     report: Report<'a>,
     #[serde(skip)]
     written: Vec<PathBuf>,
+    /// The instances that there is no picture of.
+    #[serde(skip)]
+    undrawn: Vec<String>,
 }
 
 /// Judges, writes the files and prints.
@@ -91,9 +94,9 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     let report = Report::of(&paper, &chosen, degrees.as_ref(), |name| progress.step(name));
     let report = report.map_err(|error| settle_error("FOLDER", &paper, &args.paper, error))?;
     drop(progress);
-    let mut judged = Judged { schema: "knotproof.judge/1", report, written: Vec::new() };
+    let mut judged = Judged { schema: "knotproof.judge/1", report, written: Vec::new(), undrawn: Vec::new() };
     if let Some(folder) = &args.out {
-        judged.written = write(folder, &judged, &paper)?;
+        (judged.written, judged.undrawn) = write(folder, &judged, &paper)?;
     }
     output.result(&judged)?;
     let records = judged.report.claims.iter();
@@ -161,12 +164,17 @@ pub(super) fn report_files(
     Ok(files)
 }
 
-/// Writes the report with the pictures of the paper's own instances and its certificates.
-fn write(folder: &Path, judged: &Judged<'_>, paper: &Paper) -> Result<Vec<PathBuf>, CliError> {
+/// Writes the report with the pictures of the paper's own instances and its certificates; gives the files, and the instances
+/// that can't be drawn.
+fn write(folder: &Path, judged: &Judged<'_>, paper: &Paper) -> Result<(Vec<PathBuf>, Vec<String>), CliError> {
     let report = &judged.report;
-    let mut pictures = Vec::new();
+    let (mut pictures, mut undrawn) = (Vec::new(), Vec::new());
     for example in examples_of(&paper.examples) {
-        pictures.extend(figures::pictures(&example)?);
+        let own = figures::pictures(&example)?;
+        if own.is_empty() {
+            undrawn.push(format!("{}, degree {}", example.name, example.degree));
+        }
+        pictures.extend(own);
     }
     let drawn: Vec<_> = pictures.iter().map(|picture| (picture.title.clone(), picture.svg.clone())).collect();
     let mut beside = BESIDE.to_vec();
@@ -187,7 +195,7 @@ fn write(folder: &Path, judged: &Judged<'_>, paper: &Paper) -> Result<Vec<PathBu
     let fresh = Folder::beside("--out", folder)?;
     let written = files.into_iter().map(|(name, text)| fresh.write(&name, text)).collect::<Result<_, _>>()?;
     fresh.put_in_place()?;
-    Ok(written)
+    Ok((written, undrawn))
 }
 
 /// A report on a terminal: what matters, the tables of verdicts, and the files.
@@ -261,6 +269,9 @@ impl fmt::Display for Judged<'_> {
         let about = &self.report.of.about;
         writeln!(f, "{}\n", visible(&about.to_string()))?;
         write!(f, "{}", Shown { report: &self.report, written: &self.written })?;
+        for instance in &self.undrawn {
+            writeln!(f, "Not drawn: {instance}: its numbers are too large for f64, or too close")?;
+        }
         let mut told = |id: &str, form: &str, finding: &Finding| -> fmt::Result {
             if let Some(witness) = &finding.witness {
                 writeln!(f, "\n{id}{form}: {witness}")?;
