@@ -205,7 +205,8 @@ fn the_files_are_written_where_asked_for() {
     for file in files {
         assert!(out.join(file).exists(), "the page leads to {file}");
     }
-    assert!(fs::read_to_string(out.join("dependence.svg")).unwrap().starts_with("<svg"));
+    // Nothing here rests on anything else: there is nothing to draw.
+    assert!(!out.join("dependence.svg").exists() && !page.contains("id=\"dependence\""));
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use std::fs;
 
 use assert_cmd::Command;
-use knotproof::language::claims;
+use knotproof::language::{claims, paper};
 use knotproof::meaning::examples_named;
 use knotproof::report::figures::{all, figure, png};
 use knotproof::report::{Baseline, Report, State, conjecture_page, dependence_picture};
@@ -306,7 +306,7 @@ fn pictures() -> Vec<(String, String)> {
     let recorded = Baseline::recorded().expect("the recorded verdicts");
     let page = conjecture_page(&recorded).expect("the page on the conjecture");
     let numbered = all().iter().map(|figure| (figure.file(), figure.svg().expect("it can be drawn")));
-    let report = Report::recorded(&claims(), &recorded);
+    let report = Report::recorded(paper(), &claims(), &recorded);
     let dependence = dependence_picture(&report).expect("the drawing of what depends on what");
     let drawing = std::iter::once(("dependence.svg".to_owned(), dependence));
     numbered.chain(drawing).chain(page.into_iter().filter(|(name, _)| name.ends_with(".svg"))).collect()
@@ -587,7 +587,7 @@ fn each_panel_of_weights_has_a_legend_of_its_own() {
 /// The drawing has what the data have: a box with its verdict for every claim, and an arrow for every use.
 #[test]
 fn what_depends_on_what_is_drawn_from_the_data() {
-    let report = Report::recorded(&claims(), &Baseline::recorded().expect("the recorded verdicts"));
+    let report = Report::recorded(paper(), &claims(), &Baseline::recorded().expect("the recorded verdicts"));
     let uses = &report.dependence.uses;
     assert!(uses.len() > 10);
     let drawn = sheet(&dependence_picture(&report).expect("it can be drawn"));

@@ -27,12 +27,11 @@ fn arguments(line: &str) -> Vec<String> {
     parts.collect()
 }
 
-/// Runs `knotproof …` in a folder of its own.
-fn run(line: &str, exit: i32) {
+/// Runs `knotproof …` in a folder.
+fn run(folder: &Path, line: &str, exit: i32) {
     let arguments = arguments(line);
     assert_eq!(arguments[0], "knotproof", "{line}");
-    let folder = tempfile::tempdir().unwrap();
-    let output = knotproof().args(&arguments[1..]).current_dir(folder.path()).output().unwrap();
+    let output = knotproof().args(&arguments[1..]).current_dir(folder).output().unwrap();
     let messages = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(exit), "{line}\n{messages}");
     assert!(!output.stdout.is_empty(), "{line} prints nothing");
@@ -43,11 +42,13 @@ fn every_example_of_the_help_ends_as_it_says() {
     let help: Value = serde_json::from_str(&text(&["help", "--format", "json"])).unwrap();
     let shown = text(&["help"]);
     let mut count = 0;
+    // What one writes, the next one reads.
+    let folder = tempfile::tempdir().unwrap();
     for task in help["tasks"].as_array().unwrap() {
         for example in task["examples"].as_array().unwrap() {
             let line = example["command"].as_str().unwrap();
             assert!(shown.contains(&format!("  {line}\n")), "{line}");
-            run(line, i32::try_from(example["exit"].as_i64().unwrap()).unwrap());
+            run(folder.path(), line, i32::try_from(example["exit"].as_i64().unwrap()).unwrap());
             count += 1;
         }
     }

@@ -3,7 +3,7 @@
 use std::sync::LazyLock;
 
 use knotproof::judge::{Bind, Bound, Shows};
-use knotproof::language::{Severity, Source, claims};
+use knotproof::language::{Severity, Source, claims, paper};
 use knotproof::report::{
     Baseline, Dependence, Difference, Errata, PageSource, Record, Report, Summary, by_severity, corners,
     errata_page, markdown, opening, page,
@@ -14,22 +14,24 @@ use knotproof::spline::{Basis, KnotVector, Side};
 /// Claims of every kind: about the weight, at one x, at two, with a witness that has no x, and one that is true.
 const CLAIMS: [&str; 6] = ["P2.1.3", "C2.4", "T3.5.2", "T3.5.3", "T3.5.4", "Conj3.1.strong.continuous"];
 
-static REPORT: LazyLock<Report> = LazyLock::new(|| {
+static REPORT: LazyLock<Report<'static>> = LazyLock::new(|| {
     let mut chosen = claims();
     chosen.retain(|claim| CLAIMS.contains(&claim.id()));
-    Report::of(&chosen, |_| {}).expect("the claims can be judged")
+    Report::of(paper(), &chosen, None, |_| {}).expect("the claims can be judged").with_float()
 });
 
 const SOURCE: PageSource<'_> = PageSource {
     compared: None,
     pictures: &[],
+    instances: &[],
     certificates: Some("../proofs/certs"),
     beside: &[("the errata", "errata.md")],
 };
 
 /// All claims, with the recorded verdicts: nothing is judged.
-static RECORDED: LazyLock<Report> =
-    LazyLock::new(|| Report::recorded(&claims(), &Baseline::recorded().expect("the recorded verdicts")));
+static RECORDED: LazyLock<Report<'static>> = LazyLock::new(|| {
+    Report::recorded(paper(), &claims(), &Baseline::recorded().expect("the recorded verdicts"))
+});
 
 /// The part of the page about a claim.
 fn section<'a>(page: &'a str, claim: &str) -> &'a str {
@@ -181,7 +183,7 @@ fn the_counts_are_those_of_the_records() {
             .all(|record| (record.source == Source::Question) == record.id.starts_with("X."))
     );
     // Both are on the page, in the text, and nowhere added up.
-    let (html, text) = (page(&RECORDED, &SOURCE).unwrap(), markdown(&RECORDED));
+    let (html, text) = (page(&RECORDED, &SOURCE).unwrap(), markdown(&RECORDED, "proofs/certs"));
     for counts in [paper, questions] {
         assert_eq!(html.matches(&counts.words()).count(), 2, "at the top and above the table");
         assert!(text.contains(&counts.words()));
@@ -212,7 +214,7 @@ fn squeezed(text: &str) -> String {
 #[test]
 fn the_tables_are_ordered_by_severity_and_each_row_is_the_record() {
     let html = page(&RECORDED, &SOURCE).unwrap();
-    let markdown = markdown(&RECORDED);
+    let markdown = markdown(&RECORDED, "proofs/certs");
     for (source, id) in [(Source::Paper, "table"), (Source::Question, "questions")] {
         let records = by_severity(&RECORDED.claims, source);
         let shown = rows(&html, id);
@@ -278,7 +280,7 @@ fn the_status_says_for_which_degrees() {
 
 #[test]
 fn no_theorem_falls_and_the_sentence_changes_if_one_did() {
-    let sentence = |report: &Report| Dependence::of(&report.claims).sentence;
+    let sentence = |report: &Report<'_>| Dependence::of(paper(), &report.claims).sentence;
     let said = sentence(&RECORDED).expect("all were judged");
     assert!(said.starts_with("No theorem of the paper falls"), "{said}");
     assert_eq!(opening(&RECORDED)[0], said);
@@ -321,7 +323,7 @@ fn the_opening_is_five_lines_from_the_data() {
     record.by_degree.retain(|of| of.degree != 3);
     assert!(opening(&report)[3].contains("from k = 4 on"), "{:?}", opening(&report));
     // The head of both: what was read, and what it is close to.
-    let (html, text) = (page(&RECORDED, &SOURCE).unwrap(), markdown(&RECORDED));
+    let (html, text) = (page(&RECORDED, &SOURCE).unwrap(), markdown(&RECORDED, "proofs/certs"));
     for part in ["Juhász and Á. Róth", "1805.04433", "33 figures"] {
         let at =
             [&html, &text].map(|document| document.find(part).unwrap_or_else(|| panic!("{part} is missing")));
@@ -334,7 +336,7 @@ fn the_opening_is_five_lines_from_the_data() {
 
 #[test]
 fn errata_have_one_entry_a_cause_with_all_its_claims() {
-    let errata = Errata::of(&RECORDED.claims);
+    let errata = Errata::of(&RECORDED);
     let counts = &RECORDED.summary.paper.refutations.by_cause;
     assert_eq!(errata.errata.len(), counts.len());
     let text = [errata.to_string(), errata_page(&errata).replace('\\', "")];
@@ -395,14 +397,14 @@ fn errata_have_one_entry_a_cause_with_all_its_claims() {
 #[test]
 fn corners_are_shown_as_they_are_computed() {
     let html = page(&REPORT, &SOURCE).unwrap();
-    let (shown, text) = (rows(&html, "corner-table"), markdown(&REPORT));
-    let corners = corners();
+    let (shown, text) = (rows(&html, "corner-table"), markdown(&REPORT, "proofs/certs"));
+    let corners = corners(paper());
     assert_eq!(shown.len(), corners.len());
     for (row, corner) in shown.iter().zip(&corners) {
         let (angle, ratio) =
             corner.turn.as_ref().map_or(("–", "–"), |turn| (&turn.angle_degrees, &turn.speed_ratio));
         let expected = [
-            corner.instance,
+            &corner.instance,
             &corner.degree.to_string(),
             &corner.alpha.to_string(),
             &corner.knot.to_string(),

@@ -107,7 +107,7 @@ const VECTOR: [&str; 6] = ["--degree", "2", "--knots", "0 0 0 1 2 2 2", "--alpha
 const POINTS: [&str; 2] = ["--points", "0,0 1,2 2,2 3,0"];
 
 /// What says something of the paper carries its number.
-const OF_PAPER: [&str; 7] = ["check", "report", "explain", "prove", "verify", "search", "merge"];
+const OF_PAPER: [&str; 8] = ["check", "judge", "report", "explain", "prove", "verify", "search", "merge"];
 
 /// A name of a schema, and commands that write what it describes.
 fn examples() -> Vec<(&'static str, Vec<Vec<&'static str>>)> {
@@ -192,6 +192,14 @@ fn examples() -> Vec<(&'static str, Vec<Vec<&'static str>>)> {
             ],
         ),
         ("figures", vec![vec!["figures", "7", "--out", "pictures"]]),
+        (
+            "judge",
+            vec![
+                vec!["judge", "rational-bsplines", "--claim", "P2.1.1", "--claim", "P2.1.3"],
+                vec!["judge", "rational-bsplines", "--claim", "T3.5.3", "--degrees", "1..2"],
+            ],
+        ),
+        ("new", vec![vec!["new", "my-paper"]]),
         (
             "report",
             vec![

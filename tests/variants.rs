@@ -13,7 +13,7 @@ use knotproof::certificate::{Certificate, derived};
 use knotproof::judge::{Case, Cases, Origin, Verdict, Witness, judge};
 use knotproof::language::{
     Argument, Binder, Claim, Form, Formula, Function, Int, Interval, Item, Member, Over, Range, Real,
-    Relation, Sentence, Use, claims, source,
+    Relation, Sentence, Use, claims, paper, source,
 };
 use knotproof::meaning::{Instance, concerns};
 use knotproof::scalar::integer;
@@ -487,9 +487,10 @@ static CONSTANTS: LazyLock<Vec<Arc<Case>>> = LazyLock::new(|| {
 });
 
 /// Every so many-th of the cases up to a degree.
-static CHOICES: LazyLock<[(Cases, usize); 3]> =
-    LazyLock::new(|| [(1, 3), (2, 5), (4, 17)].map(|(degree, every)| (Cases::all().up_to(degree), every)));
-static ALL: LazyLock<Cases> = LazyLock::new(Cases::all);
+static CHOICES: LazyLock<[(Cases, usize); 3]> = LazyLock::new(|| {
+    [(1, 3), (2, 5), (4, 17)].map(|(degree, every)| (Cases::of_paper(paper()).up_to(degree), every))
+});
+static ALL: LazyLock<Cases> = LazyLock::new(|| Cases::of_paper(paper()));
 
 /// On the paper's instances where they are named; else on few cases, and if these do not refute it on more.
 fn judged(claim: Claim<'_>, sentence: &Sentence) -> Verdict {

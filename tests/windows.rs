@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use knotproof::analysis::{Pieces, Sign};
 use knotproof::certificate::{Sexp, windows};
-use knotproof::language::Form;
+use knotproof::language::{Form, claims};
 use knotproof::meaning::examples_named;
 use knotproof::scalar::{BigRational, integer, rational};
 use knotproof::spline::Basis;
@@ -176,7 +176,8 @@ fn range(section: &Sexp) -> Range {
 
 /// Each function of each example, on both sides, with its section about all z and those about ranges.
 fn effect() -> BTreeMap<Key, Vec<Range>> {
-    let stated = windows("Ill5.1.effect", Form::Printed, None).unwrap().unwrap();
+    let effect = claims().into_iter().find(|claim| claim.id() == "Ill5.1.effect").unwrap();
+    let stated = windows(effect, Form::Printed, None).unwrap().unwrap();
     let mut all: BTreeMap<_, Vec<_>> = BTreeMap::new();
     for section in Sexp::parse_all(&stated.argued.as_ref().unwrap().sections).unwrap() {
         let range = range(&section);

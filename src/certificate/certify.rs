@@ -114,24 +114,20 @@ pub fn statement(
     let id = claim.id();
     let failed = |error: Uncertified| failed(id, form, error);
     let Some(sentence) = claim.sentence(form) else { return Ok(None) };
-    let found = windows(id, form, witness).map_err(|error| failed(error.into()))?;
+    let found = windows(claim, form, witness).map_err(|error| failed(error.into()))?;
     let parse = |text: &str| {
         Sexp::parse_all(text).map_err(|error| failed(ProofError::Statement(error.into()).into()))
     };
     let (scope, degrees, shown) = match (found, witness) {
-        (
-            Some(Windows {
-                scope, degrees, argued: Some(Argued { because, sections }), refutes, own, ..
-            }),
-            _,
-        ) => {
-            let because = match refutes.as_ref().filter(|_| *own) {
-                Some(given) => format!("By a counterexample of its own, {}. {because}", listed(given)),
-                None => because.clone(),
+        (Some(Windows { scope, degrees, argued: Some(argued), refutes, own, .. }), _) => {
+            let Argued { because, sections } = argued;
+            let because = match refutes.filter(|_| own) {
+                Some(given) => format!("By a counterexample of its own, {}. {because}", listed(&given)),
+                None => because,
             };
-            (*scope, degrees.clone(), Shown::Argued { because, sections: parse(sections)? })
+            (scope, degrees, Shown::Argued { because, sections: parse(&sections)? })
         }
-        (Some(Windows { degrees, .. }), _) => return derived(claim, form, sentence, degrees).map(Some),
+        (Some(Windows { degrees, .. }), _) => return derived(claim, form, sentence, &degrees).map(Some),
         (None, Some(witness)) => match (point(witness), witness.k) {
             (Some(point), Some(k)) => (Scope::Instance, vec![k], Shown::Point(point)),
             _ => return Ok(None),
@@ -177,7 +173,7 @@ pub fn derived(
 /// A sentence in canonical brackets, with the definitions and the other claims that it names.
 fn in_brackets(claim: Claim<'_>, form: Form, sentence: &Sentence) -> Result<Vec<Sexp>, CertificateError> {
     let text = canonical(sentence, claim.definitions, &|id, printed| {
-        let named = Claim::of(claim.library).find(|other| other.id() == id)?;
+        let named = Claim::of(claim.paper).find(|other| other.id() == id)?;
         let form = if printed { Form::Printed } else { named.strongest() };
         Some((named.sentence(form)?, named.definitions))
     });

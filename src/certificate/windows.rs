@@ -2,17 +2,16 @@
 //! the checker that reads them knows neither. A claim in words is judged by its conclusion on finitely many cases; here it is
 //! said of every knot vector and every α, or of every α, or it is refuted by one witness.
 
-use std::sync::LazyLock;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use serde::Deserialize;
 use thiserror::Error;
 
 use crate::judge::{Scope, Witness};
-use crate::language::Form;
+use crate::language::{Claim, Complaint, Form, Paper};
 
-/// Where the windows are, below the root of the project.
-const FILE: &str = "papers/rational-bsplines/windows.toml";
-const TEXT: &str = include_str!("../../papers/rational-bsplines/windows.toml");
+/// Where the windows are, in the folder of a paper.
+const FILE: &str = "windows.toml";
 
 /// The windows and goals of one statement about a claim: an entry of the file.
 #[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
@@ -73,6 +72,7 @@ pub(super) fn listed(given: &[(String, String)]) -> String {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct File {
+    #[serde(default)]
     window: Vec<Windows>,
 }
 
@@ -80,10 +80,27 @@ fn parse(text: &str) -> Result<Vec<Windows>, toml::de::Error> {
     toml::from_str(text).map(|File { window }| window)
 }
 
-/// All entries, in the order of the register of claims.
-fn all_windows() -> Result<&'static [Windows], WindowsError> {
-    static ALL: LazyLock<Result<Vec<Windows>, toml::de::Error>> = LazyLock::new(|| parse(TEXT));
-    ALL.as_deref().map_err(|error| error.clone().into())
+/// All entries of a file, in the order of the register of claims. A long file is parsed once, and not for each claim.
+fn all_windows(text: &Arc<str>) -> Result<Arc<Vec<Windows>>, WindowsError> {
+    type Read = (Arc<str>, Arc<Vec<Windows>>);
+    static LAST: Mutex<Option<Read>> = Mutex::new(None);
+    let mut last = LAST.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some((of, all)) = &*last
+        && Arc::ptr_eq(of, text)
+    {
+        return Ok(Arc::clone(all));
+    }
+    let all = Arc::new(parse(text)?);
+    *last = Some((Arc::clone(text), Arc::clone(&all)));
+    Ok(all)
+}
+
+/// What keeps the windows of a paper from being read, with its place.
+#[must_use]
+pub fn window_fault(paper: &Paper) -> Option<Complaint> {
+    let error = parse(&paper.windows).err()?;
+    let advice = "write `[[window]]` as that of the paper that comes with the program has it";
+    Some(Complaint::in_file((FILE, &paper.windows), error.span().unwrap_or(0..0), error.message(), advice))
 }
 
 /// The windows of a statement about a claim: that it is true, or, with a witness, that it is false. `None` if it is not
@@ -92,21 +109,22 @@ fn all_windows() -> Result<&'static [Windows], WindowsError> {
 /// # Errors
 /// [`WindowsError`], if the file is not as it should be, or refutes the claim by another witness.
 pub fn windows(
-    claim: &str,
+    claim: Claim<'_>,
     form: Form,
     witness: Option<&Witness>,
-) -> Result<Option<&'static Windows>, WindowsError> {
+) -> Result<Option<Windows>, WindowsError> {
     let form = form.name();
     let is_it = |windows: &&Windows| {
-        windows.claim == claim && windows.form == form && windows.refutes.is_some() == witness.is_some()
+        windows.claim == claim.id() && windows.form == form && windows.refutes.is_some() == witness.is_some()
     };
-    let found = all_windows()?.iter().find(is_it);
+    let all = all_windows(&claim.paper.windows)?;
+    let found = all.iter().find(is_it);
     if let (Some(Windows { refutes: Some(stated), own: false, .. }), Some(witness)) = (found, witness)
         && *stated != witness.given()
     {
         return Err(WindowsError::OtherWitness { stated: stated.clone(), found: witness.given() });
     }
-    Ok(found)
+    Ok(found.cloned())
 }
 
 #[cfg(test)]
@@ -116,7 +134,7 @@ mod tests {
     use super::*;
     use crate::certificate::Sexp;
     use crate::judge::{Bind, Bound, Shows};
-    use crate::language::claims;
+    use crate::language::{claims, paper};
 
     /// What is wrong with the entries of a file, beyond what keeps it from being read.
     fn faults(all: &[Windows]) -> Vec<String> {
@@ -160,9 +178,9 @@ mod tests {
 
     #[test]
     fn the_file_has_no_faults() {
-        let all = all_windows().unwrap();
+        let all = all_windows(&paper().windows).unwrap();
         assert!(all.len() > 250, "only {} entries", all.len());
-        assert_eq!(faults(all), Vec::<String>::new());
+        assert_eq!(faults(&all), Vec::<String>::new());
     }
 
     const ENTRY: &str = "[[window]]\nclaim = \"T3.5.2\"\nform = \"printed\"\nscope = \"knots\"\ndegrees = [1, 2]\n\
@@ -220,7 +238,9 @@ mod tests {
     /// Silence would let a certificate of a refutation vanish.
     #[test]
     fn a_refutation_by_another_witness_is_an_error() {
-        let refuted = all_windows().unwrap().iter().find(|windows| windows.claim == "T3.5.1").unwrap();
+        let all = all_windows(&paper().windows).unwrap();
+        let refuted = all.iter().find(|windows| windows.claim == "T3.5.1").unwrap();
+        let claim = *claims().iter().find(|claim| claim.id() == "T3.5.1").unwrap();
         let knots = ["0", "0", "1", "1"].map(str::to_owned).to_vec();
         let bound = |name: &str, value: i64| Bound { name: name.into(), value: Bind::Integer(value) };
         let mut witness = Witness {
@@ -235,15 +255,15 @@ mod tests {
             looked: Vec::new(),
             words: Vec::new(),
         };
-        let find = |witness: &Witness| windows("T3.5.1", Form::Printed, Some(witness));
-        assert_eq!(find(&witness), Ok(Some(refuted)));
+        let find = |witness: &Witness| windows(claim, Form::Printed, Some(witness));
+        assert_eq!(find(&witness), Ok(Some(refuted.clone())));
         witness.alpha = "2".into();
         let error = find(&witness).unwrap_err().to_string();
         for part in ["α = -1, i = 0", "α = 2, i = 0", FILE, "write the windows anew"] {
             assert!(error.contains(part), "{part} in {error}");
         }
         // What is not stated formally is none.
-        assert_eq!(windows("T3.5.1", Form::Degree(1), Some(&witness)), Ok(None));
-        assert_eq!(windows("T3.5.1", Form::Printed, None), Ok(None));
+        assert_eq!(windows(claim, Form::Degree(1), Some(&witness)), Ok(None));
+        assert_eq!(windows(claim, Form::Printed, None), Ok(None));
     }
 }

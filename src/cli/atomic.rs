@@ -101,13 +101,15 @@ impl Folder {
         Ok(Self { argument, name: target.to_owned(), target: path, fresh })
     }
 
-    /// Writes a file; it will be at the path that is returned.
+    /// Writes a file, whose name may have folders in it; it will be at the path that is returned.
     ///
     /// # Errors
     /// [`CliError::File`]; the old folder is then as it was.
     pub(super) fn write(&self, name: &str, content: impl AsRef<[u8]>) -> Result<PathBuf, CliError> {
         let path = self.name.join(name);
-        let written = File::create(self.fresh.path().join(name)).and_then(|mut file| {
+        let fresh = self.fresh.path().join(name);
+        let around = fresh.parent().map_or(Ok(()), fs::create_dir_all);
+        let written = around.and_then(|()| File::create(&fresh)).and_then(|mut file| {
             file.write_all(content.as_ref())?;
             file.sync_all()
         });

@@ -1,5 +1,7 @@
 //! The command `check`: claims on one instance, for every x; the paper's, or sentences of the user's own.
 
+use std::borrow::Cow;
+use std::ffi::OsString;
 use std::fmt;
 use std::path::PathBuf;
 
@@ -9,17 +11,18 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::judge::{Cases, Scope, Verdict};
-use crate::language::{Claim, File, Form, Said, Source, Stanza, paper};
-use crate::meaning::Instance;
+use crate::language::{Claim, File, Form, Paper, Said, Source, Stanza, paper};
+use crate::meaning::{Instance, examples_of};
 use crate::report::{Baseline, Finding};
 use crate::settle::{Proving, settle_form};
 
 use super::error::CliError;
 use super::exit::Exit;
 use super::file::read;
-use super::instance::InstanceArgs;
+use super::instance::{InstanceArgs, Subject};
 use super::offered::claim_name;
 use super::output::Output;
+use super::paper::paper_of;
 use super::progress::Progress;
 use super::verdict::{Tally, styled};
 
@@ -30,6 +33,9 @@ use super::verdict::{Tally, styled};
 pub(super) struct Args {
     #[command(flatten)]
     instance: InstanceArgs,
+    /// The claims and the instances of this paper: a folder, or the name of one that comes with the program.
+    #[arg(long, value_name = "FOLDER|NAME", conflicts_with = "baseline")]
+    paper: Option<OsString>,
     /// Only this claim, such as T3.5.3; may be repeated. Without it, every claim of the paper about bases and curves
     /// in general: what depends on the instance.
     #[arg(long, value_name = "CLAIM", value_parser = claim_name(), hide_possible_values = true)]
@@ -128,14 +134,17 @@ fn named<S: serde::Serializer>(form: &Form, serializer: S) -> Result<S::Ok, S::E
 
 /// Judges and prints.
 pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
-    let own = args.own_claims()?;
-    let own_library = own.as_ref().map(|own| {
-        // What they name of the paper is there too.
-        std::iter::once(own).chain(&paper().files).cloned().collect::<Vec<_>>()
-    });
-    let chosen = match (&own, &own_library) {
-        (Some(own), Some(library)) => Claim::of(library).take(own.claims.len()).collect(),
-        _ => args.of_paper()?,
+    let paper = match &args.paper {
+        Some(name) => paper_of("--paper", name)?,
+        None => Cow::Borrowed(paper()),
+    };
+    let own = args.own_claims(&paper)?;
+    let count = own.as_ref().map(|own| own.claims.len());
+    // What they name of the paper is there too.
+    let library = own.map(|own| paper.with(own));
+    let chosen = match (&library, count) {
+        (Some(library), Some(count)) => Claim::of(library).take(count).collect(),
+        _ => args.of_paper(&paper)?,
     };
     let recorded = args.baseline.then(Baseline::recorded).transpose().map_err(CliError::Recorded)?;
     let mut check = Check {
@@ -146,10 +155,16 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         label: None,
     };
     let mut all = Vec::new();
-    if own.is_some() && args.instance.is_absent() {
-        all.push((None, None, Cases::all()));
+    if library.is_some() && args.instance.is_absent() {
+        all.push((None, None, Cases::of_paper(&paper)));
     } else {
-        let subjects = args.instance.resolve()?;
+        let subjects = args.instance.resolve_among(&examples_of(&paper.examples))?;
+        let family = paper.about.family;
+        let foreign = |subject: &&Subject| !family.has(subject.basis.index().alpha().as_ref());
+        if let Some(subject) = subjects.cases.iter().find(foreign) {
+            let alpha = subject.basis.index().to_string();
+            return Err(CliError::ForeignIndex { family: family.name(), alpha });
+        }
         let first = &subjects.cases[0].basis;
         check.degree = Some(first.degree());
         check.knots = first.knots().knots().iter().map(ToString::to_string).collect();
@@ -165,7 +180,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     for (degree, alpha, cases) in &all {
         for claim in &chosen {
             progress.step(claim.id());
-            let on = On { degree: *degree, cases, proves: own.is_none(), scope: args.scope };
+            let on = On { degree: *degree, cases, proves: library.is_none(), scope: args.scope };
             let property = on.property(*claim, args.amended, recorded.as_ref())?;
             check.properties.push(Property { alpha: alpha.clone(), ..property });
         }
@@ -173,16 +188,16 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     drop(progress);
     let unexpected = check.properties.iter().filter(|property| property.as_recorded != Some(true));
     let counted: Tally = unexpected.map(|property| &property.finding).collect();
-    output.result_of_paper(&check)?;
+    output.result_of(&paper, &check)?;
     Ok(counted.exit())
 }
 
 impl Args {
     /// The sentence or the file of the user's own, if one is given.
-    fn own_claims(&self) -> Result<Option<File>, CliError> {
+    fn own_claims(&self, paper: &Paper) -> Result<Option<File>, CliError> {
         if let Some(text) = &self.claim {
             let complain = |complaint| CliError::Claim { argument: "--claim", complaints: vec![complaint] };
-            let known = paper().known();
+            let known = paper.known();
             let sentence = match self.instance.is_absent() {
                 true => known.one_line(text),
                 false => known.one_line_on_knots(text),
@@ -197,19 +212,19 @@ impl Args {
         let Some(path) = &self.claims else { return Ok(None) };
         let text = read("--claims", path)?;
         let name = path.display().to_string();
-        let file = paper().stanzas(&name, &text);
+        let file = paper.stanzas(&name, &text);
         file.map(Some).map_err(|complaints| CliError::Claim { argument: "--claims", complaints })
     }
 
     /// The paper's claims that are asked for: by name, all that can be judged on an instance, or those that depend on it.
-    fn of_paper(&self) -> Result<Vec<Claim<'static>>, CliError> {
-        let all = crate::language::claims();
+    fn of_paper<'a>(&self, paper: &'a Paper) -> Result<Vec<Claim<'a>>, CliError> {
+        let all: Vec<_> = Claim::of(paper).collect();
         let ids: Vec<_> = all.iter().map(Claim::id).collect();
         for name in &self.property {
             match all.iter().find(|claim| claim.id() == name) {
                 None => return Err(CliError::unknown_claim("--property", name, &ids)),
                 Some(claim) if !claim.is_general() => {
-                    return Err(CliError::NotGeneral { claim: name.clone() });
+                    return Err(CliError::NotGeneral { claim: name.clone(), judges: paper.judges(name) });
                 }
                 Some(_) => {}
             }

@@ -104,7 +104,7 @@ pub enum CliError {
         /// What was given.
         name: String,
         /// The names that the paper's instances have.
-        names: Vec<&'static str>,
+        names: Vec<String>,
     },
     /// An instance file that is not what the schema says.
     #[error("--instance: {}: {error}", path.display())]
@@ -229,6 +229,49 @@ pub enum CliError {
         /// The commands.
         commands: Vec<String>,
     },
+    /// Neither a folder nor the name of a paper.
+    #[error(
+        "{argument}: there is no folder `{name}`, and no paper of that name comes with the program (there are {}); \
+         `knotproof new FOLDER` writes a folder to start from",
+        list(names)
+    )]
+    NoPaper {
+        /// The argument.
+        argument: &'static str,
+        /// What was given.
+        name: String,
+        /// The papers that come with the program.
+        names: Vec<&'static str>,
+    },
+    /// No family of weights has this name.
+    #[error("--family: there is no family `{name}`; there are {}", list(names))]
+    UnknownFamily {
+        /// What was given.
+        name: String,
+        /// The families.
+        names: Vec<&'static str>,
+    },
+    /// The windows of a paper in a folder are about something else than its claims.
+    #[error("{argument}: {}: {error}; correct it, or remove what it is about", path.display())]
+    Windows {
+        /// The argument that names the folder.
+        argument: &'static str,
+        /// The file of windows.
+        path: PathBuf,
+        /// What is wrong.
+        error: Box<CertificateError>,
+    },
+    /// An index that the family of the paper has not.
+    #[error("--alpha: the family `{family}` of the paper has no index {alpha}; write --alpha inf")]
+    ForeignIndex {
+        /// The family.
+        family: &'static str,
+        /// α.
+        alpha: String,
+    },
+    /// Degrees that are none.
+    #[error("--degrees: `{0}` is no range of degrees; write one, such as 2, or the first and the last: 1..3")]
+    Degrees(String),
     /// No claim has this identifier.
     #[error("{argument}: there is no claim `{name}`; there are {near}", near = list(near))]
     UnknownClaim {
@@ -242,11 +285,13 @@ pub enum CliError {
     /// The claim is about examples that the paper shows, not about any instance.
     #[error(
         "--property: {claim} is about examples of the paper, not about instances in general; \
-         judge it with `knotproof report --claim {claim}`"
+         judge it with `{judges}`"
     )]
     NotGeneral {
         /// The claim.
         claim: String,
+        /// The command that judges it.
+        judges: String,
     },
     /// A file or folder that cannot be read or written.
     #[error("{argument}: cannot {action} {}: {error}", path.display())]
@@ -426,7 +471,10 @@ impl CliError {
             Self::Points { .. } | Self::NoPoint { .. } => Some("--points-file"),
             Self::TooHigh { .. } => Some("--degree"),
             Self::UnknownInstance { .. } | Self::Malformed { .. } => Some("--instance"),
-            Self::SeveralIndices { .. } | Self::AllIndices | Self::SymbolicIndex => Some("--alpha"),
+            Self::SeveralIndices { .. }
+            | Self::ForeignIndex { .. }
+            | Self::AllIndices
+            | Self::SymbolicIndex => Some("--alpha"),
             Self::UnknownCommand { .. } => Some("COMMAND"),
             Self::Width(_) => Some("--width"),
             Self::FreeKnot(_) | Self::TwoParameters => Some("--free-knot"),
@@ -434,7 +482,12 @@ impl CliError {
             Self::Expression { .. } => Some("--equals"),
             Self::NoSpan { .. } => Some("--span"),
             Self::Derivatives { .. } => Some("--derivatives"),
-            Self::UnknownClaim { argument, .. } | Self::File { argument, .. } => Some(argument),
+            Self::UnknownClaim { argument, .. }
+            | Self::File { argument, .. }
+            | Self::NoPaper { argument, .. }
+            | Self::Windows { argument, .. } => Some(argument),
+            Self::Degrees(_) => Some("--degrees"),
+            Self::UnknownFamily { .. } => Some("--family"),
             Self::NotGeneral { .. } => Some("--property"),
             Self::Baseline { .. } => Some("--baseline"),
             Self::Needed { argument, .. }

@@ -7,7 +7,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::certificate::statement;
-use crate::language::{Cause, Claim, Form, Severity, claims};
+use crate::language::{Cause, Claim, Form, Severity, claims, paper};
 use crate::report::{Baseline, DegreeFinding, Finding};
 
 use super::error::CliError;
@@ -108,7 +108,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         parts,
         note: claim.stanza.note.as_deref(),
     };
-    output.result_of_paper(&explanation)?;
+    output.result_of(paper(), &explanation)?;
     Ok(Exit::Holds)
 }
 
@@ -142,7 +142,7 @@ impl fmt::Display for Explanation {
             }
             if let Some(witness) = &finding.witness {
                 writeln!(f, "  witness: {witness}")?;
-                writeln!(f, "  again: {}", witness.again(self.id))?;
+                writeln!(f, "  again: {}", witness.again(self.id, paper()))?;
             }
             if let Some(reason) = &finding.reason {
                 writeln!(f, "  {reason}")?;

@@ -121,6 +121,21 @@ const TASKS: &[Task] = &[
         ],
     },
     Task {
+        task: "Judge a paper of your own",
+        examples: &[
+            example(
+                "knotproof new my-paper",
+                "A folder with four claims that work, and comments that say how to go on.",
+                Exit::Holds,
+            ),
+            example(
+                "knotproof judge my-paper --out my-report",
+                "Its report. One of the claims is false as printed, and true as amended.",
+                Exit::Refuted,
+            ),
+        ],
+    },
+    Task {
         task: "Judge the whole paper",
         examples: &[example(
             "knotproof report --claim P2.1.1 --claim P2.1.3",

@@ -8,7 +8,7 @@ use std::str::FromStr;
 
 use num_rational::BigRational;
 
-use crate::meaning::{Example, examples_named};
+use crate::meaning::{Example, examples};
 use crate::spline::{Basis, Curve, CurveError, Index, IndexError, KnotError, KnotVector, Point};
 
 use super::error::CliError;
@@ -110,8 +110,16 @@ impl InstanceArgs {
     /// # Errors
     /// [`CliError`], for the first thing that is wrong.
     pub(super) fn resolve(&self) -> Result<Subjects, CliError> {
+        self.resolve_among(examples())
+    }
+
+    /// The same, with these instances for names.
+    ///
+    /// # Errors
+    /// [`CliError`], for the first thing that is wrong.
+    pub(super) fn resolve_among(&self, examples: &[Example]) -> Result<Subjects, CliError> {
         let given = match &self.instance {
-            Some(name) => self.named(name)?,
+            Some(name) => self.named(name, examples)?,
             None => Given::default(),
         };
         let knots = match &self.knots {
@@ -209,9 +217,10 @@ impl InstanceArgs {
     }
 
     /// A paper instance if the name is known, a file otherwise.
-    fn named(&self, name: &OsString) -> Result<Given, CliError> {
-        let known = name.to_str().map(examples_named).unwrap_or_default();
-        if known.is_empty() { from_file(Path::new(name)) } else { self.choose(known) }
+    fn named(&self, name: &OsString, examples: &[Example]) -> Result<Given, CliError> {
+        let known: Vec<_> =
+            examples.iter().filter(|example| name.to_str() == Some(&*example.name)).cloned().collect();
+        if known.is_empty() { from_file(Path::new(name), examples) } else { self.choose(known) }
     }
 
     /// The instance of the name that has the degree asked for.
@@ -277,9 +286,11 @@ impl Subjects {
     }
 }
 
-fn from_file(path: &Path) -> Result<Given, CliError> {
+fn from_file(path: &Path, examples: &[Example]) -> Result<Given, CliError> {
     let file = InstanceFile::read(path).map_err(|error| match error {
-        CliError::File { path, error, .. } if error.kind() == std::io::ErrorKind::NotFound => unknown(&path),
+        CliError::File { path, error, .. } if error.kind() == std::io::ErrorKind::NotFound => {
+            unknown(&path, examples)
+        }
         error => error,
     })?;
     let exact = |numbers: Vec<Exact>| numbers.into_iter().map(|Exact(number)| number).collect::<Vec<_>>();
@@ -302,8 +313,9 @@ fn from_file(path: &Path) -> Result<Given, CliError> {
     })
 }
 
-fn unknown(path: &Path) -> CliError {
-    CliError::UnknownInstance { name: path.display().to_string(), names: instance_names() }
+fn unknown(path: &Path, examples: &[Example]) -> CliError {
+    let names = instance_names(examples).into_iter().map(str::to_owned).collect();
+    CliError::UnknownInstance { name: path.display().to_string(), names }
 }
 
 fn knot_vector(knots: Vec<BigRational>, place: &Provenance) -> Result<KnotVector, CliError> {

@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use schemars::JsonSchema;
 use serde::Serialize;
 
+use crate::language::paper;
 use crate::search::{Audit, AuditError, Draw, FindingRecord, Portion, SummaryRecord, audit, merge};
 
 use super::atomic::write_atomically;
@@ -125,15 +126,18 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     if let Some(path) = args.out.as_ref().filter(|_| holds) {
         write_atomically("--out", path, &part.to_text().map_err(std::io::Error::from)?)?;
     }
-    output.result_of_paper(&Merged {
-        schema: "knotproof.merge/1",
-        covered: holds,
-        searched: part.summary(),
-        findings: part.findings().records().collect(),
-        audited,
-        part: &part,
-        files: args.files.len(),
-    })?;
+    output.result_of(
+        paper(),
+        &Merged {
+            schema: "knotproof.merge/1",
+            covered: holds,
+            searched: part.summary(),
+            findings: part.findings().records().collect(),
+            audited,
+            part: &part,
+            files: args.files.len(),
+        },
+    )?;
     Ok(if part.findings().is_empty() && holds { Exit::Holds } else { Exit::Refuted })
 }
 

@@ -19,13 +19,16 @@ mod float;
 mod formula;
 mod help;
 mod instance;
+mod judge;
 mod lists;
 mod man;
 mod merge;
+mod new;
 mod notation;
 mod offered;
 mod on_knots;
 mod output;
+mod paper;
 mod point_error;
 mod progress;
 mod prove;
@@ -83,6 +86,8 @@ enum Command {
     Shape(Box<shape::Args>),
     Float(Box<float::Args>),
     Figures(figures::Args),
+    Judge(judge::Args),
+    New(new::Args),
     Report(report::Args),
     Explain(explain::Args),
     Prove(prove::Args),
@@ -105,6 +110,8 @@ impl Command {
             Self::Shape(args) => shape::run(args, output),
             Self::Float(args) => float::run(args, output),
             Self::Figures(args) => figures::run(args, output),
+            Self::New(args) => new::run(args, output),
+            Self::Judge(args) => judge::run(args, output),
             Self::Report(args) => report::run(args, output),
             Self::Explain(args) => explain::run(args, output),
             Self::Prove(args) => prove::run(args, output),

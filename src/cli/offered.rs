@@ -6,7 +6,7 @@ use clap::builder::{OsStringValueParser, PossibleValue, StringValueParser, Typed
 use clap::{Arg, Command, Error};
 
 use crate::language::claims;
-use crate::meaning::examples;
+use crate::meaning::{Example, examples};
 
 /// Reads as `parser` does, and offers the names.
 #[derive(Clone)]
@@ -22,12 +22,12 @@ pub(super) fn claim_name() -> Offered<StringValueParser> {
 
 /// The name of an instance of the paper, or a file.
 pub(super) fn instance_name() -> Offered<OsStringValueParser> {
-    Offered { parser: OsStringValueParser::new(), names: instance_names }
+    Offered { parser: OsStringValueParser::new(), names: || instance_names(examples()) }
 }
 
-/// The names of the paper's instances, once each.
-pub(super) fn instance_names() -> Vec<&'static str> {
-    let mut names: Vec<_> = examples().iter().map(|example| &*example.name).collect();
+/// The names of a paper's instances, once each.
+pub(super) fn instance_names(examples: &[Example]) -> Vec<&str> {
+    let mut names: Vec<_> = examples.iter().map(|example| &*example.name).collect();
     names.dedup();
     names
 }

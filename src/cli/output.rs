@@ -11,7 +11,7 @@ use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use crate::language::{Complaint, PaperNumber};
+use crate::language::{Complaint, Paper, PaperNumber};
 
 use super::error::CliError;
 use super::notation::Notation;
@@ -46,7 +46,7 @@ pub(super) struct Stamped<T> {
     version: &'static str,
 }
 
-/// A result that says something of the paper, with its number.
+/// A result that says something of a paper, with its number.
 #[derive(Serialize)]
 pub(super) struct OfPaper<T> {
     #[serde(flatten)]
@@ -62,9 +62,9 @@ impl<T> Stamped<T> {
 }
 
 impl<T> OfPaper<T> {
-    /// Of the one paper there is.
-    pub(super) fn new(result: T) -> Self {
-        Self { result, paper: PaperNumber::default() }
+    /// Of that paper.
+    pub(super) fn new(paper: &Paper, result: T) -> Self {
+        Self { result, paper: (&paper.about).into() }
     }
 }
 
@@ -108,6 +108,14 @@ impl<T: JsonSchema> JsonSchema for OfPaper<T> {
 pub(super) fn stamped_json<T: Serialize>(result: &T) -> Result<String, CliError> {
     let text = serde_json::to_string_pretty(&Stamped::new(result)).map_err(io::Error::from)?;
     Ok(visible_json(&text))
+}
+
+/// JSON for a file that is no result.
+///
+/// # Errors
+/// [`CliError::Output`], if it can't be written as JSON.
+pub(super) fn pretty_json(value: &impl Serialize) -> Result<String, CliError> {
+    Ok(serde_json::to_string_pretty(value).map_err(io::Error::from)? + "\n")
 }
 
 /// The schema of an object with one key more.
@@ -211,12 +219,16 @@ impl Output {
         })
     }
 
-    /// Writes a result that says something of the paper: in JSON, with its number.
+    /// Writes a result that says something of a paper: in JSON, with its number.
     ///
     /// # Errors
     /// Those of [`result`](Self::result).
-    pub(super) fn result_of_paper<T: fmt::Display + Serialize>(&self, result: &T) -> Result<(), CliError> {
-        self.result(&OfPaper::new(result))
+    pub(super) fn result_of<T: fmt::Display + Serialize>(
+        &self,
+        paper: &Paper,
+        result: &T,
+    ) -> Result<(), CliError> {
+        self.result(&OfPaper::new(paper, result))
     }
 
     /// Writes a result that is JSON in either format.

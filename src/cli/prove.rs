@@ -1,5 +1,7 @@
 //! The command `prove`: writes the certificates.
 
+use std::borrow::Cow;
+use std::ffi::OsString;
 use std::fmt;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -8,15 +10,17 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::certificate::Certificate;
-use crate::language::claims;
-use crate::settle::settle_all;
+use crate::judge::Cases;
+use crate::language::{Claim, paper};
+use crate::settle::{Proving, settle_all};
 
 use super::atomic::Folder;
 use super::error::CliError;
 use super::exit::Exit;
+use super::judge::{choose, settle_error};
 use super::output::Output;
+use super::paper::paper_of;
 use super::progress::Progress;
-use super::report::choose;
 use super::verify::Row;
 use super::visible::visible_path;
 
@@ -28,6 +32,9 @@ pub(super) struct Args {
     /// The folder for the certificates, which is made if it is not there.
     #[arg(long, value_name = "DIR", default_value = "proofs/certs")]
     out: PathBuf,
+    /// Proves the claims of this paper: a folder, or the name of one that comes with the program.
+    #[arg(long, value_name = "FOLDER|NAME")]
+    paper: Option<OsString>,
     /// Proves only this claim; may be repeated.
     #[arg(long, value_name = "CLAIM")]
     claim: Vec<String>,
@@ -55,10 +62,19 @@ pub(super) struct Proved {
 
 /// Proves, checks, writes and prints.
 pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
-    let chosen = choose(claims(), &args.claim)?;
+    let paper = match &args.paper {
+        Some(name) => paper_of("--paper", name)?,
+        None => Cow::Borrowed(paper()),
+    };
+    let chosen = choose(Claim::of(&paper).collect(), &args.claim)?;
     Folder::try_out("--out", &args.out)?;
     let progress = Progress::new(chosen.len());
-    let settled = settle_all(&chosen, |name| progress.step(name))?;
+    let cases = Cases::of_paper(&paper);
+    let settled = settle_all(&chosen, &cases, Proving::Everything, |name| progress.step(name));
+    let settled = settled.map_err(|error| match &args.paper {
+        Some(name) => settle_error("--paper", &paper, name, error),
+        None => error.into(),
+    })?;
     let all = settled.iter().flat_map(|(_, outcome)| outcome.all());
     let (checked, proved): (Vec<_>, Vec<_>) =
         all.filter_map(|one| Some((Row::from(one.checked.clone()?), one.certificate.as_ref()?))).unzip();
@@ -72,7 +88,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     let names: Vec<_> = proved.iter().map(|certificate| Certificate::name(certificate)).collect();
     let stale = if args.claim.is_empty() { stale(&args.out, &names)? } else { Vec::new() };
     let proved = Proved { schema: "knotproof.prove/1", checked, written: args.out.clone(), stale };
-    output.result_of_paper(&proved)?;
+    output.result_of(&paper, &proved)?;
     Ok(if proved.stale.is_empty() { Exit::Holds } else { Exit::Refuted })
 }
 

@@ -4,26 +4,24 @@ use std::fmt;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use schemars::{JsonSchema, schema_for};
+use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::language::{Claim, Source, claims};
+use crate::language::{claims, paper};
 use crate::report::{
-    Baseline, Difference, Drift, Errata, PageSource, Record, Report, by_severity, conjecture_page,
-    dependence_picture, errata_page, figures, markdown, opening, page, verdicts_page,
+    Baseline, Difference, Errata, PageSource, Report, conjecture_page, errata_page, figures, verdicts_page,
 };
 
 use super::atomic::{Folder, write_atomically};
 use super::error::CliError;
 use super::exit::Exit;
-use super::file::{InstanceFile, read};
-use super::output::{OfPaper, Output, stamped_json};
+use super::file::read;
+use super::judge::{BESIDE, ERRATA, INSTANCE_SCHEMA, Shown, choose, report_files};
+use super::output::{OfPaper, Output, pretty_json, stamped_json};
 use super::progress::Progress;
-use super::table::plain;
-use super::verdict::{Tally, styled, styled_as_printed};
-use super::visible::visible_path;
 
-/// Judges every claim of the paper on its own instances and on small cases; the main job.
+/// Judges every claim of the paper on its own instances and on small cases: as `judge` does with any paper, and with the floats
+/// and the figures of this one; compares with the recorded verdicts.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLE)]
 pub(super) struct Args {
@@ -54,14 +52,8 @@ Examples:
   knotproof report --errata
 Exit code 0: every verdict is as recorded, refuted claims included. Exit code 1: one differs.";
 
-const JSON: &str = "report.json";
-const MARKDOWN: &str = "report.md";
-const PAGE: &str = "index.html";
-const ERRATA: &str = "errata.md";
 const ERRATA_JSON: &str = "errata.json";
 const CONJECTURE: &str = "conjecture.md";
-const SCHEMA: &str = "instance.schema.json";
-const DEPENDENCE: &str = "dependence.svg";
 /// The folder and the file of the recorded verdicts, below the current folder.
 const PROOFS: &str = "proofs";
 const VERDICTS: &str = "verdicts.json";
@@ -72,9 +64,12 @@ const VERDICTS_PAGE: &str = "verdicts.md";
 
 /// The result: its fields are the JSON.
 #[derive(Debug, Serialize, JsonSchema)]
-pub(super) struct Outcome {
+pub(super) struct Outcome<'a> {
+    /// What this object is: `knotproof.report/1`.
+    #[schemars(extend("const" = "knotproof.report/1"))]
+    schema: &'static str,
     #[serde(flatten)]
-    report: Report,
+    report: Report<'a>,
     /// The verdicts that are not as recorded.
     differences: Vec<Difference>,
     #[serde(skip)]
@@ -100,11 +95,13 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     }
     if args.errata {
         let recorded = Baseline::recorded().map_err(CliError::Recorded)?;
-        return errata(&Report::recorded(&chosen, &baseline.unwrap_or(recorded)), args, output);
+        return errata(&Report::recorded(paper(), &chosen, &baseline.unwrap_or(recorded)), args, output);
     }
 
     let progress = Progress::new(chosen.len() + 1);
-    let report = Report::of(&chosen, |name| progress.step(name))?;
+    let report = Report::of(paper(), &chosen, None, |name| progress.step(name))?;
+    progress.step("f64 against exact");
+    let report = report.with_float();
     drop(progress);
 
     let found = Baseline::of(&report.claims);
@@ -113,16 +110,8 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         record(&found, &mut written)?;
     }
     let differences = baseline.map(|baseline| baseline.differences(&found, partial)).unwrap_or_default();
-    let mut outcome = Outcome { report, differences, written };
+    let mut outcome = Outcome { schema: "knotproof.report/1", report, differences, written };
     if let Some(folder) = &args.out {
-        let [json, schema] = [stamped_json(&outcome)? + "\n", pretty(&schema_for!(InstanceFile))?];
-        let mut files = vec![
-            (JSON.to_owned(), json),
-            (MARKDOWN.to_owned(), markdown(&outcome.report)),
-            (ERRATA.to_owned(), errata_page(&Errata::of(&outcome.report.claims))),
-            (DEPENDENCE.to_owned(), dependence_picture(&outcome.report)?),
-            (SCHEMA.to_owned(), schema),
-        ];
         // The page on the conjecture is about claims that have to be there.
         let pictures = if partial { Vec::new() } else { conjecture_page(&found)? };
         let mut shown = pictures.clone();
@@ -134,19 +123,19 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
             None => "the recorded verdicts".to_owned(),
         };
         let certificates = certificates_from(folder);
-        let mut beside =
-            vec![("the errata", ERRATA), ("this report as data", JSON), ("and as text", MARKDOWN)];
+        let mut beside = BESIDE.to_vec();
         if !partial {
             beside.push(("the page on Conjecture 3.1", CONJECTURE));
         }
-        beside.push(("the schema of instance files", SCHEMA));
+        beside.push(INSTANCE_SCHEMA);
         let source = PageSource {
             compared: (!args.record).then_some((name.as_str(), outcome.differences.as_slice())),
             pictures: &shown,
+            instances: &[],
             certificates: certificates.as_deref(),
             beside: &beside,
         };
-        files.push((PAGE.to_owned(), page(&outcome.report, &source)?));
+        let mut files = report_files(&outcome, &outcome.report, &source, CERTIFICATES)?;
         files.extend(pictures);
         let folder = Folder::beside("--out", folder)?;
         for (name, text) in files {
@@ -158,16 +147,11 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     Ok(if outcome.differences.is_empty() { Exit::Holds } else { Exit::Refuted })
 }
 
-/// JSON for a file.
-fn pretty(value: &impl Serialize) -> Result<String, CliError> {
-    Ok(serde_json::to_string_pretty(value).map_err(std::io::Error::from)? + "\n")
-}
-
 /// Writes and prints the errata.
-fn errata(report: &Report, args: &Args, output: &Output) -> Result<Exit, CliError> {
-    let errata = Errata::of(&report.claims);
+fn errata(report: &Report<'_>, args: &Args, output: &Output) -> Result<Exit, CliError> {
+    let errata = Errata::of(report);
     let page = errata_page(&errata);
-    let errata = OfPaper::new(errata);
+    let errata = OfPaper::new(report.of, errata);
     if let Some(folder) = &args.out {
         let json = stamped_json(&errata)? + "\n";
         let folder = Folder::beside("--out", folder)?;
@@ -178,19 +162,6 @@ fn errata(report: &Report, args: &Args, output: &Output) -> Result<Exit, CliErro
     }
     output.result(&errata)?;
     Ok(Exit::Holds)
-}
-
-/// The claims of these identifiers, or all if there are none.
-pub(super) fn choose(
-    mut all: Vec<Claim<'static>>,
-    names: &[String],
-) -> Result<Vec<Claim<'static>>, CliError> {
-    let ids: Vec<_> = all.iter().map(Claim::id).collect();
-    if let Some(name) = names.iter().find(|name| !ids.contains(&name.as_str())) {
-        return Err(CliError::unknown_claim("--claim", name, &ids));
-    }
-    all.retain(|claim| names.is_empty() || names.iter().any(|name| name == claim.id()));
-    Ok(all)
 }
 
 fn read_baseline(path: &Path) -> Result<Baseline, CliError> {
@@ -224,7 +195,7 @@ fn recordable() -> Result<(), CliError> {
 fn record(found: &Baseline, written: &mut Vec<PathBuf>) -> Result<(), CliError> {
     let mut pages = conjecture_page(found)?;
     pages.push((VERDICTS_PAGE.to_owned(), verdicts_page(found)));
-    write_file("--record", &Path::new(PROOFS).join(VERDICTS), &pretty(found)?, written)?;
+    write_file("--record", &Path::new(PROOFS).join(VERDICTS), &pretty_json(found)?, written)?;
     for (name, text) in pages {
         write_file("--record", &Path::new(DOCS).join(name), &text, written)?;
     }
@@ -246,62 +217,10 @@ fn unwritable(argument: &'static str, path: &Path, error: std::io::Error) -> Cli
     CliError::File { argument, action: "write", path: path.to_owned(), error }
 }
 
-/// A row for each claim, the worst refutations first.
-fn table(records: &[&Record]) -> comfy_table::Table {
-    let header = ["claim", "where", "as printed", "as amended", "statement"];
-    let mut table = plain(header);
-    for record in records {
-        let amended = record.amended.as_ref().map(|stated| styled(&stated.finding)).unwrap_or_default();
-        table.add_row([
-            record.id.clone(),
-            record.locator.clone(),
-            styled_as_printed(record),
-            amended,
-            record.statement.clone(),
-        ]);
-    }
-    table
-}
-
 /// What matters, the tables of verdicts, and what is not as recorded.
-impl fmt::Display for Outcome {
+impl fmt::Display for Outcome<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for line in opening(&self.report) {
-            writeln!(f, "{line}")?;
-        }
-        let summary = &self.report.summary;
-        for (title, source, counts) in [
-            ("The paper", Source::Paper, &summary.paper),
-            ("Our questions", Source::Question, &summary.questions),
-        ] {
-            if counts.statements > 0 {
-                let table = table(&by_severity(&self.report.claims, source));
-                writeln!(f, "\n{title}, {}\n\n{table}", counts.words())?;
-            }
-        }
-        writeln!(f)?;
-        let amended = self.report.claims.iter().filter_map(|record| record.amended.as_ref());
-        let amended: Vec<_> = amended.map(|stated| &stated.finding).collect();
-        if !amended.is_empty() {
-            let amended: Tally = amended.into_iter().collect();
-            writeln!(f, "As amended, where refuted: {amended}.")?;
-        }
-        for (name, title) in [("paper", "the paper's formula"), ("accurate", "ours")] {
-            let found = self.report.float.iter().flat_map(|drift| {
-                let of = drift.formulas.iter().find(|of| of.name == name);
-                of.and_then(|of| Some((drift, of.tried, of.max_ulp.as_ref()?.parse::<f64>().ok()?)))
-            });
-            if let Some((drift, tried, error)) = found.max_by(|a, b| a.2.total_cmp(&b.2)) {
-                let Drift { instance, degree, alpha, .. } = drift;
-                writeln!(
-                    f,
-                    "f64 against exact, {title}: {error} ULP is the largest found (of {tried} tried on each instance), on {instance} with k = {degree}, α = {alpha}."
-                )?;
-            }
-        }
-        for path in &self.written {
-            writeln!(f, "Written: {}", visible_path(path))?;
-        }
+        write!(f, "{}", Shown { report: &self.report, written: &self.written })?;
         match self.differences.as_slice() {
             [] => write!(f, "Every verdict is as recorded."),
             differences => {

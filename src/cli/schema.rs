@@ -14,8 +14,8 @@ use super::exit::Exit;
 use super::file::InstanceFile;
 use super::output::{ErrorReport, OfPaper, Output, Stamped};
 use super::{
-    bezier, check, completions, eval, explain, figures, float, formula, help, man, merge, prove, report,
-    shape, verify,
+    bezier, check, completions, eval, explain, figures, float, formula, help, judge, man, merge, new, prove,
+    report, shape, verify,
 };
 
 /// Prints a JSON Schema: of instance files (for --instance FILE), of files of claims (for check --claims FILE), or of what
@@ -46,6 +46,8 @@ enum Written {
     Shape,
     Float,
     Figures,
+    Judge,
+    New,
     Report,
     Explain,
     Prove,
@@ -127,11 +129,15 @@ impl Written {
             ),
             Self::Float => ("The errors of `f64` against exact values.", vec![of::<float::Comparison>(to)]),
             Self::Figures => ("The pictures that were written.", vec![of::<figures::Drawn>(to)]),
+            Self::New => ("The folder that was written.", vec![of::<new::Written>(to)]),
+            Self::Judge => {
+                ("All verdicts on a paper, as in report.json.", vec![of::<judge::Judged<'static>>(to)])
+            }
             Self::Report => (
                 REPORT,
                 vec![
-                    titled("A report", of::<report::Outcome>(to)),
-                    titled("Errata (--errata)", of::<OfPaper<Errata>>(to)),
+                    titled("A report", of::<report::Outcome<'static>>(to)),
+                    titled("Errata (--errata)", of::<OfPaper<Errata<'static>>>(to)),
                 ],
             ),
             Self::Explain => {

@@ -10,13 +10,13 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::certificate::{Sexp, statement};
-use crate::language::{Form, claims};
+use crate::language::{Form, claims, paper};
 use crate::report::{Baseline, Finding};
 
 use super::error::CliError;
 use super::exit::Exit;
+use super::judge::choose;
 use super::output::Output;
-use super::report::choose;
 use super::table::{plain, right_aligned};
 use super::visible::visible;
 
@@ -178,7 +178,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
             Err(rejected) => verified.rejected.push(Rejection { file, reason: rejected.to_string() }),
         }
     }
-    output.result_of_paper(&verified)?;
+    output.result_of(paper(), &verified)?;
     let own = verified.unknown.is_empty() || args.foreign;
     let holds = verified.rejected.is_empty() && verified.missing.is_empty() && own;
     Ok(if holds { Exit::Holds } else { Exit::Refuted })

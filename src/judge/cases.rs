@@ -1,11 +1,11 @@
 //! The cases that sentences are judged on, in order of size: small ones, then the paper's.
 
-use std::collections::HashSet;
+use std::collections::{BTreeMap, HashSet};
 use std::ops::RangeInclusive;
 use std::sync::Arc;
 
-use crate::language::{Binder, Name, Sentence, paper};
-use crate::meaning::{Example, Instance, admits, concerns, examples, examples_of, listed};
+use crate::language::{Binder, Family, Name, Paper, Sentence};
+use crate::meaning::{Example, Instance, admits, concerns, examples_of, listed};
 use crate::scalar::integer;
 use crate::spline::{Basis, Index, KnotVector};
 
@@ -27,8 +27,12 @@ pub struct Cases {
     small: Vec<Arc<Case>>,
     /// The paper's instances, one for each index.
     paper: Vec<Arc<Case>>,
-    /// Indices alone: small ones, then those of Fig. 1 to 3.
+    /// Indices alone: small ones, then the paper's.
     indices: Vec<Arc<Case>>,
+    /// Further cases of the paper, by the file that claims name.
+    further: BTreeMap<String, Vec<Example>>,
+    /// What indices there are.
+    family: Family,
 }
 
 impl Cases {
@@ -46,15 +50,29 @@ impl Cases {
         }
         let paper = paper.into_iter().map(case(Origin::Paper)).collect();
         let simple = INDICES[..4].iter().chain([&CLASSICAL]).map(|text| Instance::index(index(text)));
-        let shown = SHOWN.iter().map(|text| Instance::index(index(text)));
-        let indices = simple.map(case(Origin::Small)).chain(shown.map(case(Origin::Paper))).collect();
-        Self { small, paper, indices }
+        let indices = simple.map(case(Origin::Small)).collect();
+        Self { small, paper, indices, further: BTreeMap::new(), family: Family::default() }
     }
 
-    /// Those of the paper that comes with the program.
+    /// Those of a paper: of its family, with its instances, its indices and its further cases.
     #[must_use]
-    pub fn all() -> Self {
-        Self::new(examples().iter().flat_map(Example::instances))
+    pub fn of_paper(paper: &Paper) -> Self {
+        let examples = examples_of(&paper.examples);
+        let mut cases = Self::new(examples.iter().flat_map(Example::instances));
+        let shown = paper.about.indices.iter().filter_map(|alpha| match alpha {
+            Some(alpha) => Index::from_alpha(alpha.clone()).ok(),
+            None => Some(Index::infinity()),
+        });
+        let shown = shown.map(|index| Arc::new(Case { on: Instance::index(index), origin: Origin::Paper }));
+        cases.indices.extend(shown);
+        cases.further = paper.cases.iter().map(|(file, rows)| (file.clone(), examples_of(rows))).collect();
+        cases.family = paper.about.family;
+        let family = cases.family;
+        let of_family = |case: &Arc<Case>| family.has(case.on.index.alpha().as_ref());
+        for list in [&mut cases.small, &mut cases.paper, &mut cases.indices] {
+            list.retain(of_family);
+        }
+        cases
     }
 
     /// One instance of the user's own, and its index for sentences about weights.
@@ -62,15 +80,23 @@ impl Cases {
     pub fn only(on: Instance) -> Self {
         let index = on.index.clone();
         let [on, index] = [on, Instance::index(index)].map(|on| Arc::new(Case { on, origin: Origin::User }));
-        Self { small: Vec::new(), paper: vec![on], indices: vec![index] }
+        let (small, further) = (Vec::new(), BTreeMap::new());
+        Self { small, paper: vec![on], indices: vec![index], further, family: Family::default() }
+    }
+
+    /// Only the cases up to this degree.
+    #[must_use]
+    pub fn up_to(self, degree: usize) -> Self {
+        self.in_degrees(&(0..=degree))
     }
 
     /// Only the cases of these degrees.
     #[must_use]
-    pub fn up_to(mut self, degree: usize) -> Self {
-        let low = |case: &Arc<Case>| case.on.degree().is_none_or(|k| k <= degree);
-        self.small.retain(low);
-        self.paper.retain(low);
+    pub fn in_degrees(mut self, degrees: &RangeInclusive<usize>) -> Self {
+        let wanted = |case: &Arc<Case>| case.on.degree().is_none_or(|k| degrees.contains(&k));
+        self.small.retain(wanted);
+        self.paper.retain(wanted);
+        self.further.values_mut().for_each(|rows| rows.retain(|row| degrees.contains(&row.degree)));
         self
     }
 
@@ -78,11 +104,8 @@ impl Cases {
     #[must_use]
     pub fn of(&self, sentence: &Sentence, further: Option<&str>) -> Vec<Arc<Case>> {
         let mut cases = self.usual(sentence);
-        // A case of the user's own is the only one.
-        if let Some(rows) =
-            further.filter(|_| !self.small.is_empty()).and_then(|file| paper().cases.get(file))
-        {
-            let more = examples_of(rows).into_iter().flat_map(|row| row.instances().collect::<Vec<_>>());
+        if let Some(rows) = further.and_then(|file| self.further.get(file)) {
+            let more = rows.iter().flat_map(Example::instances);
             let more = more.map(|on| Arc::new(Case { on, origin: Origin::Small }));
             cases.extend(more.filter(|case| concerns(sentence, &case.on)));
         }
@@ -92,7 +115,7 @@ impl Cases {
     /// What a sentence is said of, where that is not the user's own case.
     #[must_use]
     pub fn foreign<'a>(&self, sentence: &'a Sentence) -> Option<&'a Binder> {
-        let on = &self.paper.first().filter(|_| self.small.is_empty())?.on;
+        let on = &self.paper.first().filter(|case| case.origin == Origin::User)?.on;
         let own = |binder: &&Binder| matches!(binder, Binder::Indices(_)) || admits(binder, on);
         sentence.given.iter().find(|binder| !own(binder))
     }
@@ -121,7 +144,8 @@ impl Cases {
             let mut seen = HashSet::new();
             cases.retain(|case| seen.insert((case.on.degree(), case.on.index.clone())));
         }
-        if let Some(list) = listed(sentence) {
+        if let Some(mut list) = listed(sentence) {
+            list.retain(|index| self.family.has(index.alpha().as_ref()));
             cases = with_indices(&cases, &list);
         }
         cases.retain(|case| concerns(sentence, &case.on));
@@ -159,8 +183,6 @@ const INDICES: [&str; 14] =
     ["-1", "2", "-2", "3", "-1/2", "3/2", "-3", "4", "-1/3", "4/3", "-3/2", "5/2", "-2/3", "5/3"];
 /// The classical index, which every knot vector is looked at with.
 const CLASSICAL: &str = "inf";
-/// Those of Fig. 1 to 3.
-const SHOWN: [&str; 7] = ["-1/3", "-1", "-4", "inf", "4/3", "2", "5"];
 
 fn index(text: &str) -> Index {
     match text.parse() {
@@ -170,7 +192,7 @@ fn index(text: &str) -> Index {
 }
 
 /// All knot vectors of some sizes with integer gaps.
-struct Family {
+struct Enumerated {
     degree: usize,
     /// m.
     sizes: RangeInclusive<usize>,
@@ -185,20 +207,20 @@ struct Family {
 
 /// What is enumerated: everything for the smallest sizes; open vectors, which most claims are about, further; and
 /// short vectors of degree 3 with many indices, for the conjecture.
-const FAMILIES: [Family; 10] = [
-    Family { degree: 1, sizes: 3..=4, greatest_gap: 2, greatest_length: 8, indices: 4, open: false },
-    Family { degree: 1, sizes: 5..=5, greatest_gap: 2, greatest_length: 10, indices: 2, open: false },
-    Family { degree: 2, sizes: 5..=5, greatest_gap: 2, greatest_length: 10, indices: 4, open: false },
-    Family { degree: 2, sizes: 6..=7, greatest_gap: 1, greatest_length: 7, indices: 2, open: false },
-    Family { degree: 3, sizes: 7..=7, greatest_gap: 1, greatest_length: 7, indices: 2, open: false },
-    Family { degree: 3, sizes: 7..=7, greatest_gap: 2, greatest_length: 4, indices: 14, open: false },
-    Family { degree: 3, sizes: 8..=10, greatest_gap: 2, greatest_length: 8, indices: 1, open: true },
-    Family { degree: 4, sizes: 9..=12, greatest_gap: 1, greatest_length: 4, indices: 1, open: true },
-    Family { degree: 5, sizes: 11..=13, greatest_gap: 1, greatest_length: 3, indices: 1, open: true },
-    Family { degree: 6, sizes: 13..=15, greatest_gap: 1, greatest_length: 3, indices: 1, open: true },
+const FAMILIES: [Enumerated; 10] = [
+    Enumerated { degree: 1, sizes: 3..=4, greatest_gap: 2, greatest_length: 8, indices: 4, open: false },
+    Enumerated { degree: 1, sizes: 5..=5, greatest_gap: 2, greatest_length: 10, indices: 2, open: false },
+    Enumerated { degree: 2, sizes: 5..=5, greatest_gap: 2, greatest_length: 10, indices: 4, open: false },
+    Enumerated { degree: 2, sizes: 6..=7, greatest_gap: 1, greatest_length: 7, indices: 2, open: false },
+    Enumerated { degree: 3, sizes: 7..=7, greatest_gap: 1, greatest_length: 7, indices: 2, open: false },
+    Enumerated { degree: 3, sizes: 7..=7, greatest_gap: 2, greatest_length: 4, indices: 14, open: false },
+    Enumerated { degree: 3, sizes: 8..=10, greatest_gap: 2, greatest_length: 8, indices: 1, open: true },
+    Enumerated { degree: 4, sizes: 9..=12, greatest_gap: 1, greatest_length: 4, indices: 1, open: true },
+    Enumerated { degree: 5, sizes: 11..=13, greatest_gap: 1, greatest_length: 3, indices: 1, open: true },
+    Enumerated { degree: 6, sizes: 13..=15, greatest_gap: 1, greatest_length: 3, indices: 1, open: true },
 ];
 
-impl Family {
+impl Enumerated {
     /// The vectors of m + 1 knots, from 0, with t_k < t_{m−k} as the paper's statements ask (D3.2).
     fn vectors(&self, m: usize) -> impl Iterator<Item = Vec<usize>> {
         let (k, base) = (self.degree, self.greatest_gap + 1);

@@ -176,7 +176,7 @@ fn summarise(outcomes: &[Outcome], cases: &[&Arc<Case>]) -> Verdict {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::language::one_line;
+    use crate::language::{one_line, paper};
 
     fn judged(text: &str) -> Verdict {
         let sentence = one_line(text).unwrap_or_else(|complaint| panic!("{text}: {complaint:?}"));
@@ -262,7 +262,7 @@ mod tests {
             println!("{witness}");
             let told = witness.to_string();
             assert!(says.ends_with('…') || told == says, "{told}");
-            assert_eq!(witness.again("X"), command);
+            assert_eq!(witness.again("X", paper()), command);
             let json = serde_json::to_string(&witness).unwrap();
             assert_eq!(serde_json::from_str::<Witness>(&json).unwrap(), *witness, "{json}");
         }

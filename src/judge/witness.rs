@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::analysis::{Algebraic, Enclosed, Flank, Tie, settled};
-use crate::language::{Formula, Int, Name, Over, Real, Sentence, text};
+use crate::language::{Formula, Int, Name, Over, Paper, Real, Sentence, text};
 use crate::meaning::{Failure, Focus, Given, Instance, Look, Names, Plain, Reading, Truth, Value, tie};
 use crate::scalar::{BigRational, parse_rational};
 use crate::spline::{Basis, KnotVector, Side};
@@ -302,9 +302,9 @@ impl Witness {
     }
 
     /// The shortest command that shows it: `shape` where it is about maxima, `eval` where it is about values at one place;
-    /// elsewhere the claim is judged on the witness's knots, or with all its cases.
+    /// elsewhere the claim is judged on the witness's knots, or with all its cases. The claim is one of `paper`.
     #[must_use]
-    pub fn again(&self, claim: &str) -> String {
+    pub fn again(&self, claim: &str, paper: &Paper) -> String {
         const SHAPES: [&str; 4] = ["maxima", "minima", "maximisers", "tied"];
         let basis =
             self.k.map(|k| format!("--degree {k} --knots {} --alpha {}", self.knots.join(","), self.alpha));
@@ -327,9 +327,10 @@ impl Witness {
                 format!("knotproof eval {basis} --x {x}{derivatives}{side}")
             }
             (Some(basis), ..) if self.instance.is_none() => {
-                format!("knotproof check {basis} --property {claim}")
+                let of = paper.called.as_ref().map(|paper| format!(" --paper {paper}")).unwrap_or_default();
+                format!("knotproof check {basis}{of} --property {claim}")
             }
-            _ => format!("knotproof report --claim {claim}"),
+            _ => paper.judges(claim),
         }
     }
 }

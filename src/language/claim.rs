@@ -3,8 +3,8 @@
 use std::fmt;
 
 use super::cause::Source;
-use super::file::{File, Said, Stanza};
-use super::paper::paper;
+use super::file::{Said, Stanza};
+use super::paper::{Paper, paper};
 use super::print::{source, text};
 use super::syntax::{Binder, Definition, Sentence};
 
@@ -47,20 +47,14 @@ pub struct Claim<'a> {
     pub stanza: &'a Stanza,
     /// The definitions of its file.
     pub definitions: &'a [Definition],
-    /// All files of claims.
-    pub library: &'a Vec<File>,
+    /// The paper that it is one of.
+    pub paper: &'a Paper,
 }
 
 impl<'a> Claim<'a> {
-    /// The claims of some files, in their order; they may name each other.
-    pub fn of(files: &'a Vec<File>) -> impl Iterator<Item = Self> {
-        let of_file = |file: &'a File| file.claims.iter().map(move |stanza| (file, stanza));
-        let claim = move |(file, stanza): (&'a File, _)| Self {
-            stanza,
-            definitions: &file.definitions,
-            library: files,
-        };
-        files.iter().flat_map(of_file).map(claim)
+    /// The claims of a paper, in its order; they may name each other.
+    pub fn of(paper: &'a Paper) -> impl Iterator<Item = Self> {
+        paper.claims().map(move |(file, stanza)| Self { stanza, definitions: &file.definitions, paper })
     }
 
     /// Its identifier.
@@ -157,5 +151,5 @@ impl<'a> Claim<'a> {
 /// The claims of the paper, and then our questions.
 #[must_use]
 pub fn claims() -> Vec<Claim<'static>> {
-    Claim::of(&paper().files).collect()
+    Claim::of(paper()).collect()
 }

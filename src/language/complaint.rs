@@ -66,6 +66,25 @@ impl Complaint {
         Self { origin: Arc::clone(origin), at, rule: rule.into(), advice: advice.into() }
     }
 
+    /// Of a file that another room reads; without a text, of the file as a whole.
+    #[must_use]
+    pub fn in_file(
+        (name, text): (&str, &str),
+        at: Range<usize>,
+        rule: impl Into<String>,
+        advice: impl Into<String>,
+    ) -> Self {
+        Self::new(&Arc::new(Origin { name: name.to_owned(), text: text.to_owned() }), at, rule, advice)
+    }
+
+    /// The same, with the folder of the file before its name.
+    #[must_use]
+    pub fn below(self, folder: &str) -> Self {
+        let Origin { name, text } = &*self.origin;
+        let origin = Origin { name: format!("{folder}/{name}"), text: text.clone() };
+        Self { origin: Arc::new(origin), ..self }
+    }
+
     /// The file, or the part of a sentence that was given by itself.
     #[must_use]
     pub fn source(&self) -> &str {

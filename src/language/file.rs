@@ -179,7 +179,8 @@ struct RawStanza {
     /// Judged for every degree by itself as well.
     degrees: Option<Degrees>,
     /// A file of cases that are tried after the usual ones.
-    cases: Option<String>,
+    #[schemars(with = "Option<String>")]
+    cases: Option<Text>,
 }
 
 /// Another sentence of a claim.
@@ -231,11 +232,60 @@ pub fn schema() -> Schema {
 /// # Errors
 /// Everything that is wrong, each with its place.
 pub fn stanzas(file_name: &str, text: &str) -> Result<File, Vec<Complaint>> {
-    Reading::new(file_name, text).file(None, None)
+    Reading::new(file_name, text).file(&Around::default())
 }
 
-/// The names of the instances and the identifiers of the claims.
-pub(super) type Names = Option<BTreeSet<Name>>;
+/// What a file may name of what is around it; without a list, anything.
+#[derive(Debug, Default)]
+pub(super) struct Around {
+    /// The names of the instances.
+    pub(super) instances: Option<BTreeSet<Name>>,
+    /// The identifiers of all claims.
+    pub(super) claims: Option<BTreeSet<Name>>,
+    /// The files of the folder.
+    pub(super) files: Option<BTreeSet<String>>,
+    /// The identifiers that files before this one have taken, with the file.
+    pub(super) taken: BTreeMap<Name, String>,
+    /// What each claim rests on.
+    pub(super) uses: BTreeMap<Name, Vec<Name>>,
+}
+
+impl Around {
+    /// Does a claim rest on another one, through whatever others?
+    fn leads(&self, from: &str, to: &str) -> bool {
+        let mut seen = BTreeSet::from([from]);
+        let mut left = vec![from];
+        while let Some(next) = left.pop() {
+            if next == to {
+                return true;
+            }
+            left.extend(
+                self.uses.get(next).into_iter().flatten().map(|id| &**id).filter(|id| seen.insert(id)),
+            );
+        }
+        false
+    }
+}
+
+/// What is known of a claim before its sentences are read.
+#[derive(Deserialize)]
+pub(super) struct Outline {
+    pub(super) id: String,
+    pub(super) cases: Option<String>,
+    #[serde(default)]
+    pub(super) uses: Vec<OutlineUse>,
+}
+
+#[derive(Deserialize)]
+pub(super) struct OutlineUse {
+    pub(super) id: String,
+}
+
+#[derive(Deserialize)]
+struct Outlines {
+    #[serde(default)]
+    claim: Vec<Outline>,
+}
 
 /// A file that is being read, with what was wrong in it so far.
 pub(super) struct Reading {
@@ -247,6 +297,16 @@ impl Reading {
     pub(super) fn new(name: &str, text: &str) -> Self {
         let origin = Arc::new(Origin { name: name.to_owned(), text: text.to_owned() });
         Self { origin, complaints: Vec::new() }
+    }
+
+    /// The text that is read, for places in it.
+    pub(super) fn origin(&self) -> Arc<Origin> {
+        Arc::clone(&self.origin)
+    }
+
+    /// What is in a file of claims, if that much can be read.
+    pub(super) fn outlines(&self) -> Option<Vec<Outline>> {
+        toml::from_str(&self.origin.text).map(|Outlines { claim }| claim).ok()
     }
 
     pub(super) fn complain(&mut self, at: Place, rule: impl Into<String>, advice: impl Into<String>) {
@@ -286,7 +346,7 @@ impl Reading {
             .ok()
     }
 
-    pub(super) fn file(mut self, instances: Names, claims: Names) -> Result<File, Vec<Complaint>> {
+    pub(super) fn file(mut self, around: &Around) -> Result<File, Vec<Complaint>> {
         let Some(raw) = self.toml::<RawFile>() else { return Err(self.complaints) };
         let mut heads: Vec<_> = raw.define.iter().collect();
         heads.sort_by_key(|(head, _)| head.span().start);
@@ -302,6 +362,7 @@ impl Reading {
         if !self.complaints.is_empty() {
             return Err(self.complaints);
         }
+        let (instances, claims) = (around.instances.clone(), around.claims.clone());
         let known = Known { instances, claims, ..known };
         let mut used: BTreeSet<Name> = BTreeSet::new();
         let mut ids = BTreeSet::new();
@@ -310,6 +371,26 @@ impl Reading {
             let id = &raw.get_ref().id;
             if !ids.insert(id.get_ref()) {
                 self.complain(id.span(), "two claims have this identifier", "give one of them another");
+            }
+            if let Some(file) = around.taken.get(id.get_ref().as_str()) {
+                let rule = format!("{file} has a claim `{}`, too", id.get_ref());
+                self.complain(id.span(), rule, "give one of them another identifier");
+            }
+            if let (Some(files), Some(cases)) = (&around.files, &raw.get_ref().cases)
+                && !files.contains(cases.get_ref())
+            {
+                let rule = format!("there is no file {}", cases.get_ref());
+                self.complain(cases.span(), rule, "write it, or name no `cases`");
+            }
+            for other in &raw.get_ref().uses {
+                if around.leads(other.id.get_ref(), id.get_ref()) {
+                    let rule = format!("`{}` rests on `{}`, too: a circle", other.id.get_ref(), id.get_ref());
+                    self.complain(
+                        other.id.span(),
+                        rule,
+                        "a proof that goes in a circle is none: drop one of its `uses`",
+                    );
+                }
             }
             all.extend(self.stanza(raw, &known, &mut used));
         }
@@ -382,7 +463,7 @@ impl Reading {
             note: raw.note.clone(),
             uses: uses.collect(),
             each_degree: raw.degrees.is_some(),
-            cases: raw.cases.clone(),
+            cases: raw.cases.as_ref().map(|cases| cases.get_ref().clone()),
         })
     }
 

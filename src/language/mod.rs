@@ -15,6 +15,7 @@ mod paper;
 mod print;
 mod raw;
 mod resolve;
+mod rows;
 mod sentence;
 mod syntax;
 mod token;
@@ -25,8 +26,9 @@ pub use claim::{Claim, Form, claims};
 pub use complaint::Complaint;
 pub use file::{File, RestsOn, Said, Stanza, schema, stanzas};
 pub use known::Known;
-pub use paper::{About, Paper, PaperNumber, Row, paper};
+pub use paper::{About, Family, Headline, Paper, PaperNumber, paper, shipped, shipped_names};
 pub use print::{Claimed, Print, canonical, latex, mathml, source, text};
+pub use rows::{Row, RowPart};
 pub use sentence::{one_line, sentence};
 pub use syntax::{
     Adjective, Argument, Binder, Definition, Fold, Formula, Function, Gap, Int, Interval, Item, Member, Name,

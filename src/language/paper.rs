@@ -1,22 +1,23 @@
 //! A paper as a folder of data: what it is, its files of claims, its instances, and further cases.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::sync::LazyLock;
+use std::sync::{Arc, LazyLock, OnceLock};
 
 use include_dir::{Dir, include_dir};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use toml::Spanned;
 
-use crate::scalar::{BigRational, parse_rational};
+use crate::scalar::BigRational;
 
 use super::complaint::Complaint;
-use super::file::{File, Reading, Stanza};
-use super::known::Known;
+use super::file::{Around, File, Outline, Reading, Stanza};
+use super::known::{Known, nearest};
+use super::rows::{Row, indices, rows};
 use super::syntax::Name;
 
 /// A paper with everything that is judged of it.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Paper {
     /// What it is, and which version was read.
     pub about: About,
@@ -26,114 +27,162 @@ pub struct Paper {
     pub examples: Vec<Row>,
     /// Further cases, by the file that claims name.
     pub cases: BTreeMap<String, Vec<Row>>,
+    /// The text of its file of windows; empty if there is none.
+    pub windows: Arc<str>,
+    /// How a command line names it: a folder, or the name of one that comes with the program. The one that commands are about
+    /// if nothing is said has none.
+    pub called: Option<String>,
 }
 
 /// A paper and the version of it that was read.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct About {
     /// The title.
     pub title: String,
     /// The authors; empty if the version that was read does not name them.
     pub authors: Vec<String>,
+    /// The family of weights that its claims are about.
+    pub family: Family,
+    /// Where it is found, if not at arXiv: a book, a journal.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub source: Option<String>,
     /// The number at arXiv.
-    pub arxiv: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub arxiv: Option<String>,
     /// What the listing there says of its size.
-    pub listed: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub listed: Option<String>,
     /// The version that was read.
-    pub read: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub read: Option<String>,
     /// What that version lacks.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub missing: Vec<String>,
     /// What it is close to.
-    pub related: String,
-    /// The files of its claims, in its order.
-    #[serde(skip_serializing)]
-    #[schemars(skip)]
-    claims: Vec<String>,
-}
-
-/// A degree on knots with indices and, for a curve, control points.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Row {
-    /// Its name; a case that is only tried has none.
-    pub name: Option<Name>,
-    /// Where the paper shows it.
-    pub figure: String,
-    /// k.
-    pub degree: usize,
-    /// t_0, …, t_m.
-    pub knots: Vec<BigRational>,
-    /// The values of α; `None` is ∞.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub related: Option<String>,
+    /// What it is about, for a title: *a class of rational B-splines*.
+    #[serde(skip)]
+    pub subject: Option<String>,
+    /// What reports open with, where it is so.
+    #[serde(skip)]
+    pub headlines: Vec<Headline>,
+    /// The indices that claims about weights alone are looked at with, besides the usual ones.
+    #[serde(skip)]
     pub indices: Vec<Option<BigRational>>,
-    /// d_0, …, d_n, for a curve.
-    pub points: Option<Vec<Vec<BigRational>>>,
 }
 
-#[derive(Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub(super) struct RawRows {
-    /// The paper's examples.
-    #[serde(default)]
-    instance: Vec<RawRow>,
-    /// Cases that are tried after the usual ones.
-    #[serde(default)]
-    case: Vec<RawRow>,
+/// A line that a report opens with if a claim that is judged degree by degree is refuted.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Headline {
+    /// The claim.
+    pub claim: Name,
+    /// The line, with `{k}` for the first degree in which it is refuted and `{known}` for what is known of all.
+    pub refuted: String,
 }
 
+/// A family of weights.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Family {
+    /// φ_α with an index α < 0, α > 1 or α = ∞.
+    #[default]
+    Mobius,
+    /// α = ∞ only: polynomial B-splines.
+    Classical,
+}
+
+impl Family {
+    /// All, by their names.
+    pub const ALL: [(&'static str, Self); 2] = [("mobius", Self::Mobius), ("classical", Self::Classical)];
+
+    /// The one of this name.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find_map(|(known, family)| (known == name).then_some(family))
+    }
+
+    /// Its name.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        Self::ALL.into_iter().find_map(|(name, family)| (family == self).then_some(name)).unwrap_or_default()
+    }
+
+    /// Is this index one of it? `None` is ∞.
+    #[must_use]
+    pub fn has(self, alpha: Option<&BigRational>) -> bool {
+        self == Self::Mobius || alpha.is_none()
+    }
+}
+
+/// A paper: what stands in paper.toml.
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-struct RawRow {
-    /// Its name: `U4`. One name can stand for several degrees.
-    name: Option<String>,
-    /// Where the paper shows it.
+#[schemars(title = "paper.toml")]
+pub(super) struct RawAbout {
+    /// The title.
+    title: String,
+    /// The authors.
     #[serde(default)]
-    figure: String,
-    /// k.
-    #[serde(alias = "k")]
-    degree: usize,
-    /// t_0, …, t_m, by spaces.
-    #[serde(alias = "U")]
-    #[schemars(with = "String")]
-    knots: Spanned<String>,
-    /// The values of α, by spaces; `inf` for ∞.
-    #[schemars(with = "String")]
-    alpha: Spanned<String>,
-    /// d_0, …, d_n by spaces, coordinates by commas.
+    authors: Vec<String>,
+    /// The family of weights that the claims are about: `mobius` (an index α), if nothing is said, or `classical` (α = ∞).
+    #[schemars(with = "Option<String>", extend("enum" = ["mobius", "classical"]))]
+    family: Option<Spanned<String>>,
+    /// Where it is found, if not at arXiv.
+    source: Option<String>,
+    /// The number at arXiv.
+    arxiv: Option<String>,
+    /// What the listing there says of its size.
+    listed: Option<String>,
+    /// The version that was read.
+    read: Option<String>,
+    /// What that version lacks.
+    #[serde(default)]
+    missing: Vec<String>,
+    /// What it is close to.
+    related: Option<String>,
+    /// What it is about, for a title.
+    subject: Option<String>,
+    /// Indices for claims about weights alone, besides the usual ones, by spaces.
     #[schemars(with = "Option<String>")]
-    points: Option<Spanned<String>>,
+    indices: Option<Spanned<String>>,
+    /// The files of its claims, in its order: `01-basis` is `claims/01-basis.toml`.
+    #[schemars(with = "Vec<String>")]
+    claims: Spanned<Vec<Spanned<String>>>,
+    /// What reports open with.
+    #[serde(default)]
+    headline: Vec<RawHeadline>,
 }
 
-/// A file of rows; what is wrong in it goes to the complaints.
-fn rows(reading: &mut Reading) -> Vec<Row> {
-    let Some(RawRows { instance, case }) = reading.toml::<RawRows>() else { return Vec::new() };
-    let mut numbers = |text: &Spanned<String>, separator: char| -> Vec<Vec<Option<BigRational>>> {
-        let mut number = |part: &str| match part.trim() {
-            "inf" => None,
-            part => match parse_rational(part) {
-                Ok(number) => Some(number),
-                Err(error) => {
-                    reading.complain(text.span(), error.to_string(), "write exact numbers, such as -1/2");
-                    None
-                }
-            },
-        };
-        let points = text.get_ref().split_whitespace();
-        points.map(|point| point.split(separator).map(&mut number).collect()).collect()
-    };
-    let mut row = |raw: RawRow| {
-        let flat = |lists: Vec<Vec<Option<BigRational>>>| lists.into_iter().flatten();
-        Row {
-            name: raw.name.as_deref().map(Name::from),
-            figure: raw.figure,
-            degree: raw.degree,
-            knots: flat(numbers(&raw.knots, ' ')).flatten().collect(),
-            indices: flat(numbers(&raw.alpha, ' ')).collect(),
-            points: raw.points.map(|points| {
-                numbers(&points, ',').into_iter().map(|point| point.into_iter().flatten().collect()).collect()
-            }),
-        }
-    };
-    instance.into_iter().chain(case).map(&mut row).collect()
+/// A line that a report opens with if a claim is refuted.
+#[derive(Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct RawHeadline {
+    /// A claim that is judged degree by degree.
+    #[schemars(with = "String")]
+    claim: Spanned<String>,
+    /// The line, with `{k}` for the first degree in which it is refuted and `{known}` for what is known of all.
+    refuted: String,
+}
+
+const ABOUT: &str = "paper.toml";
+const INSTANCES: &str = "instances.toml";
+const WINDOWS: &str = "windows.toml";
+
+fn claims_file(name: &str) -> String {
+    format!("claims/{name}.toml")
+}
+
+/// The family that a paper names.
+fn family(reading: &mut Reading, name: Option<&Spanned<String>>) -> Family {
+    let Some(name) = name else { return Family::default() };
+    Family::named(name.get_ref()).unwrap_or_else(|| {
+        let known = Family::ALL.map(|(name, _)| name);
+        let advice = nearest(name.get_ref(), known.into_iter())
+            .map_or(format!("write one of {}", known.join(", ")), |close| format!("did you mean `{close}`?"));
+        reading.complain(name.span(), format!("no family is called `{}`", name.get_ref()), advice);
+        Family::default()
+    })
 }
 
 impl Paper {
@@ -142,11 +191,22 @@ impl Paper {
     /// # Errors
     /// Everything that is wrong, each with its place: in a file, between the files, or a file that nothing names.
     pub fn read(files: &BTreeMap<String, String>) -> Result<Self, Vec<Complaint>> {
+        let (paper, complaints) = Self::as_far_as_read(files);
+        if complaints.is_empty() { Ok(paper) } else { Err(complaints) }
+    }
+
+    /// What can be read of a folder, and all that is wrong with it.
+    #[must_use]
+    pub fn as_far_as_read(files: &BTreeMap<String, String>) -> (Self, Vec<Complaint>) {
         let text = |name: &str| files.get(name).map_or("", String::as_str);
-        let mut about = Reading::new("paper.toml", text("paper.toml"));
-        let Some(found) = about.toml::<About>() else { return Err(about.complaints) };
-        let mut known: BTreeSet<String> =
-            ["paper.toml", "instances.toml", "windows.toml"].map(str::to_owned).into();
+        let mut about = Reading::new(ABOUT, text(ABOUT));
+        let raw = match files.contains_key(ABOUT) {
+            true => about.toml::<RawAbout>(),
+            false => {
+                about.complain(0..0, "there is no paper.toml", "write one; `knotproof new FOLDER` shows how");
+                None
+            }
+        };
         let mut complaints = Vec::new();
         let table = |name: &str, complaints: &mut Vec<Complaint>| {
             let mut reading = Reading::new(name, text(name));
@@ -154,43 +214,59 @@ impl Paper {
             complaints.append(&mut reading.complaints);
             rows
         };
-        let examples = table("instances.toml", &mut complaints);
-        let instances: BTreeSet<Name> = examples.iter().filter_map(|row| row.name.clone()).collect();
-        let names: Vec<String> = found.claims.iter().map(|name| format!("claims/{name}.toml")).collect();
-        // First by themselves, for the identifiers; then each with those of all.
-        let ids = names.iter().filter_map(|name| super::stanzas(name, text(name)).ok());
-        let ids: Vec<Name> = ids.flat_map(|file| file.claims.into_iter().map(|claim| claim.id)).collect();
-        let claims: BTreeSet<Name> = ids.iter().cloned().collect();
-        let (mut read, mut cases) = (Vec::new(), BTreeMap::new());
-        for name in &names {
-            match Reading::new(name, text(name)).file(Some(instances.clone()), Some(claims.clone())) {
+        let examples = table(INSTANCES, &mut complaints);
+        // Where it is not known what is listed, whatever is there is read.
+        let names: Vec<String> = match &raw {
+            Some(raw) => listed(raw, files, &mut about),
+            None => files.keys().filter(|name| name.starts_with("claims/")).cloned().collect(),
+        };
+        let outlines: Vec<_> =
+            names.iter().map(|name| (name, Reading::new(name, text(name)).outlines())).collect();
+        let whole = outlines.iter().all(|(_, outlines)| outlines.is_some());
+        let stanzas = || {
+            outlines
+                .iter()
+                .flat_map(|(name, outlines)| outlines.iter().flatten().map(move |one| (*name, one)))
+        };
+        let claims: BTreeSet<Name> = stanzas().map(|(_, one)| one.id.as_str().into()).collect();
+        let uses = |one: &Outline| one.uses.iter().map(|other| other.id.as_str().into()).collect();
+        let mut around = Around {
+            instances: Some(examples.iter().filter_map(|row| row.name.clone()).collect()),
+            // A file that is no TOML may have any identifier in it.
+            claims: whole.then_some(claims),
+            files: Some(files.keys().cloned().collect()),
+            taken: BTreeMap::new(),
+            uses: stanzas().map(|(_, one)| (one.id.as_str().into(), uses(one))).collect(),
+        };
+        let mut read = Vec::new();
+        for (name, outlines) in &outlines {
+            match Reading::new(name, text(name)).file(&around) {
                 Ok(file) => read.push(file),
                 Err(mut more) => complaints.append(&mut more),
             }
+            for one in outlines.iter().flatten() {
+                around.taken.entry(one.id.as_str().into()).or_insert_with(|| (*name).clone());
+            }
         }
-        for name in read.iter().flat_map(|file| &file.claims).filter_map(|claim| claim.cases.clone()) {
-            cases.entry(name).or_insert_with_key(|name| table(name, &mut complaints));
+        let mut cases = BTreeMap::new();
+        for name in
+            stanzas().filter_map(|(_, one)| one.cases.as_ref()).filter(|name| files.contains_key(*name))
+        {
+            cases.entry(name.clone()).or_insert_with_key(|name| table(name, &mut complaints));
         }
-        known.extend(names);
-        known.extend(cases.keys().cloned());
-        let twice = ids.iter().enumerate().find(|(at, id)| ids[..*at].contains(id));
-        if let Some((_, id)) = twice {
-            about.complain(
-                0..0,
-                format!("two claims have the identifier `{id}`"),
-                "give one of them another",
-            );
+        let mut known: BTreeSet<&str> = [ABOUT, INSTANCES, WINDOWS].into();
+        known.extend(names.iter().chain(cases.keys()).map(String::as_str));
+        let about_claims = raw.as_ref().map_or(0..0, |raw| raw.claims.span());
+        // A file that is no TOML may name any file.
+        for name in files.keys().filter(|name| whole && !known.contains(name.as_str())) {
+            let advice = "name it under `claims` or in the `cases` of a claim, or move it away";
+            about.complain(about_claims.clone(), format!("nothing names {name}"), advice);
         }
-        for name in known.symmetric_difference(&files.keys().cloned().collect()) {
-            let (rule, advice) = match files.contains_key(name) {
-                true => (format!("nothing names {name}"), "name it under `claims`, or delete it"),
-                false => (format!("there is no {name}"), "write it, or name it nowhere"),
-            };
-            about.complain(0..0, rule, advice);
-        }
-        complaints.append(&mut about.complaints);
-        let paper = Self { about: found, files: read, examples, cases };
-        if complaints.is_empty() { Ok(paper) } else { Err(complaints) }
+        let found = raw.map(|raw| raw.about(&mut about, around.claims.as_ref())).unwrap_or_default();
+        about.complaints.append(&mut complaints);
+        let windows = text(WINDOWS).into();
+        let paper = Self { about: found, files: read, examples, cases, windows, called: None };
+        (paper, about.complaints)
     }
 
     /// What a text may name of it.
@@ -206,10 +282,27 @@ impl Paper {
     /// # Errors
     /// Everything that is wrong, each with its place.
     pub fn stanzas(&self, file_name: &str, text: &str) -> Result<File, Vec<Complaint>> {
-        let own = super::stanzas(file_name, text)?.claims.into_iter().map(|claim| claim.id);
         let Known { instances, claims, .. } = self.known();
-        let claims = claims.map(|claims| claims.into_iter().chain(own).collect());
-        Reading::new(file_name, text).file(instances, claims)
+        let own = Reading::new(file_name, text).outlines();
+        let own = own.map(|own| own.into_iter().map(|one| one.id.into()));
+        let claims = own.and_then(|own| Some(claims?.into_iter().chain(own).collect()));
+        Reading::new(file_name, text).file(&Around { instances, claims, ..Around::default() })
+    }
+
+    /// With a file of claims before its own.
+    #[must_use]
+    pub fn with(&self, file: File) -> Self {
+        let files = std::iter::once(file).chain(self.files.iter().cloned()).collect();
+        Self { files, ..self.clone() }
+    }
+
+    /// The command that judges one of its claims with all cases.
+    #[must_use]
+    pub fn judges(&self, claim: &str) -> String {
+        match &self.called {
+            Some(paper) => format!("knotproof judge {paper} --claim {claim}"),
+            None => format!("knotproof report --claim {claim}"),
+        }
     }
 
     /// Its claims with their files, in its order.
@@ -218,27 +311,110 @@ impl Paper {
     }
 }
 
-/// The paper that comes with the program.
+/// The files of claims that are listed and there.
+fn listed(raw: &RawAbout, files: &BTreeMap<String, String>, about: &mut Reading) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for name in raw.claims.get_ref() {
+        let file = claims_file(name.get_ref());
+        if names.contains(&file) {
+            about.complain(name.span(), format!("`{}` is listed twice", name.get_ref()), "list it once");
+        } else if files.contains_key(&file) {
+            names.push(file);
+        } else {
+            let stem = |file: &String| Some(file.strip_prefix("claims/")?.strip_suffix(".toml")?.to_owned());
+            let there: Vec<_> = files.keys().filter_map(stem).collect();
+            let close = nearest(name.get_ref(), there.iter().map(String::as_str));
+            let advice = match close {
+                Some(close) => format!("did you mean `{close}`?"),
+                None => "write it, or don't list it".to_owned(),
+            };
+            about.complain(name.span(), format!("there is no {file}"), advice);
+        }
+    }
+    if raw.claims.get_ref().is_empty() {
+        about.complain(
+            raw.claims.span(),
+            "no file of claims is listed",
+            "list one: `claims = [\"01-basis\"]`",
+        );
+    }
+    names
+}
+
+impl RawAbout {
+    /// As it is kept.
+    fn about(self, reading: &mut Reading, claims: Option<&BTreeSet<Name>>) -> About {
+        let mut headlines = Vec::new();
+        for RawHeadline { claim, refuted } in self.headline {
+            if claims.is_some_and(|claims| !claims.contains(claim.get_ref().as_str())) {
+                let rule = format!("no claim is called `{}`", claim.get_ref());
+                reading.complain(claim.span(), rule, "name a claim of the paper");
+            }
+            headlines.push(Headline { claim: claim.get_ref().as_str().into(), refuted });
+        }
+        let indices = self.indices.as_ref().map(|text| indices(reading, text)).unwrap_or_default();
+        About {
+            family: family(reading, self.family.as_ref()),
+            title: self.title,
+            authors: self.authors,
+            source: self.source,
+            arxiv: self.arxiv,
+            listed: self.listed,
+            read: self.read,
+            missing: self.missing,
+            related: self.related,
+            subject: self.subject,
+            headlines,
+            indices,
+        }
+    }
+}
+
+/// The folders that come with the program.
+static FOLDERS: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/papers");
+/// The one that commands are about if nothing is said.
+const MAIN: &str = "rational-bsplines";
+
+/// The names of the papers that come with the program.
+pub fn shipped_names() -> impl Iterator<Item = &'static str> {
+    FOLDERS.dirs().filter_map(|folder| folder.path().to_str())
+}
+
+/// The paper of that name that comes with the program; none if there is no such name.
 ///
 /// # Panics
 /// If the program was built with a damaged folder, which a test rules out: with all that is wrong in it.
 #[must_use]
-pub fn paper() -> &'static Paper {
-    static FOLDER: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/papers/rational-bsplines");
-    static PAPER: LazyLock<Paper> = LazyLock::new(|| {
-        let below = FOLDER.get_dir("claims").into_iter().flat_map(Dir::files);
-        let text = |file: &include_dir::File<'_>| {
-            Some((file.path().to_str()?.to_owned(), file.contents_utf8()?.to_owned()))
-        };
-        match Paper::read(&FOLDER.files().chain(below).filter_map(text).collect()) {
-            Ok(paper) => paper,
-            Err(complaints) => {
-                let complaints: Vec<_> = complaints.iter().map(ToString::to_string).collect();
-                unreachable!("the folder of the paper is damaged:\n{}", complaints.join("\n"))
-            }
+pub fn shipped(name: &str) -> Option<&'static Paper> {
+    static READ: LazyLock<BTreeMap<&str, OnceLock<Paper>>> =
+        LazyLock::new(|| shipped_names().map(|name| (name, OnceLock::new())).collect());
+    READ.get(name).map(|paper| paper.get_or_init(|| built_in(name)))
+}
+
+fn built_in(name: &str) -> Paper {
+    let text = |file: &include_dir::File<'_>| {
+        let below = file.path().strip_prefix(name).ok()?;
+        Some((below.to_str()?.to_owned(), file.contents_utf8()?.to_owned()))
+    };
+    let folder = FOLDERS.get_dir(name);
+    let claims = folder.into_iter().flat_map(Dir::dirs).flat_map(Dir::files);
+    let files = folder.into_iter().flat_map(Dir::files).chain(claims).filter_map(text).collect();
+    match Paper::read(&files) {
+        Ok(paper) => Paper { called: (name != MAIN).then(|| name.to_owned()), ..paper },
+        Err(complaints) => {
+            let complaints: Vec<_> = complaints.iter().map(ToString::to_string).collect();
+            unreachable!("the folder of the paper is damaged:\n{}", complaints.join("\n"))
         }
-    });
-    &PAPER
+    }
+}
+
+/// The paper that commands are about if nothing is said.
+///
+/// # Panics
+/// As [`shipped`].
+#[must_use]
+pub fn paper() -> &'static Paper {
+    shipped(MAIN).unwrap_or_else(|| unreachable!("{MAIN} comes with the program"))
 }
 
 /// The paper, in results that say something of it.
@@ -246,11 +422,22 @@ pub fn paper() -> &'static Paper {
 #[serde(deny_unknown_fields)]
 pub struct PaperNumber {
     /// Its number at arXiv.
-    pub arxiv: String,
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub arxiv: Option<String>,
+    /// Its title, if it has none there.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub title: Option<String>,
+}
+
+impl From<&About> for PaperNumber {
+    fn from(about: &About) -> Self {
+        let arxiv = about.arxiv.clone();
+        Self { title: arxiv.is_none().then(|| about.title.clone()), arxiv }
+    }
 }
 
 impl Default for PaperNumber {
     fn default() -> Self {
-        Self { arxiv: paper().about.arxiv.clone() }
+        Self::from(&paper().about)
     }
 }

@@ -2,8 +2,8 @@
 
 use std::sync::LazyLock;
 
-use crate::language::{Name, Row, paper};
-use crate::spline::{Basis, Index, KnotVector, Point};
+use crate::language::{Complaint, Family, Name, Paper, Row, RowPart, paper};
+use crate::spline::{Basis, Curve, Index, KnotVector, Point};
 
 use super::instance::Instance;
 
@@ -40,7 +40,7 @@ impl Example {
         })
     }
 
-    /// Its basis for an index; `None` if the degree does not fit the knots, which a test rules out for the paper's.
+    /// Its basis for an index; `None` if the degree does not fit the knots, which [`row_faults`] complains of.
     #[must_use]
     pub fn basis(&self, index: &Index) -> Option<Basis> {
         Basis::new(self.knots.clone(), self.degree, index.clone()).ok()
@@ -56,10 +56,58 @@ impl Example {
     }
 }
 
-/// Rows of a file as examples. A row that is none is a bug of the data, which a test would find.
+/// Rows of a file as examples. A row that is none is left out: [`row_faults`] says why.
 #[must_use]
 pub fn examples_of(rows: &[Row]) -> Vec<Example> {
     rows.iter().filter_map(Example::of).collect()
+}
+
+/// What keeps instances and cases of a paper from being examples, each with its place: knots that fall, an index that its family
+/// has not, control points that are no curve in the plane, a name twice in one degree.
+#[must_use]
+pub fn row_faults(paper: &Paper) -> Vec<Complaint> {
+    let family = paper.about.family;
+    let rows = std::iter::once(&paper.examples).chain(paper.cases.values()).flatten();
+    let mut faults: Vec<_> = rows.filter_map(|row| row_fault(row, family)).collect();
+    for (at, row) in paper.examples.iter().enumerate() {
+        if paper.examples[..at].iter().any(|other| (&other.name, other.degree) == (&row.name, row.degree)) {
+            let rule = format!("another instance has this name in degree {}", row.degree);
+            faults.push(row.complaint(RowPart::Name, rule, "give one of them another"));
+        }
+    }
+    faults
+}
+
+/// The first thing that is wrong with a row.
+fn row_fault(row: &Row, family: Family) -> Option<Complaint> {
+    let fault = |part, rule: String, advice| Some(row.complaint(part, rule, advice));
+    let knots = match KnotVector::new(row.knots.clone()) {
+        Ok(knots) => knots,
+        Err(error) => return fault(RowPart::Knots, error.to_string(), "write t_0 ≤ … ≤ t_m with t_0 < t_m"),
+    };
+    if row.indices.is_empty() {
+        return fault(RowPart::Indices, "there is no index".into(), "write some, such as `-1 2 inf`");
+    }
+    for alpha in &row.indices {
+        if !family.has(alpha.as_ref()) {
+            let rule = "the family `classical` has no index but ∞".into();
+            return fault(RowPart::Indices, rule, "write `inf`, or name another family in paper.toml");
+        }
+    }
+    let basis = match Basis::new(knots, row.degree, Index::infinity()) {
+        Ok(basis) => basis,
+        Err(error) => return fault(RowPart::Knots, error.to_string(), "write more knots, or a lower degree"),
+    };
+    let points = row.points.as_ref()?;
+    if let Some(at) = points.iter().position(|point| point.len() != 2) {
+        let rule =
+            format!("control point {at} has {} coordinates; curves lie in the plane", points[at].len());
+        return fault(RowPart::Points, rule, "write points by spaces, their two coordinates by a comma");
+    }
+    match Curve::new(basis, points.clone()) {
+        Ok(_) => None,
+        Err(error) => fault(RowPart::Points, error.to_string(), "write d_0, …, d_n, n = m − k − 1"),
+    }
 }
 
 /// All examples of the paper, in its order.
@@ -78,21 +126,14 @@ pub fn examples_named(name: &str) -> Vec<Example> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::spline::Curve;
+    use crate::language::{shipped, shipped_names};
 
     #[test]
     fn every_row_is_valid() {
-        let cases = paper().cases.values();
-        for rows in std::iter::once(&paper().examples).chain(cases) {
-            let all = examples_of(rows);
-            assert_eq!(all.len(), rows.len());
-            for example in all {
-                for index in &example.indices {
-                    let basis = example.basis(index).expect("a basis");
-                    if let Some(points) = &example.points {
-                        Curve::new(basis, points.clone()).expect("a curve");
-                    }
-                }
+        for paper in shipped_names().filter_map(shipped) {
+            assert_eq!(row_faults(paper), []);
+            for rows in std::iter::once(&paper.examples).chain(paper.cases.values()) {
+                assert_eq!(examples_of(rows).len(), rows.len());
             }
         }
     }

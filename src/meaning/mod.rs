@@ -18,7 +18,7 @@ mod value;
 mod words;
 
 pub use cell::{Cell, Focus, Frame, Signs};
-pub use example::{Example, examples, examples_named, examples_of};
+pub use example::{Example, examples, examples_named, examples_of, row_faults};
 pub use instance::Instance;
 pub use reading::{Bound, Found, Library, Look, Names, Reading};
 pub use reals::Part;

@@ -50,7 +50,7 @@ impl Library for Vec<File> {
 
 impl<'a> From<Claim<'a>> for Names<'a> {
     fn from(claim: Claim<'a>) -> Self {
-        Self { definitions: claim.definitions, library: claim.library }
+        Self { definitions: claim.definitions, library: &claim.paper.files }
     }
 }
 

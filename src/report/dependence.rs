@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::language::{Source, claims};
+use crate::language::{Claim, Paper, Source};
 
 use super::record::Record;
 
@@ -67,9 +67,9 @@ fn is_theorem(source: Source, locator: &str) -> bool {
 impl Dependence {
     /// From the records, which may be those of a part of the claims.
     #[must_use]
-    pub fn of(records: &[Record]) -> Self {
+    pub fn of(paper: &Paper, records: &[Record]) -> Self {
         let record = |id: &str| records.iter().find(|record| record.id == id);
-        let stated = claims();
+        let stated: Vec<_> = Claim::of(paper).collect();
         let uses = stated.iter().flat_map(|claim| claim.stanza.uses.iter().map(|one| (claim.id(), one)));
         let uses: Vec<Dependency> = uses
             .filter_map(|(claim, one)| {
@@ -98,9 +98,14 @@ impl Dependence {
             .map(|record| record.id.clone())
             .collect();
         let all = stated.iter().filter(|claim| is_theorem(claim.source(), &claim.stanza.at)).count();
-        let sentence = (theorems.len() == all).then(|| sentence(&theorems, &falls));
+        let sentence = (all > 0 && theorems.len() == all).then(|| sentence(&theorems, &falls));
         Self { sentence, falls, uses }
     }
+}
+
+/// `1 is`, `2 are`.
+fn are(count: usize) -> String {
+    format!("{count} {}", if count == 1 { "is" } else { "are" })
 }
 
 fn sentence(theorems: &[&Record], falls: &[String]) -> String {
@@ -108,9 +113,10 @@ fn sentence(theorems: &[&Record], falls: &[String]) -> String {
     let count = theorems.len();
     match falls {
         [] => format!(
-            "No theorem of the paper falls: of its {count} theorems, propositions, corollaries and lemmas, {} are true as printed, \
-             and {amended} are once amended.",
-            count - amended
+            "No theorem of the paper falls: of its {count} theorems, propositions, corollaries and lemmas, {} true as printed, \
+             and {} once amended.",
+            are(count - amended),
+            are(amended)
         ),
         falls => format!(
             "Of the paper's {count} theorems, propositions, corollaries and lemmas, {} {}: {}.",

@@ -6,20 +6,24 @@ use std::fmt::Write as _;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::language::{Cause, Severity, Source, paper};
+use crate::language::{Cause, Paper, Severity, Source};
 
+use super::Report;
 use super::markdown::plain;
 use super::record::Record;
 use super::summary::UNASSIGNED;
 
 /// All that is wrong in the paper.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
-pub struct Errata {
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct Errata<'a> {
     /// `knotproof.errata/1`.
     #[schemars(extend("const" = "knotproof.errata/1"))]
     pub schema: &'static str,
     /// One entry a cause, the worst first.
     pub errata: Vec<Erratum>,
+    /// What they are errata of.
+    #[serde(skip)]
+    pub of: &'a Paper,
 }
 
 /// What is wrong by one cause.
@@ -67,13 +71,13 @@ pub struct Amendment {
     pub verdict: String,
 }
 
-impl Errata {
-    /// Those of the paper's statements among the records.
+impl<'a> Errata<'a> {
+    /// Those of the paper's statements in the report.
     #[must_use]
-    pub fn of(records: &[Record]) -> Self {
+    pub fn of(report: &Report<'a>) -> Self {
         let refuted =
             |record: &&Record| record.source == Source::Paper && record.as_printed.finding.is_refuted();
-        let refuted: Vec<&Record> = records.iter().filter(refuted).collect();
+        let refuted: Vec<&Record> = report.claims.iter().filter(refuted).collect();
         let mut causes: Vec<Option<Cause>> = Vec::new();
         for record in &refuted {
             if !causes.contains(&record.cause) {
@@ -84,19 +88,20 @@ impl Errata {
             let of_cause: Vec<&Record> =
                 refuted.iter().copied().filter(|record| record.cause == *cause).collect();
             let worst = of_cause.iter().map(|record| record.severity).max().flatten();
-            (worst, Erratum::of(*cause, worst, &of_cause))
+            (worst, Erratum::of(report.of, *cause, worst, &of_cause))
         };
         let mut errata: Vec<_> = causes.iter().map(of).collect();
         errata.sort_by_key(|(worst, _)| std::cmp::Reverse(*worst));
         Self {
             schema: "knotproof.errata/1",
             errata: errata.into_iter().filter_map(|(_, erratum)| erratum).collect(),
+            of: report.of,
         }
     }
 }
 
 impl Erratum {
-    fn of(cause: Option<Cause>, worst: Option<Severity>, records: &[&Record]) -> Option<Self> {
+    fn of(paper: &Paper, cause: Option<Cause>, worst: Option<Severity>, records: &[&Record]) -> Option<Self> {
         let witnesses = records.iter().filter_map(|record| {
             let witness = record.as_printed.finding.witness.as_ref()?;
             Some((
@@ -105,7 +110,7 @@ impl Erratum {
                     claim: record.id.clone(),
                     locator: record.locator.clone(),
                     text: witness.to_string(),
-                    again: witness.again(&record.id),
+                    again: witness.again(&record.id, paper),
                 },
             ))
         });
@@ -137,20 +142,22 @@ impl Erratum {
     }
 }
 
-fn head(errata: &Errata) -> String {
+fn head(errata: &Errata<'_>) -> String {
     let (causes, claims) =
         (errata.errata.len(), errata.errata.iter().map(|one| one.claims.len()).sum::<usize>());
+    let about = &errata.of.about;
+    let arxiv = about.arxiv.as_ref().map(|arxiv| format!(" (arXiv {arxiv})")).unwrap_or_default();
     format!(
-        "“{}” (arXiv {}). {claims} statements fail as printed, by {causes} {}. Each has a counterexample in exact numbers; one is \
+        "“{}”{arxiv}. {claims} {} as printed, by {causes} {}. Each has a counterexample in exact numbers; one is \
          given for each cause.",
-        paper().about.title,
-        paper().about.arxiv,
+        about.title,
+        if claims == 1 { "statement fails" } else { "statements fail" },
         if causes == 1 { "cause" } else { "causes" }
     )
 }
 
 /// For the terminal and for a letter.
-impl fmt::Display for Errata {
+impl fmt::Display for Errata<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "Errata: {}", head(self))?;
         for (number, one) in (1..).zip(&self.errata) {
@@ -174,7 +181,7 @@ impl fmt::Display for Errata {
 
 /// The errata as Markdown.
 #[must_use]
-pub fn errata_page(errata: &Errata) -> String {
+pub fn errata_page(errata: &Errata<'_>) -> String {
     let mut text = format!("# Errata\n\n{}\n", plain(&head(errata)));
     for (number, one) in (1..).zip(&errata.errata) {
         // Writing to a string cannot fail.

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use crate::float::MethodRecord;
-use crate::language::{About, Source};
+use crate::language::{About, Paper, Source};
 
 use super::baseline::{Baseline, Entry};
 use super::corners::Corner;
@@ -47,15 +47,24 @@ pub(super) fn plain(text: &str) -> String {
     escaped
 }
 
+/// Where readers find what the text names.
+struct Place<'a> {
+    /// The paper.
+    paper: &'a Paper,
+    /// The folder of certificates.
+    certificates: &'a str,
+}
+
 /// What there is to say about one statement of a claim, as the items of a list.
-fn items(claim: &str, stated: &Stated) -> Vec<String> {
+fn items(claim: &str, stated: &Stated, of: &Place<'_>) -> Vec<String> {
     let finding = &stated.finding;
     let mut items = Vec::new();
     items.extend(stated.rests_on.as_ref().map(decided));
     items.extend(finding.witness.iter().map(|witness| format!("witness: {}", plain(&witness.to_string()))));
-    items.extend(finding.witness.iter().map(|witness| format!("again: `{}`", witness.again(claim))));
+    items
+        .extend(finding.witness.iter().map(|witness| format!("again: `{}`", witness.again(claim, of.paper))));
     items.extend(finding.reason.iter().chain(&finding.remarks).map(|text| plain(text)));
-    items.extend(finding.certificate.iter().map(|name| format!("certificate: `proofs/certs/{name}`")));
+    items.extend(finding.certificate.iter().map(|name| format!("certificate: `{}/{name}`", of.certificates)));
     if !finding.checked_by.is_empty() {
         items.push(format!("found or checked by: {}", finding.checked_by.join(", ")));
     }
@@ -69,7 +78,7 @@ fn decided(grounds: &Grounds) -> String {
     )
 }
 
-fn section(record: &Record) -> String {
+fn section(record: &Record, of: &Place<'_>) -> String {
     let mut text = format!("### {} ({})\n\n", record.id, record.locator);
     let amended = record.amended.as_ref().map(|stated| ("As amended", stated.finding.words(), stated));
     let fails = record.fails.as_ref().map(|stated| ("Elsewhere", stated.finding.words(), stated));
@@ -78,7 +87,7 @@ fn section(record: &Record) -> String {
         std::iter::once(("As printed", record.words(), &record.as_printed)).chain(amended).chain(fails)
     {
         let _ = writeln!(text, "**{title}: {words}.** {}\n", plain(&stated.statement));
-        for item in items(&record.id, stated) {
+        for item in items(&record.id, stated, of) {
             let _ = writeln!(text, "- {item}");
         }
         text.push('\n');
@@ -123,7 +132,7 @@ fn drift_table(drifts: &[Drift]) -> String {
 }
 
 /// The table of one source, by severity, with the sentences.
-fn table(report: &Report, source: Source) -> String {
+fn table(report: &Report<'_>, source: Source) -> String {
     let row = |record: &Record| {
         let amended = record.amended.as_ref().map(|stated| stated.finding.words()).unwrap_or_default();
         let (id, locator, statement, words) =
@@ -135,7 +144,7 @@ fn table(report: &Report, source: Source) -> String {
 }
 
 /// What the paper says, and then what we ask, each with its counts; a source of which nothing was judged is left out.
-fn verdicts(report: &Report) -> String {
+fn verdicts(report: &Report<'_>) -> String {
     let sources = [
         ("The paper's statements", Source::Paper, &report.summary.paper),
         ("Our questions", Source::Question, &report.summary.questions),
@@ -177,20 +186,28 @@ fn corner_table(corners: &[Corner]) -> String {
 
 /// What was read, and what it is close to.
 fn source(paper: &About) -> String {
-    format!("{}\n\nRelated: {}", plain(&paper.to_string()), plain(&paper.related))
+    let related = paper.related.as_ref().map(|related| format!("\n\nRelated: {}", plain(related)));
+    plain(&paper.to_string()) + &related.unwrap_or_default()
 }
 
-/// The whole report.
+/// The whole report; `certificates` is the folder in which they are.
 #[must_use]
-pub fn markdown(report: &Report) -> String {
+pub fn markdown(report: &Report<'_>, certificates: &str) -> String {
+    let of = Place { paper: report.of, certificates };
     let opening: String = opening(report).iter().map(|line| format!("- {}\n", plain(line))).collect();
-    let sections: String = report.claims.iter().map(section).collect();
-    let (verdicts, drifts) = (verdicts(report), drift_table(&report.float));
-    let (source, uses) = (source(report.paper), dependence(&report.dependence.uses));
-    let corners = corner_table(&report.corners);
-    format!(
-        "# Report on the paper's claims\n\n{opening}\n{source}\n\n{SCOPES}\n\n{verdicts}\n{uses}## Claim by claim\n\n{sections}## Corners\n\n{CORNERS}\n\n{corners}\n## f64 against exact\n\n{FLOATS}\n\n{drifts}"
-    )
+    let sections: String = report.claims.iter().map(|record| section(record, &of)).collect();
+    let (verdicts, source) = (verdicts(report), source(&report.of.about));
+    let uses = dependence(&report.dependence.uses);
+    let mut text = format!(
+        "# Report on the paper's claims\n\n{opening}\n{source}\n\n{SCOPES}\n\n{verdicts}\n{uses}## Claim by claim\n\n{sections}"
+    );
+    if !report.corners.is_empty() {
+        text += &format!("## Corners\n\n{CORNERS}\n\n{}", corner_table(&report.corners));
+    }
+    if !report.float.is_empty() {
+        text += &format!("\n## f64 against exact\n\n{FLOATS}\n\n{}", drift_table(&report.float));
+    }
+    text
 }
 
 const CORNERS: &str = "At every knot inside the interval of every curve of the paper, for each α of its figures: by how much the tangent \

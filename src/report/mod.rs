@@ -17,15 +17,18 @@ mod record;
 mod summary;
 
 use std::collections::{BTreeMap, HashMap, HashSet};
+use std::ops::RangeInclusive;
 
 use rayon::prelude::*;
 use schemars::JsonSchema;
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
+use crate::certificate::Certificate;
 use crate::float::{Effort, FloatBasis, Method, MethodRecord, Population, study};
-use crate::language::{About, Claim, paper as read};
-use crate::meaning::examples;
-use crate::settle::{SettleError, settle_all};
+use crate::judge::Cases;
+use crate::language::{About, Claim, Paper};
+use crate::meaning::examples_of;
+use crate::settle::{Outcome, Proving, SettleError, settle_all};
 use crate::spline::Basis;
 
 pub use baseline::{Baseline, BaselineError, Difference, Entry};
@@ -45,12 +48,11 @@ pub use summary::{Counts, Refutations, Summary};
 
 /// All that one run found: the data of `report.json`.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
-pub struct Report {
-    /// `knotproof.report/1`.
-    #[schemars(extend("const" = "knotproof.report/1"))]
-    pub schema: &'static str,
+pub struct Report<'a> {
     /// What is judged.
-    pub paper: &'static About,
+    #[serde(rename = "paper", serialize_with = "about")]
+    #[schemars(with = "About")]
+    pub of: &'a Paper,
     /// How many statements there are, and what became of them.
     pub summary: Summary,
     /// What rests on what, and whether a theorem falls.
@@ -59,18 +61,32 @@ pub struct Report {
     pub claims: Vec<Record>,
     /// How far the curves of the paper are from smooth at their knots.
     pub corners: Vec<Corner>,
-    /// `f64` against exact, on every instance of the paper.
+    /// `f64` against exact, on every instance of the paper; nothing where that was not studied.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub float: Vec<Drift>,
-    /// Goals and lemmas of every certificate that the checker has accepted, by its name.
+    /// The certificates that the checker has accepted, by their names.
     #[serde(skip)]
-    pub steps: BTreeMap<String, usize>,
+    pub certificates: BTreeMap<String, Certified>,
+}
+
+/// A certificate that the checker has accepted.
+#[derive(Debug, Clone)]
+pub struct Certified {
+    /// The statement with its proof.
+    pub certificate: Certificate,
+    /// Its goals and lemmas.
+    pub steps: usize,
+}
+
+fn about<S: Serializer>(paper: &&Paper, serializer: S) -> Result<S::Ok, S::Error> {
+    paper.about.serialize(serializer)
 }
 
 /// How far `f64` is from exact on one instance and index, its numbers rounded to `f64` and then taken as exact.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct Drift {
     /// The instance.
-    pub instance: &'static str,
+    pub instance: String,
     /// k.
     pub degree: usize,
     /// α.
@@ -82,60 +98,76 @@ pub struct Drift {
 /// The random points of each instance, and the steps of the search for its worst one.
 const EFFORT: Effort = Effort { seed: 0, count: 60, steps: 200 };
 
-impl Report {
-    /// Settles the claims one after the other; `progress` hears the name of what comes next.
+impl<'a> Report<'a> {
+    /// Settles claims of a paper one after the other; `progress` hears the name of what comes next. Only in these `degrees`, if
+    /// some are given: then nothing is proved beyond the cases, as certificates are about others, too.
     ///
     /// # Errors
     /// [`SettleError`], if two computations of the same thing disagree: then there is no report.
-    pub fn of(claims: &[Claim<'_>], mut progress: impl FnMut(&str)) -> Result<Self, SettleError> {
-        let settled = settle_all(claims, &mut progress)?;
+    pub fn of(
+        paper: &'a Paper,
+        claims: &[Claim<'a>],
+        degrees: Option<&RangeInclusive<usize>>,
+        progress: impl FnMut(&str),
+    ) -> Result<Self, SettleError> {
+        let cases = Cases::of_paper(paper);
+        let (cases, proving) = match degrees {
+            Some(degrees) => (cases.in_degrees(degrees), Proving::Nothing),
+            None => (cases, Proving::Everything),
+        };
+        let settled = settle_all(claims, &cases, proving, progress)?;
         let all = settled.iter().flat_map(|(_, outcome)| outcome.all());
-        let steps = all.filter_map(|one| {
-            let checked = one.checked.as_ref()?;
-            Some((one.certificate.as_ref()?.name(), checked.goals + checked.lemmas))
+        let certified = all.filter_map(|one| {
+            let (checked, certificate) = (one.checked.as_ref()?, one.certificate.clone()?);
+            Some((certificate.name(), Certified { certificate, steps: checked.goals + checked.lemmas }))
         });
-        let steps = steps.collect();
-        progress("f64 against exact");
-        let records = settled.iter().map(|(claim, outcome)| Record::new(*claim, outcome)).collect();
-        Ok(Self { float: drifts(), steps, ..Self::on(records) })
+        let certificates = certified.collect();
+        let record = |(claim, outcome): &(Claim<'_>, Outcome)| Record::new(*claim, outcome);
+        Ok(Self { certificates, ..Self::on(paper, settled.iter().map(record).collect()) })
     }
 
-    /// The report on verdicts that were recorded: nothing is judged, and floats are not studied.
+    /// With `f64` against exact, on every instance.
     #[must_use]
-    pub fn recorded(claims: &[Claim<'_>], verdicts: &Baseline) -> Self {
-        let entry = |claim: Claim<'_>| verdicts.claims.iter().find(|entry| entry.id == claim.id());
-        Self::on(claims.iter().filter_map(|claim| Some(entry(*claim)?.record(*claim))).collect())
+    pub fn with_float(self) -> Self {
+        Self { float: drifts(self.of), ..self }
     }
 
-    fn on(claims: Vec<Record>) -> Self {
+    /// The report on verdicts that were recorded: nothing is judged.
+    #[must_use]
+    pub fn recorded(paper: &'a Paper, claims: &[Claim<'_>], verdicts: &Baseline) -> Self {
+        let entry = |claim: Claim<'_>| verdicts.claims.iter().find(|entry| entry.id == claim.id());
+        Self::on(paper, claims.iter().filter_map(|claim| Some(entry(*claim)?.record(*claim))).collect())
+    }
+
+    fn on(paper: &'a Paper, claims: Vec<Record>) -> Self {
         Self {
-            schema: "knotproof.report/1",
-            paper: &read().about,
+            of: paper,
             summary: Summary::of(&claims),
-            dependence: Dependence::of(&claims),
+            dependence: Dependence::of(paper, &claims),
             claims,
-            corners: corners(),
+            corners: corners(paper),
             float: Vec::new(),
-            steps: BTreeMap::new(),
+            certificates: BTreeMap::new(),
         }
     }
 }
 
 /// One drift for each instance and index; a basis that occurs twice is run once.
-fn drifts() -> Vec<Drift> {
+fn drifts(paper: &Paper) -> Vec<Drift> {
     let mut runs = Vec::new();
-    for example in examples() {
+    for example in examples_of(&paper.examples) {
         for index in &example.indices {
             if let Some(basis) = example.basis(index) {
-                runs.push((&*example.name, basis));
+                runs.push((example.name.to_string(), basis));
             }
         }
     }
     let distinct: HashSet<&Basis> = runs.iter().map(|(_, basis)| basis).collect();
     let measured: HashMap<_, _> = distinct.into_par_iter().map(|basis| (basis, errors(basis))).collect();
-    let drift = |(instance, basis): &(&'static str, Basis)| {
+    let drift = |(instance, basis): &(String, Basis)| {
         let formulas = measured.get(basis)?.clone();
-        Some(Drift { instance, degree: basis.degree(), alpha: basis.index().to_string(), formulas })
+        let (instance, alpha) = (instance.clone(), basis.index().to_string());
+        Some(Drift { instance, degree: basis.degree(), alpha, formulas })
     };
     runs.iter().filter_map(drift).collect()
 }

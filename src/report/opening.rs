@@ -1,5 +1,8 @@
 //! What matters, in a few lines: all from the data of the report.
 
+use num_traits::One;
+
+use crate::language::{Headline, Source};
 use crate::scalar::BigRational;
 
 use super::Report;
@@ -8,23 +11,23 @@ use super::record::{DegreeFinding, Record, degrees};
 
 /// The lines that a report opens with. What was not judged has none.
 #[must_use]
-pub fn opening(report: &Report) -> Vec<String> {
-    let lines = [
-        report.dependence.sentence.clone(),
-        conjecture(report),
-        corners(report),
-        variation(report),
-        errata(report),
-    ];
-    lines.into_iter().flatten().collect()
+pub fn opening(report: &Report<'_>) -> Vec<String> {
+    let mut headlines = headlines(report).map(|(_, line)| line);
+    let (first, corners) = (headlines.next(), corners(report));
+    let before = report.dependence.sentence.clone().into_iter().chain(first).chain(corners);
+    before.chain(headlines).chain(errata(report)).collect()
 }
 
-/// The claim whose picture belongs to the opening.
-pub(super) const CONJECTURE: &str = "Conj3.1.strong.continuous";
-const VARIATION: &str = "X.variation";
+/// The lines of the paper's own that are so, each with its claim.
+pub(super) fn headlines<'a>(report: &'a Report<'_>) -> impl Iterator<Item = (&'a str, String)> {
+    report.of.about.headlines.iter().filter_map(|Headline { claim, refuted }| {
+        let (from, known) = false_from(report, claim)?;
+        Some((&**claim, refuted.replace("{k}", &from.to_string()).replace("{known}", &known)))
+    })
+}
 
 /// The first degree from which on a claim is refuted, and all that is known degree by degree.
-fn false_from(report: &Report, id: &str) -> Option<(usize, String)> {
+fn false_from(report: &Report<'_>, id: &str) -> Option<(usize, String)> {
     let record = report.claims.iter().find(|record| record.id == id)?;
     let of = |holds: fn(&DegreeFinding) -> bool| -> Vec<usize> {
         record.by_degree.iter().filter(|of| holds(of)).map(|of| of.degree).collect()
@@ -38,22 +41,9 @@ fn false_from(report: &Report, id: &str) -> Option<(usize, String)> {
     Some((*refuted.first()?, known))
 }
 
-fn conjecture(report: &Report) -> Option<String> {
-    let (from, known) = false_from(report, CONJECTURE)?;
-    Some(format!(
-        "Conjecture 3.1, one maximum for each function, is false from k = {from} on, for continuous functions too: {known}."
-    ))
-}
-
-fn variation(report: &Report) -> Option<String> {
-    let (from, known) = false_from(report, VARIATION)?;
-    Some(format!(
-        "Curves do not diminish variation from k = {from} on: a line may meet the curve more often than its polygon ({known})."
-    ))
-}
-
-/// The largest turn of the tangent, and the largest jump of the speed, where the classical curve has neither.
-fn corners(report: &Report) -> Option<String> {
+/// The largest turn of the tangent, and the largest jump of the speed, where the classical curve has neither; nothing if there
+/// is none.
+fn corners(report: &Report<'_>) -> Option<String> {
     let smooth = || report.corners.iter().filter(|corner| corner.multiplicity < corner.degree);
     // Of equals the first is shown; the search keeps the last.
     let turns = || smooth().filter_map(|corner| Some((corner, corner.turn.as_ref()?))).rev();
@@ -61,14 +51,18 @@ fn corners(report: &Report) -> Option<String> {
     // Of a curve and its mirror image, the one that gets faster.
     let speed = |turn: &Turn| (jump(turn), turn.speed_ratio_squared.clone());
     let (fastest, jump) = turns().max_by(|(_, a), (_, b)| speed(a).cmp(&speed(b)))?;
-    Some(format!(
-        "Curves of the paper have corners at knots where the classical curve is smooth: the tangent turns by up to {}° ({}), and the \
-         speed jumps by a factor of up to {} ({}).",
-        turn.angle_degrees,
-        place(sharpest),
-        jump.speed_ratio,
-        place(fastest)
-    ))
+    let corner = (!turn.cos2.is_one() || turn.turns_back)
+        .then(|| format!("the tangent turns by up to {}° ({})", turn.angle_degrees, place(sharpest)));
+    let jumps = (!jump.speed_ratio_squared.is_one())
+        .then(|| format!("the speed jumps by a factor of up to {} ({})", jump.speed_ratio, place(fastest)));
+    let told: Vec<String> = corner.iter().chain(&jumps).cloned().collect();
+    let noun = if corner.is_some() { "corners" } else { "jumps of their speed" };
+    (!told.is_empty()).then(|| {
+        format!(
+            "Curves of the paper have {noun} at knots where the classical curve is smooth: {}.",
+            told.join(", and ")
+        )
+    })
 }
 
 /// Larger for a larger angle: the angle is acute or obtuse, and then its cosine decides.
@@ -87,14 +81,12 @@ fn place(corner: &Corner) -> String {
     format!("{instance}, k = {degree}, α = {alpha}, knot {knot}")
 }
 
-fn errata(report: &Report) -> Option<String> {
+fn errata(report: &Report<'_>) -> Option<String> {
     let refuted = report.summary.paper.refuted;
     let causes = &report.summary.paper.refutations.by_cause;
     let serious = report.claims.iter().filter(|record| record.is_serious());
-    let serious: std::collections::BTreeSet<_> = serious
-        .filter(|record| record.source == crate::language::Source::Paper)
-        .map(|record: &Record| record.cause)
-        .collect();
+    let serious: std::collections::BTreeSet<_> =
+        serious.filter(|record| record.source == Source::Paper).map(|record: &Record| record.cause).collect();
     (refuted > 0).then(|| {
         format!(
             "{refuted} of the paper's {} statements fail as printed, by {} {}, {} of them serious: the errata are ready to be sent.",

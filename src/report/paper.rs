@@ -11,8 +11,23 @@ impl fmt::Display for About {
         if !self.authors.is_empty() {
             write!(f, " by {}", self.authors.join(", "))?;
         }
-        write!(f, ", arXiv {} ({} in the listing). Version read: {}. ", self.arxiv, self.listed, self.read)?;
-        write!(f, "Missing from it: {}.", self.missing.join("; "))
+        if let Some(source) = &self.source {
+            write!(f, ", {source}")?;
+        }
+        if let Some(arxiv) = &self.arxiv {
+            write!(f, ", arXiv {arxiv}")?;
+        }
+        if let Some(listed) = &self.listed {
+            write!(f, " ({listed} in the listing)")?;
+        }
+        f.write_str(".")?;
+        if let Some(read) = &self.read {
+            write!(f, " Version read: {read}.")?;
+        }
+        match self.missing.as_slice() {
+            [] => Ok(()),
+            missing => write!(f, " Missing from it: {}.", missing.join("; ")),
+        }
     }
 }
 
@@ -24,7 +39,8 @@ mod tests {
     fn the_paragraph_says_what_was_read_and_what_is_missing() {
         let about = &paper().about;
         let text = about.to_string();
-        for part in [&about.title, &about.arxiv, &about.listed, &about.read] {
+        let numbers = [&about.arxiv, &about.listed, &about.read].map(|part| part.as_ref().unwrap());
+        for part in numbers.into_iter().chain([&about.title]) {
             assert!(text.contains(part), "{part}");
         }
         assert!(about.missing.iter().all(|missing| text.contains(missing)) && text.contains("appendix"));

@@ -33,7 +33,7 @@ struct Node<'a> {
 ///
 /// # Errors
 /// [`PictureError`], a bug of this program.
-pub fn dependence_picture(report: &Report) -> Result<String, PictureError> {
+pub fn dependence_picture(report: &Report<'_>) -> Result<String, PictureError> {
     let uses: Vec<(&str, &str, State)> = report
         .dependence
         .uses
@@ -79,7 +79,7 @@ fn rounded(x: f64) -> u32 {
 
 /// All claims of the uses with their places, and the height that they take. Claims that are joined, by whatever way, stand in
 /// a band of their own, so that no arrow passes through the box of another.
-fn placed<'a>(report: &'a Report, uses: &[(&str, &str, State)]) -> (BTreeMap<&'a str, Node<'a>>, f64) {
+fn placed<'a>(report: &'a Report<'_>, uses: &[(&str, &str, State)]) -> (BTreeMap<&'a str, Node<'a>>, f64) {
     let named = |id: &str| uses.iter().any(|(claim, premise, _)| *claim == id || *premise == id);
     let records: Vec<&Record> = report.claims.iter().filter(|record| named(&record.id)).collect();
     let mut nodes = BTreeMap::new();

@@ -67,7 +67,7 @@ pub enum SettleError {
 /// [`SettleError`]: there is no verdict.
 pub fn settle(claim: Claim<'_>, cases: &Cases, proving: Proving) -> Result<Outcome, SettleError> {
     let (printed, by_degree) = match claim.sentence(Form::Printed) {
-        Some(sentence) if claim.stanza.each_degree && proving == Proving::Everything => {
+        Some(sentence) if claim.stanza.each_degree => {
             judge_by_degree(sentence, claim.into(), &cases.of(sentence, claim.stanza.cases.as_deref()))?
         }
         _ => (verdict(claim, Form::Printed, cases)?, Vec::new()),
@@ -155,12 +155,13 @@ impl Outcome {
 /// [`SettleError`]: there is no verdict.
 pub fn settle_all<'a>(
     claims: &[Claim<'a>],
+    cases: &Cases,
+    proving: Proving,
     mut progress: impl FnMut(&str),
 ) -> Result<Vec<(Claim<'a>, Outcome)>, SettleError> {
-    let cases = Cases::all();
     let settled = claims.iter().map(|claim| {
         progress(claim.id());
-        Ok((*claim, settle(*claim, &cases, Proving::Everything)?))
+        Ok((*claim, settle(*claim, cases, proving)?))
     });
     settled.collect()
 }

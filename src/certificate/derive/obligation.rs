@@ -160,7 +160,7 @@ fn conclusion<'a>(
             Ok(())
         }
         Formula::Claim { id, printed } => {
-            let other = Claim::of(claim.library).find(|other| other.id() == &**id);
+            let other = Claim::of(claim.paper).find(|other| other.id() == &**id);
             let Some(other) = other else { return Err(NoWindow::because(format!("there is no claim {id}"))) };
             let form = if *printed { Form::Printed } else { other.strongest() };
             match other.sentence(form) {

@@ -78,7 +78,10 @@ impl Figure {
                 let instance = examples_named(name).into_iter().find(of_degree);
                 basis::svg(self.title, &instance.ok_or_else(|| failed(format!("there is no {name}")))?)
             }
-            Subject::Curves(names, panels, hull) => curve::svg(self.title, names, panels, hull),
+            Subject::Curves(names, panels, hull) => {
+                let instances: Vec<Example> = names.iter().flat_map(|name| examples_named(name)).collect();
+                curve::svg(self.title, &instances, panels, hull)
+            }
             Subject::Slopes(name) => slopes::svg(self.title, name),
             Subject::Limit(name) => limit::svg(self.title, name),
             Subject::Function(degree, knots, alpha, i) => {

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use plotters::style::{BLACK, RGBColor};
 
 use super::reflection::Reflection;
-use crate::meaning::{Example, examples_named};
+use crate::meaning::Example;
 use crate::scalar::{BigRational, integer};
 use crate::spline::{Basis, Curve, Index, Point};
 
@@ -26,17 +26,23 @@ pub(super) enum Panels {
     Positive,
     /// ∞, then α < 0 together with its conjugate, and the axis of symmetry.
     Together,
+    /// The instance's own.
+    Own,
 }
 
-/// The figure of all instances with these names; with `hull` the convex hull is drawn.
+/// The figure of these instances; with `hull` the convex hull is drawn.
 ///
 /// # Errors
 /// [`PictureError`].
-pub(super) fn svg(title: &str, names: &[&str], panels: Panels, hull: bool) -> Result<String, PictureError> {
-    let instances: Vec<Example> = names.iter().flat_map(|name| examples_named(name)).collect();
+pub(super) fn svg(
+    title: &str,
+    instances: &[Example],
+    panels: Panels,
+    hull: bool,
+) -> Result<String, PictureError> {
     let first = instances.first().ok_or_else(|| failed("there is no such instance"))?;
     let mut all = panels.of(&first.indices);
-    if panels != Panels::Together {
+    if !matches!(panels, Panels::Together | Panels::Own) {
         // The free cell beside α = ∞, or at the end, says which line is which.
         let place = if panels == Panels::Conjugates { 1 } else { all.len() };
         all.insert(place, Vec::new());
@@ -66,7 +72,7 @@ pub(super) fn svg(title: &str, names: &[&str], panels: Panels, hull: bool) -> Re
     Sheet { title, subtitle: &subtitle, notes: &notes, cells: all.len(), panel }.svg(
         |canvas, number, cell| {
             if all[number].is_empty() {
-                return canvas.legend(cell, &legend(&instances));
+                return canvas.legend(cell, &legend(instances));
             }
             let panel = canvas.panel(cell, frame.with_equal_scales(cell));
             let names: Vec<String> = all[number].iter().map(alpha).collect();
@@ -75,10 +81,10 @@ pub(super) fn svg(title: &str, names: &[&str], panels: Panels, hull: bool) -> Re
                 cell,
                 &match names.as_slice() {
                     [one, two] => format!("k = {}, α = {one} (solid) and α = {two} (dashed)", first.degree),
-                    _ => format!("{}α = {}", degree(&instances), names.join(", ")),
+                    _ => format!("{}α = {}", degree(instances), names.join(", ")),
                 },
             )?;
-            draw(&panel, &instances, &all[number], panels, hull)
+            draw(&panel, instances, &all[number], panels, hull)
         },
     )
 }
@@ -105,6 +111,7 @@ impl Panels {
                 .collect(),
             Self::Negative => first.chain(negative.map(one)).collect(),
             Self::Positive => first.chain(above.map(one)).collect(),
+            Self::Own => indices.iter().cloned().map(one).collect(),
             Self::Together => {
                 first.chain(negative.map(|index| vec![index.clone(), index.conjugate()])).collect()
             }
@@ -282,6 +289,7 @@ fn turn(a: &Point, b: &Point, c: &Point) -> BigRational {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::meaning::examples_named;
 
     fn points(list: &[[usize; 2]]) -> Vec<Point> {
         list.iter().map(|point| point.map(integer).to_vec()).collect()

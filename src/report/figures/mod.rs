@@ -8,6 +8,7 @@ mod basis;
 pub(super) mod canvas;
 mod catalogue;
 mod curve;
+mod instance;
 mod labels;
 mod layout;
 mod limit;
@@ -22,6 +23,7 @@ mod weight;
 
 pub use canvas::PictureError;
 pub use catalogue::{Figure, all, figure};
+pub use instance::{Picture, pictures};
 pub use png::png;
 
 pub(super) use basis::graph;

@@ -9,7 +9,7 @@ use super::working::{Working, function, workings};
 use super::{PageSource, formula};
 
 use crate::judge::Witness;
-use crate::language::Severity;
+use crate::language::{Paper, Severity};
 
 /// One row of the table of verdicts.
 pub(super) struct Row<'a> {
@@ -183,13 +183,13 @@ fn panel(witness: &Witness) -> Option<String> {
 }
 
 impl Shown {
-    fn of(claim: &str, witness: &Witness, worked: bool) -> Self {
+    fn of(claim: &str, witness: &Witness, paper: &Paper, worked: bool) -> Self {
         Self {
             given: witness.given(),
             claimed: formula::html(&witness.claimed),
             found: formula::html(&witness.found()),
             workings: if worked { workings(witness) } else { Vec::new() },
-            command: witness.again(claim),
+            command: witness.again(claim, paper),
             panel: panel(witness),
         }
     }
@@ -200,7 +200,11 @@ impl<'a> Section<'a> {
     pub(super) fn of(record: &'a Record, report: &'a Report, source: &PageSource<'a>) -> Self {
         let certificate = |finding: &'a Finding| {
             let name = finding.certificate.as_deref()?;
-            Some(Certificate { name, folder: source.certificates, steps: report.steps.get(name).copied() })
+            Some(Certificate {
+                name,
+                folder: source.certificates,
+                steps: report.certificates.get(name).map(|of| of.steps),
+            })
         };
         let part = |title, badge: String, verdict: String, stated: &'a Stated| {
             let finding = &stated.finding;
@@ -211,7 +215,10 @@ impl<'a> Section<'a> {
                 statement: formula::html(&stated.statement),
                 grounds: stated.rests_on.as_ref().map(decided),
                 reason: finding.reason.as_deref().map(formula::html),
-                witness: finding.witness.as_ref().map(|witness| Shown::of(&record.id, witness, true)),
+                witness: finding
+                    .witness
+                    .as_ref()
+                    .map(|witness| Shown::of(&record.id, witness, report.of, true)),
                 remarks: &finding.remarks,
                 certificate: certificate(finding),
                 checked_by: finding.checked_by.join(", "),
@@ -228,8 +235,8 @@ impl<'a> Section<'a> {
             formula::html(&format!("Cause: {cause}. Severity: {}, {because}.", severity.name()))
         });
         let command = match &record.as_printed.finding.witness {
-            Some(witness) => witness.again(&record.id),
-            None => format!("knotproof report --claim {}", record.id),
+            Some(witness) => witness.again(&record.id, report.of),
+            None => report.of.judges(&record.id),
         };
         let degrees = record
             .by_degree
@@ -238,7 +245,11 @@ impl<'a> Section<'a> {
                 degree: of.degree,
                 status: &of.finding.status,
                 verdict: of.finding.words(),
-                witness: of.finding.witness.as_ref().map(|witness| Shown::of(&record.id, witness, false)),
+                witness: of
+                    .finding
+                    .witness
+                    .as_ref()
+                    .map(|witness| Shown::of(&record.id, witness, report.of, false)),
                 grounds: of.rests_on.as_ref().map(decided),
                 certificate: certificate(&of.finding),
             })
@@ -249,7 +260,8 @@ impl<'a> Section<'a> {
             parts,
             degrees,
             cause,
-            example: (record.id == example::CLAIM).then(example).flatten(),
+            // Another paper's claim of that name is another one.
+            example: (record.id == example::CLAIM && report.of.called.is_none()).then(example).flatten(),
             note: record.note.as_deref().map(formula::html),
             figures: figures(&record.id, source.pictures),
             command,

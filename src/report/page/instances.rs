@@ -3,11 +3,12 @@
 use num_traits::ToPrimitive;
 use serde_json::json;
 
-use crate::meaning::examples;
+use crate::language::Paper;
+use crate::meaning::examples_of;
 
 /// A JSON list that may stand in a `script` element: numbers of knots as they are written, points in `f64`.
-pub(super) fn json() -> String {
-    let list: Vec<_> = examples()
+pub(super) fn json(paper: &Paper) -> String {
+    let list: Vec<_> = examples_of(&paper.examples)
         .iter()
         .map(|instance| {
             let knots: Vec<_> = instance.knots.knots().iter().map(ToString::to_string).collect();

@@ -18,11 +18,11 @@ use thiserror::Error;
 use super::baseline::Difference;
 use super::corners::Corner;
 use super::dependence::Dependency;
-use super::opening::{CONJECTURE, opening};
+use super::opening::{headlines, opening};
 use super::record::by_severity;
 use super::{PictureError, Report, dependence_picture};
 
-use crate::language::Source;
+use crate::language::{About, Source};
 
 use claim::{Figure, Row, Section, figures, row};
 
@@ -44,6 +44,8 @@ pub struct PageSource<'a> {
     pub compared: Option<(&'a str, &'a [Difference])>,
     /// Pictures by the names of their files, as [`conjecture_page`](super::conjecture_page) gives them.
     pub pictures: &'a [(String, String)],
+    /// Pictures of the paper's own instances: what is shown, and the picture.
+    pub instances: &'a [(String, String)],
     /// Where the folder of certificates is, seen from the page; without it, certificates are only named.
     pub certificates: Option<&'a str>,
     /// What there is beside the page: what it is, and the name of its file.
@@ -67,10 +69,11 @@ struct Page<'a> {
     panel_script: &'static str,
     instances: String,
     version: &'static str,
-    paper: &'static crate::language::About,
-    /// What matters, in lines of HTML, and the picture of the conjecture.
-    opening: Vec<String>,
-    picture: Option<Figure<'a>>,
+    paper: &'a About,
+    title: String,
+    /// What matters, in lines of HTML, one of them with a picture.
+    opening: Vec<(String, Option<Figure<'a>>)>,
+    drawn: &'a [(String, String)],
     count: usize,
     statuses: Vec<&'a str>,
     severities: Vec<&'a str>,
@@ -91,7 +94,7 @@ struct Page<'a> {
 ///
 /// # Errors
 /// [`PageError`].
-pub fn page(report: &Report, source: &PageSource<'_>) -> Result<String, PageError> {
+pub fn page(report: &Report<'_>, source: &PageSource<'_>) -> Result<String, PageError> {
     let rows: Vec<Row<'_>> = report.claims.iter().map(row).collect();
     let table = |id, title, source, counts: &super::Counts| Table {
         id,
@@ -109,11 +112,12 @@ pub fn page(report: &Report, source: &PageSource<'_>) -> Result<String, PageErro
         style: include_str!("page.css"),
         page_script: include_str!("page.js"),
         panel_script: include_str!("panel.js"),
-        instances: instances::json(),
+        instances: instances::json(report.of),
         version: env!("CARGO_PKG_VERSION"),
-        paper: report.paper,
-        opening: opening(report).iter().map(|line| formula::html(line)).collect(),
-        picture: figures(CONJECTURE, source.pictures).into_iter().next(),
+        paper: &report.of.about,
+        title: title(&report.of.about),
+        opening: lines(report, source),
+        drawn: source.instances,
         count: rows.len(),
         statuses: distinct(&rows, |row| row.status),
         severities: distinct(&rows, |row| row.severity),
@@ -128,6 +132,23 @@ pub fn page(report: &Report, source: &PageSource<'_>) -> Result<String, PageErro
         certificates: source.certificates,
     };
     Ok(page.render()?)
+}
+
+fn title(about: &About) -> String {
+    let subject = about.subject.clone();
+    format!("Verdicts on {}", subject.unwrap_or_else(|| format!("“{}”", about.title)))
+}
+
+/// The lines of the opening; the first of the paper's own that has a picture is shown with it.
+fn lines<'a>(report: &Report<'_>, source: &PageSource<'a>) -> Vec<(String, Option<Figure<'a>>)> {
+    let mut pictured = headlines(report)
+        .filter_map(|(claim, line)| Some((line, figures(claim, source.pictures).into_iter().next()?)));
+    let (pictured, mut figure) = pictured.next().unzip();
+    let line = |line: &String| {
+        let own = if pictured.as_ref() == Some(line) { figure.take() } else { None };
+        (formula::html(line), own)
+    };
+    opening(report).iter().map(line).collect()
 }
 
 /// The different words in a column, without the empty one.

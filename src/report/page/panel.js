@@ -284,12 +284,11 @@ const panel = (() => {
     }
   };
 
-  const choose = (at) => {
-    const { degree, knots, points, indices } = instances[at];
+  const choose = ({ degree, knots, points, indices }) => {
     byId("degree").value = degree;
     byId("knots").value = knots;
     byId("points").value = points.map((point) => point.join(",")).join(" ");
-    byId("alpha").value = indices.includes("-1") ? "-1" : indices[1];
+    byId("alpha").value = indices.includes("-1") ? "-1" : (indices[1] ?? indices[0]);
     const t = knots.split(", ").map((knot) => numberIn("knots", knot));
     byId("x").value = short((t[0] + t.at(-1)) / 2);
   };
@@ -299,7 +298,7 @@ const panel = (() => {
     const state = new URLSearchParams(hash);
     const at = instances.findIndex(({ name, degree }) => `${name}/${degree}` === state.get("panel"));
     byId("instance").value = at < 0 ? "" : state.get("panel");
-    if (at >= 0) choose(at); else byId("points").value = "";
+    if (at >= 0) choose(instances[at]); else byId("points").value = "";
     for (const id of FIELDS) if (state.has(id)) byId(id).value = state.get(id);
     if (at < 0 && !state.has("x")) byId("x").value = byId("knots").value.split(",")[0];
     const i = state.get("function");
@@ -313,7 +312,7 @@ const panel = (() => {
     for (const { name, degree, figure } of instances) list.append(new Option(`${name}, k = ${degree} (${figure})`, `${name}/${degree}`));
     list.addEventListener("change", () => {
       chosen = null;
-      if (list.value) choose(list.selectedIndex - 1);
+      if (list.value) choose(instances[list.selectedIndex - 1]);
       update();
     });
     for (const id of FIELDS) {
@@ -344,7 +343,8 @@ const panel = (() => {
     });
     byId("panel-form").addEventListener("submit", (event) => event.preventDefault());
     list.value = "C5/3";
-    choose(list.selectedIndex - 1);
+    if (!list.value) list.selectedIndex = Math.min(1, instances.length);
+    choose(instances[list.selectedIndex - 1] ?? { degree: 2, knots: "0, 0, 0, 1, 2, 2, 2", points: [], indices: ["inf"] });
     update(true);
   };
 

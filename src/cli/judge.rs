@@ -1,0 +1,292 @@
+//! The command `judge`: every claim of a paper, in a folder or by name.
+
+use std::ffi::{OsStr, OsString};
+use std::fmt;
+use std::ops::RangeInclusive;
+use std::path::{Path, PathBuf};
+
+use schemars::{JsonSchema, schema_for};
+use serde::Serialize;
+
+use crate::language::{Claim, Paper, Source};
+use crate::meaning::examples_of;
+use crate::report::{
+    Drift, Errata, Finding, PageSource, Record, Report, by_severity, dependence_picture, errata_page,
+    figures, markdown, opening, page,
+};
+use crate::settle::SettleError;
+
+use super::atomic::Folder;
+use super::error::CliError;
+use super::exit::Exit;
+use super::file::InstanceFile;
+use super::output::{Output, pretty_json, stamped_json};
+use super::paper::paper_of;
+use super::progress::Progress;
+use super::table::plain;
+use super::verdict::{Tally, styled, styled_as_printed};
+use super::visible::{visible, visible_path};
+
+/// Judges every claim of a paper: as printed and, where that is refuted, as amended; with its report, if a folder is named
+/// for it.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLE)]
+pub(super) struct Args {
+    /// The folder of the paper, as docs/your-paper.md says, or the name of one that comes with the program.
+    #[arg(value_name = "FOLDER|NAME")]
+    paper: OsString,
+    /// Writes report.json, report.md, errata.md, index.html, a page to read in a browser, pictures of the paper's instances and
+    /// its certificates into this folder, which is made if it is not there.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Judges only this claim; may be repeated.
+    #[arg(long, value_name = "CLAIM")]
+    claim: Vec<String>,
+    /// Judges only cases of these degrees, one or the first and the last: 2 or 1..3. Nothing is proved beyond them.
+    #[arg(long, value_name = "RANGE")]
+    degrees: Option<String>,
+}
+
+const EXAMPLE: &str = "\
+Examples:
+  knotproof judge classical
+  knotproof new my-paper && knotproof judge my-paper --out my-report
+  knotproof judge my-paper --claim P2 --degrees 1..3 --format json
+Exit code 0: every claim holds as printed. Exit code 1: one is refuted, if only as printed. Exit code 3: one is undecided.";
+
+const JSON: &str = "report.json";
+const MARKDOWN: &str = "report.md";
+const PAGE: &str = "index.html";
+pub(super) const ERRATA: &str = "errata.md";
+const DEPENDENCE: &str = "dependence.svg";
+const SCHEMA: &str = "instance.schema.json";
+/// The folder of the certificates, in that of the report.
+const CERTIFICATES: &str = "certs";
+/// What lies beside the page of every report.
+pub(super) const BESIDE: [(&str, &str); 3] =
+    [("the errata", ERRATA), ("this report as data", JSON), ("and as text", MARKDOWN)];
+pub(super) const INSTANCE_SCHEMA: (&str, &str) = ("the schema of instance files", SCHEMA);
+
+/// The result: its fields are the JSON.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(super) struct Judged<'a> {
+    /// What this object is: `knotproof.judge/1`.
+    #[schemars(extend("const" = "knotproof.judge/1"))]
+    schema: &'static str,
+    #[serde(flatten)]
+    report: Report<'a>,
+    #[serde(skip)]
+    written: Vec<PathBuf>,
+    /// The instances that there is no picture of.
+    #[serde(skip)]
+    undrawn: Vec<String>,
+}
+
+/// Judges, writes the files and prints.
+pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
+    let paper = paper_of("FOLDER", &args.paper)?;
+    let chosen = choose(Claim::of(&paper).collect(), &args.claim)?;
+    let degrees = args.degrees.as_deref().map(degrees).transpose()?;
+    if let Some(folder) = &args.out {
+        Folder::try_out("--out", folder)?;
+    }
+    let progress = Progress::new(chosen.len());
+    let report = Report::of(&paper, &chosen, degrees.as_ref(), |name| progress.step(name));
+    let report = report.map_err(|error| settle_error("FOLDER", &paper, &args.paper, error))?;
+    drop(progress);
+    let mut judged = Judged { schema: "knotproof.judge/1", report, written: Vec::new(), undrawn: Vec::new() };
+    if let Some(folder) = &args.out {
+        (judged.written, judged.undrawn) = write(folder, &judged, &paper)?;
+    }
+    output.result(&judged)?;
+    let records = judged.report.claims.iter();
+    let all: Tally = records
+        .flat_map(|record| [Some(&record.as_printed), record.amended.as_ref()])
+        .flatten()
+        .map(|stated| &stated.finding)
+        .collect();
+    Ok(all.exit())
+}
+
+/// Of a paper in a folder, what is wrong with its windows is no bug of the program.
+pub(super) fn settle_error(
+    argument: &'static str,
+    paper: &Paper,
+    folder: &OsStr,
+    error: SettleError,
+) -> CliError {
+    match error {
+        SettleError::Certificate(error) if paper.called.is_some() => CliError::Windows {
+            argument,
+            path: Path::new(folder).join("windows.toml"),
+            error: Box::new(error),
+        },
+        error => error.into(),
+    }
+}
+
+/// `2`, or `1..3`, as the language has it.
+fn degrees(text: &str) -> Result<RangeInclusive<usize>, CliError> {
+    let (first, last) = text.split_once("..").unwrap_or((text, text));
+    match (first.trim().parse(), last.trim().parse()) {
+        (Ok(first), Ok(last)) if first <= last => Ok(first..=last),
+        _ => Err(CliError::Degrees(text.to_owned())),
+    }
+}
+
+/// The claims of these identifiers, or all if there are none.
+pub(super) fn choose<'a>(mut all: Vec<Claim<'a>>, names: &[String]) -> Result<Vec<Claim<'a>>, CliError> {
+    let ids: Vec<_> = all.iter().map(Claim::id).collect();
+    if let Some(name) = names.iter().find(|name| !ids.contains(&name.as_str())) {
+        return Err(CliError::unknown_claim("--claim", name, &ids));
+    }
+    all.retain(|claim| names.is_empty() || names.iter().any(|name| name == claim.id()));
+    Ok(all)
+}
+
+/// The files that every report has; `json` is the result.
+pub(super) fn report_files(
+    json: &impl Serialize,
+    report: &Report<'_>,
+    source: &PageSource<'_>,
+    certificates: &str,
+) -> Result<Vec<(String, String)>, CliError> {
+    let mut files = vec![
+        (JSON.to_owned(), stamped_json(json)? + "\n"),
+        (MARKDOWN.to_owned(), markdown(report, certificates)),
+        (ERRATA.to_owned(), errata_page(&Errata::of(report))),
+    ];
+    if !report.dependence.uses.is_empty() {
+        files.push((DEPENDENCE.to_owned(), dependence_picture(report)?));
+    }
+    files.push((SCHEMA.to_owned(), pretty_json(&schema_for!(InstanceFile))?));
+    files.push((PAGE.to_owned(), page(report, source)?));
+    Ok(files)
+}
+
+/// Writes the report with the pictures of the paper's own instances and its certificates; gives the files, and the instances
+/// that can't be drawn.
+fn write(folder: &Path, judged: &Judged<'_>, paper: &Paper) -> Result<(Vec<PathBuf>, Vec<String>), CliError> {
+    let report = &judged.report;
+    let (mut pictures, mut undrawn) = (Vec::new(), Vec::new());
+    for example in examples_of(&paper.examples) {
+        let own = figures::pictures(&example)?;
+        if own.is_empty() {
+            undrawn.push(format!("{}, degree {}", example.name, example.degree));
+        }
+        pictures.extend(own);
+    }
+    let drawn: Vec<_> = pictures.iter().map(|picture| (picture.title.clone(), picture.svg.clone())).collect();
+    let mut beside = BESIDE.to_vec();
+    beside.push(INSTANCE_SCHEMA);
+    let source = PageSource {
+        compared: None,
+        pictures: &[],
+        instances: &drawn,
+        certificates: (!report.certificates.is_empty()).then_some(CERTIFICATES),
+        beside: &beside,
+    };
+    let mut files = report_files(judged, report, &source, CERTIFICATES)?;
+    files.extend(pictures.into_iter().map(|picture| (picture.file, picture.svg)));
+    for (name, certified) in &report.certificates {
+        files.push((format!("{CERTIFICATES}/{name}.statement"), certified.certificate.statement_text()));
+        files.push((format!("{CERTIFICATES}/{name}.proof"), certified.certificate.proof_text()));
+    }
+    let fresh = Folder::beside("--out", folder)?;
+    let written = files.into_iter().map(|(name, text)| fresh.write(&name, text)).collect::<Result<_, _>>()?;
+    fresh.put_in_place()?;
+    Ok((written, undrawn))
+}
+
+/// A report on a terminal: what matters, the tables of verdicts, and the files.
+pub(super) struct Shown<'a> {
+    pub(super) report: &'a Report<'a>,
+    pub(super) written: &'a [PathBuf],
+}
+
+/// A row for each claim, the worst refutations first.
+fn table(records: &[&Record]) -> comfy_table::Table {
+    let header = ["claim", "where", "as printed", "as amended", "statement"];
+    let mut table = plain(header);
+    for record in records {
+        let amended = record.amended.as_ref().map(|stated| styled(&stated.finding)).unwrap_or_default();
+        table.add_row([
+            record.id.clone(),
+            record.locator.clone(),
+            styled_as_printed(record),
+            amended,
+            record.statement.clone(),
+        ]);
+    }
+    table
+}
+
+impl fmt::Display for Shown<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for line in opening(self.report) {
+            writeln!(f, "{line}")?;
+        }
+        let summary = &self.report.summary;
+        for (title, source, counts) in [
+            ("The paper", Source::Paper, &summary.paper),
+            ("Our questions", Source::Question, &summary.questions),
+        ] {
+            if counts.statements > 0 {
+                let table = table(&by_severity(&self.report.claims, source));
+                writeln!(f, "\n{title}, {}\n\n{table}", counts.words())?;
+            }
+        }
+        writeln!(f)?;
+        let amended = self.report.claims.iter().filter_map(|record| record.amended.as_ref());
+        let amended: Vec<_> = amended.map(|stated| &stated.finding).collect();
+        if !amended.is_empty() {
+            let amended: Tally = amended.into_iter().collect();
+            writeln!(f, "As amended, where refuted: {amended}.")?;
+        }
+        for (name, title) in [("paper", "the paper's formula"), ("accurate", "ours")] {
+            let found = self.report.float.iter().flat_map(|drift| {
+                let of = drift.formulas.iter().find(|of| of.name == name);
+                of.and_then(|of| Some((drift, of.tried, of.max_ulp.as_ref()?.parse::<f64>().ok()?)))
+            });
+            if let Some((drift, tried, error)) = found.max_by(|a, b| a.2.total_cmp(&b.2)) {
+                let Drift { instance, degree, alpha, .. } = drift;
+                writeln!(
+                    f,
+                    "f64 against exact, {title}: {error} ULP is the largest found (of {tried} tried on each instance), on {instance} with k = {degree}, α = {alpha}."
+                )?;
+            }
+        }
+        for path in self.written {
+            writeln!(f, "Written: {}", visible_path(path))?;
+        }
+        Ok(())
+    }
+}
+
+/// The same, with what is wrong in between, and how to see it again.
+impl fmt::Display for Judged<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let about = &self.report.of.about;
+        writeln!(f, "{}\n", visible(&about.to_string()))?;
+        write!(f, "{}", Shown { report: &self.report, written: &self.written })?;
+        for instance in &self.undrawn {
+            writeln!(f, "Not drawn: {instance}: its numbers are too large for f64, or too close")?;
+        }
+        let mut told = |id: &str, form: &str, finding: &Finding| -> fmt::Result {
+            if let Some(witness) = &finding.witness {
+                writeln!(f, "\n{id}{form}: {witness}")?;
+                writeln!(f, "  again: {}", witness.again(id, self.report.of))?;
+            } else if let Some(reason) = finding.reason.as_ref().filter(|_| !finding.is_proved()) {
+                writeln!(f, "\n{id}{form}, {}: {reason}", finding.status)?;
+            }
+            Ok(())
+        };
+        for record in &self.report.claims {
+            told(&record.id, "", &record.as_printed.finding)?;
+            if let Some(amended) = &record.amended {
+                told(&record.id, ", amended", &amended.finding)?;
+            }
+        }
+        Ok(())
+    }
+}
