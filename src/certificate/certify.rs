@@ -190,11 +190,31 @@ pub fn certify(
     form: Form,
     witness: Option<&Witness>,
 ) -> Result<Option<Certificate>, CertificateError> {
-    let Some(stated) = statement(claim, form, witness)? else { return Ok(None) };
+    let Some(stated) = statement(claim, form, witness)? else {
+        let open = witness.is_none() && claim.paper.windows.is_empty();
+        return Ok(if open { unasked(claim, form) } else { None });
+    };
     let is_point = matches!(stated.shown, Shown::Point(_));
     let certificate = Certificate::of(stated)?;
     // The checker has the last word on whether numbers are enough: of a sentence with a word they are not.
     Ok(Some(certificate).filter(|certificate| !is_point || certificate.check().is_ok()))
+}
+
+/// A paper that says nothing of windows: what follows from the sentence in degrees up to this one is proved, where that is
+/// possible.
+const UNASKED: usize = 3;
+
+/// The certificate in those degrees in which windows follow from the sentence and all goals have a proof that the checker
+/// accepts.
+fn unasked(claim: Claim<'_>, form: Form) -> Option<Certificate> {
+    let sentence = claim.sentence(form)?;
+    let proved = |degrees: &[usize]| {
+        let certificate = Certificate::of(derived(claim, form, sentence, degrees).ok()?).ok()?;
+        certificate.check().is_ok().then_some(certificate)
+    };
+    let alone = if let Form::Degree(k) = form { k..=k } else { 0..=UNASKED };
+    let degrees: Vec<_> = alone.filter(|k| proved(&[*k]).is_some()).collect();
+    if degrees.is_empty() { None } else { proved(&degrees) }
 }
 
 /// What is proved of a sentence in one degree: for a weight, which has no degree, the whole of it. `None` if there is no formal
