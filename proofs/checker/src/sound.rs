@@ -316,6 +316,44 @@ fn hypotheses_exclude_what_they_exclude() {
     }
 }
 
+/// The order of knots, and of x among them, is read off where it is so, and only there.
+#[test]
+fn orders_are_what_the_window_shows() {
+    let table = [
+        // At x in (t_j, t_{j+1}), two knots at least behind it and one before.
+        ("(t (+ j 2))", ">=", "(t (+ j 1))", true),
+        ("(t (+ j 2))", ">", "(t (+ j 1))", false),
+        ("(t (+ j 2))", "=", "(t (+ j 1))", false),
+        ("(t (+ j 2))", "/=", "(t (+ j 1))", false),
+        ("(t (+ j 2))", ">", "(var x)", true),
+        ("(t (+ j 2))", "/=", "(t j)", true),
+        ("(t (- j 1))", "<=", "(t j)", true),
+        ("(t (- j 1))", "<", "(t j)", false),
+        ("(t (- j 1))", "<", "(var x)", true),
+        ("(t 0)", "<=", "(t j)", true),
+        ("(t 0)", "<", "(t j)", false),
+        ("(t 0)", "<", "(t (+ j 1))", true),
+        ("(t m)", ">=", "(t (+ j 1))", true),
+        ("(t m)", ">", "(t (+ j 1))", false),
+        ("(t m)", "=", "(t (+ j 2))", false),
+        ("(t (+ j 3))", ">=", "(t j)", false),
+        ("(- (t (+ j 2)) (t j))", ">", "(- (t (+ j 1)) (var x))", true),
+        ("(- (t (+ j 2)) (t j))", ">", "(- (t (+ j 1)) (t (- j 1)))", false),
+        ("(/ (int 1) (- (t (+ j 1)) (t j)))", ">", "(int 0)", true),
+        ("(/ (int 1) (- (t (+ j 2)) (t (+ j 1))))", ">=", "(int 0)", false),
+    ];
+    for (a, relation, b, holds) in table {
+        for k in 0..3 {
+            let sentence = format!(
+                "(sentence (for (degree 0) (knots) (integer j 1 (- m 2)) (point x (open (t j) open (t (+ j 1)))))
+                    (if) (then (and (chain {a} ({relation} {b})) (in (var x) (closed (t 0) closed (t m))))))"
+            );
+            let found = proved("", &sentence, k);
+            assert_eq!(found.is_ok(), holds, "{a} {relation} {b}, k = {k}: {found:?}");
+        }
+    }
+}
+
 /// Sentences with one token changed.
 fn mutants(sentence: &str) -> Vec<String> {
     let spaced = sentence.replace('(', " ( ").replace(')', " ) ");
