@@ -110,8 +110,8 @@ impl<'t> Case<'_, 't> {
     /// A function, or its derivative of order 1.
     pub(crate) fn function(&mut self, node: &Node<'t>, at: At, order: i64) -> Found<Value<'t>> {
         match node.headed("a function")? {
-            ("D", [of, by]) => match order + self.fixed(by)? {
-                order @ 0..=1 => self.function(of, at, order),
+            ("D", [of, by]) => match self.fixed(by)? {
+                by @ 0..=1 if order + by <= 1 => self.function(of, at, order + by),
                 _ => Err(Stop::Undecided),
             },
             ("G", [i, degree @ ..]) => {

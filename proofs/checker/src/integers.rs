@@ -28,6 +28,15 @@ impl<'t> Case<'_, 't> {
         let (head, parts) = node.headed("an integer")?;
         if let ("mult", [of]) = (head, parts) {
             let [real] = of.part("real")?;
+            if let Some(knots) = self.numbers.as_ref().map(|numbers| numbers.knots.clone()) {
+                let plain = self.real(real)?.plain.ok_or(Stop::Undecided)?;
+                let mut count = 0;
+                for knot in &knots {
+                    let other = self.section.term(knot, &self.section.env)?;
+                    count += i64::from(plain.minus(&other)?.is_zero());
+                }
+                return Ok(Form::number(count));
+            }
             return if self.is_point(real)? { self.multiplicity() } else { Err(Stop::Undecided) };
         }
         let [a, b] = parts else { return Err(Stop::Undecided) };

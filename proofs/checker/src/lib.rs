@@ -18,14 +18,14 @@
 //! # Ok::<(), knotproof_checker::Rejected>(())
 //! ```
 //!
-//! To be read in this order, from the ground up: `token` (text to a tree of brackets), `poly`, `fraction`, `env` (names,
-//! integers, `each`), `terms` with `recursion` (what a term is worth, by the paper's definition), `section` (what is
-//! declared), `rules` (what a rule shows); then how a claim becomes sections: `sentence` (what may stand where), `place` (of x
-//! among the knots), `case` (what is known there) with `integers`, `value`, `function` and `truth` (what the parts of a sentence are
-//! there), `derive` (obligations, places, goals), `point` (numbers that refute); `driver` (every section, every goal), `error`;
-//! beside them `file`, and `work`, which is counted everywhere. Terms, rules and sentences are read from the tree as they are
-//! needed. No recursion is deeper than the brackets of the text, the degree of a function or the definitions that may be opened,
-//! which have limits.
+//! To be read in this order, from the ground up: `token` (text to a tree of brackets), `poly`, `fraction`, `env`
+//! (names, integers, `each`), `terms` with `recursion` (what a term is worth, by the paper's definition), `section`
+//! (what is declared), `rules` (what a rule shows); then how a claim becomes sections: `sentence` (what may stand
+//! where), `place` (of x among the knots), `case` (what is known there) with `integers`, `value`, `function` and
+//! `truth` (what the parts of a sentence are there), `derive` (obligations, places, goals), `point` (numbers that
+//! refute); `driver` (every section, every goal), `error`; beside them `file`, and `work`, which is counted everywhere.
+//! Terms, rules and sentences are read from the tree as they are needed. No recursion is deeper than the brackets of
+//! the text, the degree of a function or the definitions that may be opened, which have limits.
 
 #![forbid(unsafe_code)]
 

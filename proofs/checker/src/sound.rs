@@ -273,6 +273,87 @@ fn no_place_is_left_out() {
     }
 }
 
+/// What hypotheses say of s and n is as sharp as it can be, and no sharper.
+#[test]
+fn hypotheses_exclude_what_they_exclude() {
+    let first = "(chain (t 0) (= (t k)))";
+    let last = "(chain (t (- m k)) (= (t m)))";
+    let in_span = "(in (var x) (open (t j) open (t (+ j 1))))";
+    let at_knot = "(chain (t j) (= (var x)) (< (t (+ j 1))))";
+    let copies = |q: &str| format!("(chain (int (mult (real (var x)))) {q})");
+    let table = [
+        // Hypotheses, and what is true of j in each case and false if one is added or taken away.
+        (format!("{first} {in_span}"), ">=", "k", "(+ k 1)"),
+        (format!("{last} {in_span}"), "<=", "n", "(- n 1)"),
+        (format!("{first} {at_knot} {}", copies("(= (int 1))")), ">=", "(+ k 1)", "(+ k 2)"),
+        (format!("{first} {at_knot} {}", copies("(= (int 2))")), ">=", "(+ k 2)", "(+ k 3)"),
+        (
+            format!("{first} {at_knot} {}", copies("(>= (int (+ k 3)))")),
+            ">=",
+            "(+ (* 2 k) 3)",
+            "(+ (* 2 k) 4)",
+        ),
+        (format!("{at_knot} {}", copies("(= (int 2))")), ">=", "2", "3"),
+        (format!("{in_span} (chain (int j) (< (int (- n 1))))"), "<=", "(- n 2)", "(- n 3)"),
+        (format!("{in_span} (chain (int j) (> (int 2)))"), ">=", "3", "4"),
+        (format!("{in_span} (among j 2 (- n 1))"), "<=", "(- n 1)", "(- n 2)"),
+        (format!("{in_span} (among j 2 (- n 1))"), ">=", "2", "3"),
+        (in_span.to_owned(), "<=", "(+ n k)", "(- (+ n k) 1)"),
+    ];
+    for (hypotheses, relation, holds, fails) in table {
+        for k in 0..3 {
+            let sentence = |bound: &str| {
+                format!(
+                    "(sentence (for (degree 0) (knots) (integer j 0 (- m 1)) (point x (open (t 0) open (t m))))
+                        (if {hypotheses}) (then (chain (int j) ({relation} (int {bound})))))"
+                )
+            };
+            let found = proved("", &sentence(holds), k);
+            assert!(found.is_ok(), "{}, k = {k}: {found:?}", sentence(holds));
+            let found = proved("", &sentence(fails), k);
+            assert!(found.is_err(), "{}, k = {k}: {found:?}", sentence(fails));
+        }
+    }
+}
+
+/// The order of knots, and of x among them, is read off where it is so, and only there.
+#[test]
+fn orders_are_what_the_window_shows() {
+    let table = [
+        // At x in (t_j, t_{j+1}), two knots at least behind it and one before.
+        ("(t (+ j 2))", ">=", "(t (+ j 1))", true),
+        ("(t (+ j 2))", ">", "(t (+ j 1))", false),
+        ("(t (+ j 2))", "=", "(t (+ j 1))", false),
+        ("(t (+ j 2))", "/=", "(t (+ j 1))", false),
+        ("(t (+ j 2))", ">", "(var x)", true),
+        ("(t (+ j 2))", "/=", "(t j)", true),
+        ("(t (- j 1))", "<=", "(t j)", true),
+        ("(t (- j 1))", "<", "(t j)", false),
+        ("(t (- j 1))", "<", "(var x)", true),
+        ("(t 0)", "<=", "(t j)", true),
+        ("(t 0)", "<", "(t j)", false),
+        ("(t 0)", "<", "(t (+ j 1))", true),
+        ("(t m)", ">=", "(t (+ j 1))", true),
+        ("(t m)", ">", "(t (+ j 1))", false),
+        ("(t m)", "=", "(t (+ j 2))", false),
+        ("(t (+ j 3))", ">=", "(t j)", false),
+        ("(- (t (+ j 2)) (t j))", ">", "(- (t (+ j 1)) (var x))", true),
+        ("(- (t (+ j 2)) (t j))", ">", "(- (t (+ j 1)) (t (- j 1)))", false),
+        ("(/ (int 1) (- (t (+ j 1)) (t j)))", ">", "(int 0)", true),
+        ("(/ (int 1) (- (t (+ j 2)) (t (+ j 1))))", ">=", "(int 0)", false),
+    ];
+    for (a, relation, b, holds) in table {
+        for k in 0..3 {
+            let sentence = format!(
+                "(sentence (for (degree 0) (knots) (integer j 1 (- m 2)) (point x (open (t j) open (t (+ j 1)))))
+                    (if) (then (and (chain {a} ({relation} {b})) (in (var x) (closed (t 0) closed (t m))))))"
+            );
+            let found = proved("", &sentence, k);
+            assert_eq!(found.is_ok(), holds, "{a} {relation} {b}, k = {k}: {found:?}");
+        }
+    }
+}
+
 /// Sentences with one token changed.
 fn mutants(sentence: &str) -> Vec<String> {
     let spaced = sentence.replace('(', " ( ").replace(')', " ) ");
