@@ -115,9 +115,10 @@ impl fmt::Display for Proved {
         writeln!(f, "{}\n", Row::table(&self.checked, "goals"))?;
         writeln!(
             f,
-            "Proved and checked: {} {}, in {}",
+            "Proved and checked: {} {} ({}), in {}",
             self.checked.len(),
             if self.checked.len() == 1 { "certificate" } else { "certificates" },
+            Row::kinds(&self.checked),
             visible_path(&self.written)
         )?;
         for name in &self.stale {

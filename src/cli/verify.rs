@@ -65,18 +65,26 @@ pub(super) struct Row {
     sections: usize,
     /// Goals and lemmas.
     steps: usize,
+    /// How the goals come from the sentence: `derived`, none after a `point`, or `argued`.
+    shown: String,
 }
 
 impl Row {
     /// One row each, with what the last column counts.
     pub(super) fn table(rows: &[Self], counted: &str) -> Table {
-        let mut table = plain(["claim", "", "verdict", "scope", "degrees", counted]);
+        let mut table = plain(["claim", "", "verdict", "scope", "degrees", "shown", counted]);
         table.add_rows(rows.iter().map(Self::cells));
-        right_aligned(&mut table, 5);
+        right_aligned(&mut table, 6);
         table
     }
 
-    fn cells(&self) -> [String; 6] {
+    /// `derived 40, point 30, argued 200`.
+    pub(super) fn kinds(rows: &[Self]) -> String {
+        let count = |kind: &str| rows.iter().filter(|row| row.shown == kind).count();
+        ["derived", "point", "argued"].map(|kind| format!("{kind} {}", count(kind))).join(", ")
+    }
+
+    fn cells(&self) -> [String; 7] {
         let degrees: Vec<_> = self.degrees.iter().map(ToString::to_string).collect();
         [
             visible(&self.claim),
@@ -84,6 +92,7 @@ impl Row {
             visible(&self.verdict),
             visible(&self.scope),
             degrees.join(" "),
+            self.shown.clone(),
             self.steps.to_string(),
         ]
     }
@@ -99,6 +108,7 @@ impl From<knotproof_checker::Checked> for Row {
             degrees: checked.degrees,
             sections: checked.sections,
             steps: checked.goals + checked.lemmas,
+            shown: checked.goals_are.to_owned(),
         }
     }
 }
@@ -256,6 +266,7 @@ impl fmt::Display for Verified {
         for name in &self.missing {
             writeln!(f, "Missing, though the claim is recorded as certified: {name}")?;
         }
-        write!(f, "Accepted: {}; rejected: {}", self.checked.len(), self.rejected.len())
+        let (accepted, rejected) = (self.checked.len(), self.rejected.len());
+        write!(f, "Accepted: {accepted} ({}); rejected: {rejected}", Row::kinds(&self.checked))
     }
 }

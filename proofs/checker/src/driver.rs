@@ -37,14 +37,16 @@ pub struct Checked {
     pub goals: usize,
     /// Lemmas proved.
     pub lemmas: usize,
+    /// How the goals come from the sentence: `derived`, none after a `point`, or `argued`, given with a reason.
+    pub goals_are: &'static str,
 }
 
 impl fmt::Display for Checked {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Checked { claim, form, verdict, scope, degrees, sections, goals, lemmas } = self;
+        let Checked { claim, form, verdict, scope, degrees, sections, goals, lemmas, goals_are } = self;
         write!(f, "{claim} ({form}): {verdict}, scope {scope}, degrees")?;
         degrees.iter().try_for_each(|degree| write!(f, " {degree}"))?;
-        write!(f, "; sections {sections}, goals {goals}, lemmas {lemmas}")
+        write!(f, "; {goals_are}; sections {sections}, goals {goals}, lemmas {lemmas}")
     }
 }
 
@@ -180,6 +182,11 @@ fn header<'n, 't>(node: &'n Node<'t>) -> Result<(Checked, Body<'n, 't>)> {
         sections: 0,
         goals: 0,
         lemmas: 0,
+        goals_are: match body {
+            Body::Derived(..) => "derived",
+            Body::Refuted => "point",
+            Body::Sections(_) => "argued",
+        },
     };
     Ok((checked, body))
 }
