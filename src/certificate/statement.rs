@@ -150,16 +150,27 @@ impl Statement {
         Self { shown: Shown::Argued { because, sections }, ..self }
     }
 
-    /// What there is to show, and why it is the sentence, if that is argued: of what is derived the windows and goals of the
-    /// highest degree.
+    /// Why what there is to show is the sentence, and what that is: of what is derived that of the least degree that has any.
     #[must_use]
-    pub fn in_brackets(&self) -> (Option<String>, Vec<Sexp>) {
+    pub fn in_brackets(&self) -> (String, Vec<Sexp>) {
         match &self.shown {
             Shown::Derived(sections) => {
-                (None, sections.last().into_iter().flatten().map(Section::to_sexp).collect())
+                let least = sections.iter().find(|sections| !sections.is_empty());
+                let why = match least {
+                    Some(_) => {
+                        "Windows and goals follow from the sentence, place by place of x (proofs/FORMAT.md, Derivation)."
+                    }
+                    None => {
+                        "It follows from the order of the knots at every place of x (proofs/FORMAT.md, Derivation)."
+                    }
+                };
+                (why.to_owned(), least.into_iter().flatten().map(Section::to_sexp).collect())
             }
-            Shown::Point(point) => (None, vec![point.clone()]),
-            Shown::Argued { because, sections } => (Some(because.clone()), sections.clone()),
+            Shown::Point(point) => {
+                let why = "At these numbers all hypotheses are true and a conclusion is not.";
+                (why.to_owned(), vec![point.clone()])
+            }
+            Shown::Argued { because, sections } => (because.clone(), sections.clone()),
         }
     }
 

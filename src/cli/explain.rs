@@ -121,7 +121,7 @@ fn part(claim: Claim<'_>, of: Form, finding: &Finding, goals: bool) -> Result<Pa
         of: if let Form::Degree(_) = of { of.to_string() } else { format!("as {of}") },
         statement: claim.text(of),
         finding: finding.clone(),
-        idea: idea.flatten(),
+        idea,
         goals: sections
             .filter(|_| goals)
             .map(|sections| sections.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")),
