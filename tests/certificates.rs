@@ -10,7 +10,7 @@ use std::sync::LazyLock;
 
 use knotproof::certificate::{
     Certificate, Class, EvaluationError, Evaluator, Formula, GoalError, ProofError, Section, Sexp, Shown,
-    Statement, StatementError, Unfolding, prove, statement,
+    Statement, StatementError, Unfolding, derived, prove, statement,
 };
 use knotproof::judge::Scope;
 use knotproof::language::{Form, claims};
@@ -291,10 +291,24 @@ fn proof_places(files: &Files, count: usize) -> Vec<usize> {
     }
 }
 
+/// Of what is derived the degrees up to 2: the checker derives it again for every change.
+fn in_few_degrees(own: &Recorded, files: &Files) -> Files {
+    let (name, statement, proof) = (files.name.clone(), files.statement.clone(), files.proof.clone());
+    let Shown::Derived(_) = own.statement.shown else { return Files { name, statement, proof } };
+    let Statement { claim, form, degrees, .. } = &own.statement;
+    let claim = claims().into_iter().find(|other| other.id() == *claim).expect("a claim of the paper");
+    let least = degrees[0].max(2);
+    let few: Vec<_> = degrees.iter().copied().filter(|k| *k <= least).collect();
+    let sentence = claim.sentence(*form).expect("it is a sentence");
+    let certificate = Certificate::of(derived(claim, *form, sentence, &few).unwrap()).unwrap();
+    Files { name, statement: certificate.statement_text(), proof: certificate.proof_text() }
+}
+
 #[test]
 fn a_changed_proof_proves_nothing_else() {
     type Tally = BTreeMap<&'static str, (usize, usize)>;
-    let one = |files: &Files| -> Tally {
+    let one = |(own, files): (&Recorded, &Files)| -> Tally {
+        let files = &in_few_degrees(own, files);
         let (honest, tokens) = (honest(files), tokens(&files.proof));
         let changes: Vec<_> =
             proof_places(files, tokens.len()).into_iter().flat_map(|at| changes(&tokens, at)).collect();
@@ -317,7 +331,7 @@ fn a_changed_proof_proves_nothing_else() {
         tally
     };
     let mut tally = Tally::new();
-    for of_one in FILES.par_iter().map(one).collect::<Vec<_>>() {
+    for of_one in RECORDED.par_iter().zip(&*FILES).map(one).collect::<Vec<_>>() {
         for (kind, (tried, accepted)) in of_one {
             let sum = tally.entry(kind).or_default();
             *sum = (sum.0 + tried, sum.1 + accepted);

@@ -327,7 +327,7 @@ fn points_refute_claims_as_printed_only() {
         let text = fs::read_to_string(&path).expect("it can be read");
         let found = reason(&text, "(proof 1)");
         assert!(
-            found.ends_with("refuted, scope instance, degrees 1; sections 0, goals 0, lemmas 0"),
+            found.ends_with("refuted, scope instance, degrees 1; point; sections 0, goals 0, lemmas 0"),
             "{name}: {found}"
         );
         assert!(
