@@ -240,6 +240,13 @@ fn no_place_is_left_out() {
                 table.push((sentence(i, at, &named), name));
             }
         }
+        // What is a goal, or not decided, is neither true nor false.
+        let on = "(integer i 0 n) (point x (open (t 0) open (t m)))";
+        table.push((sentence(on, &format!("(not {zero})"), &zero), "not 0, by hypothesis"));
+        table.push((sentence(on, "", &format!("(or {zero} (chain {x} (> (int 1))))")), "one of two"));
+        table.push((sentence(on, "", &format!("(not (and {zero} (chain {x} (<= (int 1)))))")), "not both"));
+        table.push((sentence(on, "", &format!("(and (chain {x} (>= (int 0))) {positive})")), "both"));
+        table.push((sentence(on, "", &format!("(<=> {zero} (chain {x} (> (int 1))))")), "if and only if"));
         // Far from the span, on either side.
         let near = "(integer i 0 n) (integer j 0 n) (point x (open (t j) open (t (+ j 1))))";
         for (away, range) in [("(>= (int (+ j 40)))", "(+ j 40) n"), ("(<= (int (- j 40)))", "0 (- j 40)")] {
