@@ -248,7 +248,7 @@ fn no_place_is_left_out() {
         table.push((sentence(on, "", &format!("(or {zero} (chain {x} (> (int 1))))")), "one of two"));
         table.push((sentence(on, "", &format!("(not (and {zero} (chain {x} (<= (int 1)))))")), "not both"));
         table.push((sentence(on, "", &format!("(and (chain {x} (>= (int 0))) {positive})")), "both"));
-        let both = format!("(and (chain {x} (>= (int 0))) (chain {x} (> (int 1))))");
+        let both = format!("(and (chain {x} (>= (int 0))) (chain {x} (<= (int 0))))");
         table.push((sentence(on, "", &format!("(or (chain (int 0) (= (int 1))) {both})")), "both, in an or"));
         table.push((sentence(on, "", &format!("(<=> {zero} (chain {x} (> (int 1))))")), "if and only if"));
         let closed = "(integer i 0 n) (point x (closed (t 0) closed (t m)))";
