@@ -236,9 +236,25 @@ fn no_place_is_left_out() {
             for (at, name) in [(first, "first"), (inside, "knot"), (last, "last")] {
                 // The conclusion is false on every vector with such a knot.
                 let false_there = format!("(=> {exactly} (chain (int 0) (= (int 1))))");
-                let named = format!("(and {false_there} (chain {x} (>= (int 0))))");
-                table.push((sentence(i, at, &named), name));
+                let on = "(integer i 0 n) (point x (closed (t 0) closed (t m)))";
+                let found = proved("", &sentence(on, at, &false_there), k);
+                let undecided = found.as_ref().is_err_and(|why| why.contains("conclusion 1 is not decided"));
+                assert!(undecided, "{name}, {q} copies, k = {k}: {found:?}");
             }
+        }
+        // What is a goal, or not decided, is neither true nor false.
+        let on = "(integer i 0 n) (point x (open (t 0) open (t m)))";
+        table.push((sentence(on, &format!("(not {zero})"), &zero), "not 0, by hypothesis"));
+        table.push((sentence(on, "", &format!("(or {zero} (chain {x} (> (int 1))))")), "one of two"));
+        table.push((sentence(on, "", &format!("(not (and {zero} (chain {x} (<= (int 1)))))")), "not both"));
+        table.push((sentence(on, "", &format!("(and (chain {x} (>= (int 0))) {positive})")), "both"));
+        let both = format!("(and (chain {x} (>= (int 0))) (chain {x} (<= (int 0))))");
+        table.push((sentence(on, "", &format!("(or (chain (int 0) (= (int 1))) {both})")), "both, in an or"));
+        table.push((sentence(on, "", &format!("(<=> {zero} (chain {x} (> (int 1))))")), "if and only if"));
+        let closed = "(integer i 0 n) (point x (closed (t 0) closed (t m)))";
+        for (relation, knot) in [("<", "(t (+ (+ i k) 1))"), (">", "(t i)")] {
+            let ends = format!("(=> (chain {x} (/= (int 0))) (chain (var x) ({relation} {knot})))");
+            table.push((sentence(closed, "", &ends), "an end of the support"));
         }
         // Far from the span, on either side.
         let near = "(integer i 0 n) (integer j 0 n) (point x (open (t j) open (t (+ j 1))))";
@@ -351,6 +367,25 @@ fn orders_are_what_the_window_shows() {
             let found = proved("", &sentence, k);
             assert_eq!(found.is_ok(), holds, "{a} {relation} {b}, k = {k}: {found:?}");
         }
+    }
+}
+
+/// α < 0 is r < 1, and α > 1 is r > 1.
+#[test]
+fn a_hypothesis_on_the_index_is_one_on_the_ratio() {
+    for (hypothesis, relation, holds) in [
+        ("(< (int 0))", "<", true),
+        ("(< (int 0))", ">", false),
+        ("(> (int 1))", ">", true),
+        ("(> (int 1))", "<", false),
+    ] {
+        let sentence = format!(
+            "(sentence (for (degree 1) (knots) (integer j 0 (- m 1)) (point x (open (t j) open (t (+ j 1)))))
+                (if (chain (alpha alpha) {hypothesis}))
+                (then (chain (of (w j 1) (at (var x))) ({relation} (of (w j 1) (at (var x) (alpha infinity)))))))"
+        );
+        let found = proved("", &sentence, 1);
+        assert_eq!(found.is_ok(), holds, "{hypothesis} {relation}: {found:?}");
     }
 }
 

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-use knotproof_checker::check;
+use knotproof_checker::{check, check_within};
 
 /// Statements and proofs of `tests/claims`, by name.
 fn certificates() -> BTreeMap<String, [String; 2]> {
@@ -410,4 +410,33 @@ fn definitions_without_an_end_are_given_up_on() {
             assert!(found.contains("conclusion 1 is not decided"), "{body}: {found}");
         }
     }
+}
+
+/// Whatever a sentence or a point is changed to, there is an answer.
+#[test]
+fn no_sentence_stops_the_checker() {
+    let points = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/points");
+    let point = |name: &str| fs::read_to_string(points.join(name)).expect("it can be read");
+    let mut texts: Vec<_> =
+        ["T3.5.1", "P4.1.1", "T3.5.4"].map(|name| point(&format!("{name}.statement"))).into();
+    let all = certificates();
+    texts.extend(
+        ["T3.5.2.printed", "L3.9.amended", "T4.1.printed", "X.order.printed"]
+            .map(|name| all[name][0].clone()),
+    );
+    let others = "( ) 0 1 -1 1000000 k n m i x t G w D at left var int chain = /= <= and all integers ratio alpha infinity";
+    let (mut tried, mut accepted) = (0, 0);
+    for text in texts {
+        let text = text.replace('(', " ( ").replace(')', " ) ").replace("0 1 2 3", "1").replace("1 2 3", "1");
+        let tokens: Vec<_> = text.split_whitespace().collect();
+        for at in 0..tokens.len() {
+            for other in [""].into_iter().chain(others.split(' ').skip(at % 3).step_by(3)) {
+                let mut mutant = tokens.clone();
+                mutant[at] = other;
+                tried += 1;
+                accepted += usize::from(check_within(3_000_000, &mutant.join(" "), "(proof 1)").is_ok());
+            }
+        }
+    }
+    assert!(tried > 5_000 && accepted > 20, "{tried}, {accepted}");
 }
