@@ -470,7 +470,10 @@ fn about(degrees: &[usize], declarations: &str, goals: &str) -> Statement {
         refuted: false,
         scope: Scope::Knots,
         degrees: degrees.to_vec(),
-        sentence: Sexp::parse_all("(sentence (for (knots)) (if) (then))").unwrap(),
+        sentence: Sexp::parse_all(
+            "(sentence (for (degree 0) (knots)) (if) (then (chain (int 0) (= (int 0)))))",
+        )
+        .unwrap(),
         shown: Shown::Argued { because: "The goal says so.".into(), sections },
     }
 }

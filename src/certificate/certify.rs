@@ -1,5 +1,6 @@
 //! From a judged claim to its certificates.
 
+use rayon::prelude::*;
 use thiserror::Error;
 
 use crate::judge::{Scope, Witness};
@@ -111,6 +112,27 @@ pub fn statement(
     form: Form,
     witness: Option<&Witness>,
 ) -> Result<Option<Statement>, CertificateError> {
+    stated(claim, form, witness, derived)
+}
+
+/// The text of [`statement`], without the windows that follow from it: they are no part of the text.
+///
+/// # Errors
+/// As [`statement`].
+pub fn statement_text(
+    claim: Claim<'_>,
+    form: Form,
+    witness: Option<&Witness>,
+) -> Result<Option<Sexp>, CertificateError> {
+    Ok(stated(claim, form, witness, said)?.map(|statement| statement.to_sexp()))
+}
+
+fn stated(
+    claim: Claim<'_>,
+    form: Form,
+    witness: Option<&Witness>,
+    proved: impl Fn(Claim<'_>, Form, &Sentence, &[usize]) -> Result<Statement, CertificateError>,
+) -> Result<Option<Statement>, CertificateError> {
     let id = claim.id();
     let failed = |error: Uncertified| failed(id, form, error);
     let Some(sentence) = claim.sentence(form) else { return Ok(None) };
@@ -127,7 +149,7 @@ pub fn statement(
             };
             (scope, degrees, Shown::Argued { because, sections: parse(&sections)? })
         }
-        (Some(Windows { degrees, .. }), _) => return derived(claim, form, sentence, &degrees).map(Some),
+        (Some(Windows { degrees, .. }), _) => return proved(claim, form, sentence, &degrees).map(Some),
         (None, Some(witness)) => match (point(witness), witness.k) {
             (Some(point), Some(k)) => (Scope::Instance, vec![k], Shown::Point(point)),
             _ => return Ok(None),
@@ -156,9 +178,19 @@ pub fn derived(
     sentence: &Sentence,
     degrees: &[usize],
 ) -> Result<Statement, CertificateError> {
-    let sections = degrees.iter().map(|k| derive(sentence, claim.definitions, claim, *k));
+    let sections = degrees.par_iter().map(|k| derive(sentence, claim.definitions, claim, *k));
     let sections =
         sections.collect::<Result<_, _>>().map_err(|error: NoWindow| failed(claim.id(), form, error))?;
+    Ok(Statement { shown: Shown::Derived(sections), ..said(claim, form, sentence, degrees)? })
+}
+
+/// The same, with nothing derived yet.
+fn said(
+    claim: Claim<'_>,
+    form: Form,
+    sentence: &Sentence,
+    degrees: &[usize],
+) -> Result<Statement, CertificateError> {
     Ok(Statement {
         claim: claim.id().to_owned(),
         form,
@@ -166,7 +198,7 @@ pub fn derived(
         scope: Scope::Knots,
         degrees: degrees.to_vec(),
         sentence: in_brackets(claim, form, sentence)?,
-        shown: Shown::Derived(sections),
+        shown: Shown::Derived(Vec::new()),
     })
 }
 

@@ -19,6 +19,7 @@ mod windows;
 
 pub use certify::{
     Certificate, CertificateError, Uncertified, certify, certify_for_degree, derived, statement,
+    statement_text,
 };
 pub use derive::{NoWindow, derive};
 pub use error::StatementError;

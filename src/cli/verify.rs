@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::certificate::{Sexp, statement};
+use crate::certificate::{Sexp, statement_text};
 use crate::language::{Form, claims, paper};
 use crate::report::{Baseline, Finding};
 
@@ -230,8 +230,7 @@ fn own_statements() -> Result<Vec<Own>, CliError> {
         findings.extend(entry.by_degree.iter().map(|of| (Form::Degree(of.degree), &of.finding)));
         for (form, finding) in findings {
             let Some(certificate) = finding.certificate.clone() else { continue };
-            let stated = statement(claim, form, finding.witness.as_ref())?;
-            let statement = stated.map(|statement| statement.to_sexp());
+            let statement = statement_text(claim, form, finding.witness.as_ref())?;
             all.push(Own { claim: claim.id(), certificate, statement });
         }
     }

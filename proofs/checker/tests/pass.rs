@@ -34,7 +34,10 @@ fn the_result_is_one_line() {
     let all = common::certificates();
     let unity = all.iter().find(|certificate| certificate.name == "unity").unwrap();
     let line = check(&unity.statement, &unity.proof).unwrap().to_string();
-    assert_eq!(line, "T3.5.3 (printed): proved, scope knots, degrees 1 2 3 4; argued; sections 4, goals 4, lemmas 0");
+    assert_eq!(
+        line,
+        "T3.5.3 (printed): proved, scope knots, degrees 1 2 3 4; argued; sections 4, goals 4, lemmas 0"
+    );
 }
 
 #[test]
