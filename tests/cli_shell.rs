@@ -257,6 +257,8 @@ fn nothing_supplied_reaches_the_terminal_as_it_is() {
     for call in all {
         for format in ["text", "json"] {
             let mut command = Command::new(PROGRAM);
+            // `new` makes a folder of that name.
+            command.current_dir(files.folder.path());
             let output = run(command.args(&call).args(["--format", format]).env("CLICOLOR_FORCE", "1"));
             assert_ne!(output.status.code(), Some(4), "{call:?}: {output:?}");
             harmless(&output, &call);

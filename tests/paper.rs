@@ -94,9 +94,9 @@ fn planted_faults_are_complained_of() {
     for (files, source, rule) in [
         (with("claims/99-more.toml", ""), "paper.toml", "nothing names claims/99-more.toml"),
         (with("more.toml", ""), "paper.toml", "nothing names more.toml"),
-        (without, "paper.toml", "there is no found.toml"),
+        (without, "claims/06-maximum.toml", "there is no file found.toml"),
         (changed("id = \"proof.T3.5.2.cover\"", "id = \"T3.5.0\""), FILE, "`T3.5.0`"),
-        (changed("id = \"T3.5.1\"", "id = \"L2.1\""), "paper.toml", "two claims have the identifier `L2.1`"),
+        (changed("id = \"T3.5.1\"", "id = \"L2.1\""), FILE, "claims/02-weights.toml has a claim `L2.1`, too"),
         (changed("G[i](x) = 0", "G[i](x) = z"), FILE, "`z`"),
     ] {
         let complaints = Paper::read(&files).unwrap_err();
