@@ -33,7 +33,7 @@ pub use greatest::{Greatest, compare};
 pub use linear::{coefficient_rows, common_numerators, determinant, in_span, rank};
 pub(crate) use local_knots::is_continuous;
 pub use local_knots::{LocalKnots, LocalKnotsError, SpanQuotient};
-pub use minors::{NegativeMinor, negative_minor};
+pub use minors::{NegativeMinor, negative_minor, negative_minor_of};
 pub use monotonicity::{Monotonicity, Route, SpanMonotonicity};
 pub use partition::{FreeKnotError, Partition, PartitionEnd, PartitionEvent, RatioCell};
 pub use piece::{Piece, constant};

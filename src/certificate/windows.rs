@@ -214,6 +214,7 @@ mod tests {
         let knots = ["0", "0", "1", "1"].map(str::to_owned).to_vec();
         let bound = |name: &str, value: i64| Bound { name: name.into(), value: Bind::Integer(value) };
         let mut witness = Witness {
+            family: None,
             instance: None,
             k: Some(1),
             knots,

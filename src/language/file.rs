@@ -130,7 +130,7 @@ pub(super) struct RawFile {
     claim: Vec<Spanned<RawStanza>>,
 }
 
-type Text = Spanned<String>;
+pub(super) type Text = Spanned<String>;
 
 /// A claim. What `amended` and `fails` don't say themselves is the printed one's. Its sentence is no [`RawSaid`] within: serde does not
 /// flatten what refuses unknown keys and keeps places.
@@ -231,11 +231,8 @@ pub fn schema() -> Schema {
 /// # Errors
 /// Everything that is wrong, each with its place.
 pub fn stanzas(file_name: &str, text: &str) -> Result<File, Vec<Complaint>> {
-    Reading::new(file_name, text).file(None, None)
+    Reading::new(file_name, text).file(Known::default())
 }
-
-/// The names of the instances and the identifiers of the claims.
-pub(super) type Names = Option<BTreeSet<Name>>;
 
 /// A file that is being read, with what was wrong in it so far.
 pub(super) struct Reading {
@@ -249,6 +246,11 @@ impl Reading {
         Self { origin, complaints: Vec::new() }
     }
 
+    /// What the file is called.
+    pub(super) fn name(&self) -> &str {
+        &self.origin.name
+    }
+
     pub(super) fn complain(&mut self, at: Place, rule: impl Into<String>, advice: impl Into<String>) {
         let complaint = Complaint::new(&self.origin, at, rule, advice);
         // What amended sentences inherit is read again.
@@ -258,7 +260,7 @@ impl Reading {
     }
 
     /// Complains of a fault inside of a string of the file.
-    fn fault(&mut self, text: &Text, fault: Fault) {
+    pub(super) fn fault(&mut self, text: &Text, fault: Fault) {
         let whole = text.span();
         // Behind the quotes; a text with escapes is underlined as a whole.
         let inside = self.origin.text.get(whole.clone()).and_then(|raw| raw.find(text.get_ref().as_str()));
@@ -269,7 +271,7 @@ impl Reading {
         self.complain(at, fault.rule, fault.advice);
     }
 
-    fn read<T>(&mut self, text: &Text, read: Result<T, Fault>) -> Option<T> {
+    pub(super) fn read<T>(&mut self, text: &Text, read: Result<T, Fault>) -> Option<T> {
         read.map_err(|fault| self.fault(text, fault)).ok()
     }
 
@@ -286,13 +288,14 @@ impl Reading {
             .ok()
     }
 
-    pub(super) fn file(mut self, instances: Names, claims: Names) -> Result<File, Vec<Complaint>> {
+    /// A file of claims, where these names are known.
+    pub(super) fn file(mut self, known: Known) -> Result<File, Vec<Complaint>> {
         let Some(raw) = self.toml::<RawFile>() else { return Err(self.complaints) };
         let mut heads: Vec<_> = raw.define.iter().collect();
         heads.sort_by_key(|(head, _)| head.span().start);
         let texts: Vec<_> =
             heads.iter().map(|(head, body)| (head.get_ref().clone(), body.get_ref().clone())).collect();
-        let known = definitions(&texts).unwrap_or_else(|faults| {
+        let known = definitions(&texts, known).unwrap_or_else(|faults| {
             for (index, in_head, fault) in faults {
                 self.fault(if in_head { heads[index].0 } else { heads[index].1 }, fault);
             }
@@ -302,7 +305,6 @@ impl Reading {
         if !self.complaints.is_empty() {
             return Err(self.complaints);
         }
-        let known = Known { instances, claims, ..known };
         let mut used: BTreeSet<Name> = BTreeSet::new();
         let mut ids = BTreeSet::new();
         let mut all = Vec::new();

@@ -163,7 +163,12 @@ impl Paper {
         let claims: BTreeSet<Name> = ids.iter().cloned().collect();
         let (mut read, mut cases) = (Vec::new(), BTreeMap::new());
         for name in &names {
-            match Reading::new(name, text(name)).file(Some(instances.clone()), Some(claims.clone())) {
+            let known = Known {
+                instances: Some(instances.clone()),
+                claims: Some(claims.clone()),
+                ..Known::default()
+            };
+            match Reading::new(name, text(name)).file(known) {
                 Ok(file) => read.push(file),
                 Err(mut more) => complaints.append(&mut more),
             }
@@ -206,10 +211,18 @@ impl Paper {
     /// # Errors
     /// Everything that is wrong, each with its place.
     pub fn stanzas(&self, file_name: &str, text: &str) -> Result<File, Vec<Complaint>> {
-        let own = super::stanzas(file_name, text)?.claims.into_iter().map(|claim| claim.id);
+        self.stanzas_about(&Known::default(), file_name, text)
+    }
+
+    /// The same about the family that `about` knows.
+    ///
+    /// # Errors
+    /// Everything that is wrong, each with its place.
+    pub fn stanzas_about(&self, about: &Known, file_name: &str, text: &str) -> Result<File, Vec<Complaint>> {
+        let own = Reading::new(file_name, text).file(about.clone())?.claims.into_iter().map(|claim| claim.id);
         let Known { instances, claims, .. } = self.known();
         let claims = claims.map(|claims| claims.into_iter().chain(own).collect());
-        Reading::new(file_name, text).file(instances, claims)
+        Reading::new(file_name, text).file(Known { instances, claims, ..about.clone() })
     }
 
     /// Its claims with their files, in its order.
