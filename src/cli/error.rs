@@ -11,6 +11,7 @@ use crate::certificate::CertificateError;
 use crate::float::FloatError;
 use crate::json::JsonError;
 use crate::language::Complaint;
+use crate::meaning::MemberError;
 use crate::report::{BaselineError, PageError, PictureError, ScriptError};
 use crate::scalar::NumberError;
 use crate::search::{AuditError, MergeError, PortionError, RecordError};
@@ -394,6 +395,39 @@ pub enum CliError {
         /// What is wrong, each with its place and what to write instead.
         complaints: Vec<Complaint>,
     },
+    /// A setting that is none of the family's, or weights that it does not give.
+    #[error("{argument}: {error}")]
+    Member {
+        /// `--set`, or `--family`.
+        argument: &'static str,
+        /// What is wrong.
+        error: MemberError,
+    },
+    /// A setting that is not written as one.
+    #[error("--set: `{0}` has no `=`: write NAME=VALUES, such as q=1/3 or omega=1,2,1/2")]
+    Setting(String),
+    /// Two settings of one name.
+    #[error("--set: `{0}` is set twice: give it once")]
+    SetTwice(String),
+    /// Neither the name of a family nor a file.
+    #[error("--family: there is no family `{name}`, and no such file; there are {}", list(names))]
+    UnknownFamily {
+        /// What was given.
+        name: String,
+        /// The families that come with the program.
+        names: Vec<String>,
+    },
+    /// A command that works with the weights of an index only.
+    #[error(
+        "--family: {what} the weights of an index only (families classical and mobius), and {family} has others; \
+         `knotproof check` and `knotproof eval` take any family"
+    )]
+    OnlyIndices {
+        /// Who knows no others: `this command knows`.
+        what: &'static str,
+        /// The family.
+        family: String,
+    },
     /// A result could not be written.
     #[error("cannot write the result: {0}")]
     Output(#[from] io::Error),
@@ -446,7 +480,9 @@ impl CliError {
             Self::Merge(_) => Some("FILE"),
             Self::Audit(_) => Some("--audit"),
             Self::Threads { .. } => Some("--threads"),
-            Self::Claim { argument, .. } => Some(argument),
+            Self::Claim { argument, .. } | Self::Member { argument, .. } => Some(argument),
+            Self::Setting(_) | Self::SetTwice(_) => Some("--set"),
+            Self::UnknownFamily { .. } | Self::OnlyIndices { .. } => Some("--family"),
             Self::Recorded(_)
             | Self::NotRecorded(_)
             | Self::Conversion { .. }

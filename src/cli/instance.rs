@@ -8,11 +8,12 @@ use std::str::FromStr;
 
 use num_rational::BigRational;
 
-use crate::meaning::{Example, examples_named};
+use crate::meaning::{Example, Weighting, examples_named};
 use crate::spline::{Basis, Curve, CurveError, Index, IndexError, KnotError, KnotVector, Point};
 
 use super::error::CliError;
 use super::exact::Exact;
+use super::family::{ChosenFamily, FamilyArgs};
 use super::file::InstanceFile;
 use super::lists::{numbers, points};
 use super::offered::{instance_name, instance_names};
@@ -42,6 +43,8 @@ pub(super) struct InstanceArgs {
     /// or none, points of one coordinate: "0 1 4".
     #[arg(long, value_name = "POINTS", allow_hyphen_values = true)]
     points: Option<String>,
+    #[command(flatten)]
+    family: FamilyArgs,
 }
 
 /// A value of `--alpha`.
@@ -85,6 +88,26 @@ pub(super) struct Subjects {
     pub(super) cases: Vec<Subject>,
 }
 
+/// What a command works on, of any family.
+#[derive(Debug)]
+pub(super) enum Resolved {
+    /// With the weights of indices.
+    Indices(Subjects),
+    /// With those of another family's member.
+    Member(MemberSubject),
+}
+
+/// A degree on knots with a member of another family than that of an index.
+#[derive(Debug)]
+pub(super) struct MemberSubject {
+    /// The name of the paper's instance, or the file.
+    pub(super) label: Option<String>,
+    /// Which.
+    pub(super) chosen: ChosenFamily,
+    /// Its knots and weights.
+    pub(super) basis: Basis<Weighting>,
+}
+
 /// A basis, and the curve if there are control points.
 #[derive(Debug)]
 pub(super) struct Subject {
@@ -105,11 +128,28 @@ struct Given {
 }
 
 impl InstanceArgs {
-    /// Reads the instance, lets the options override it, and checks that all of it fits together.
+    /// Reads the instance, lets the options override it, and checks that all of it fits together; for the commands that know
+    /// the weights of an index only.
     ///
     /// # Errors
     /// [`CliError`], for the first thing that is wrong.
     pub(super) fn resolve(&self) -> Result<Subjects, CliError> {
+        match self.resolve_any()? {
+            Resolved::Indices(subjects) => Ok(subjects),
+            Resolved::Member(subject) => {
+                let family = subject.chosen.family.name.clone();
+                Err(CliError::OnlyIndices { what: "this command knows", family })
+            }
+        }
+    }
+
+    /// The same for any family.
+    ///
+    /// # Errors
+    /// [`CliError`], for the first thing that is wrong.
+    pub(super) fn resolve_any(&self) -> Result<Resolved, CliError> {
+        let chosen = self.family.chosen()?;
+        let member = chosen.as_ref().map(ChosenFamily::member).transpose()?;
         let given = match &self.instance {
             Some(name) => self.named(name)?,
             None => Given::default(),
@@ -131,7 +171,17 @@ impl InstanceArgs {
         let degree = degree.ok_or_else(|| missing("--degree", "give the degree, such as --degree 2"))?;
         let (knots, place) =
             knots.ok_or_else(|| missing("--knots", "give the knots, such as --knots \"0 0 0 1 2 2 2\""))?;
-        let mut indices = self.indices()?.unwrap_or(given.indices);
+        if let (Some(chosen), Some(weights @ Weighting::Family(_))) = (&chosen, &member) {
+            if points.is_some() {
+                let family = chosen.family.name.clone();
+                return Err(CliError::OnlyIndices { what: "curves have", family });
+            }
+            let basis = Basis::over(knots, degree, weights.clone())
+                .map_err(|error| CliError::Basis { place: place.clone(), error })?;
+            return Ok(Resolved::Member(MemberSubject { label, chosen: chosen.clone(), basis }));
+        }
+        let own = member.as_ref().and_then(Weighting::index).map(|index| vec![index.clone()]);
+        let mut indices = own.or(self.indices()?).unwrap_or(given.indices);
         let mut seen = HashSet::new();
         indices.retain(|index| seen.insert(index.clone()));
         if indices.is_empty() {
@@ -150,12 +200,25 @@ impl InstanceArgs {
             Ok(Subject { basis, curve })
         };
         let cases = indices.into_iter().map(case).collect::<Result<_, CliError>>()?;
-        Ok(Subjects { label, cases })
+        Ok(Resolved::Indices(Subjects { label, cases }))
+    }
+
+    /// The family that is chosen, if there is one.
+    ///
+    /// # Errors
+    /// [`CliError`], where it is not there or not well formed, or a setting is not.
+    pub(super) fn family(&self) -> Result<Option<ChosenFamily>, CliError> {
+        self.family.chosen()
     }
 
     /// Is nothing said at all?
     pub(super) fn is_absent(&self) -> bool {
-        let Self { instance, degree, knots, alpha, points } = self;
+        self.is_without_knots() && self.family.is_absent()
+    }
+
+    /// Is nothing said but perhaps a family?
+    pub(super) fn is_without_knots(&self) -> bool {
+        let Self { instance, degree, knots, alpha, points, family: _ } = self;
         instance.is_none() && degree.is_none() && knots.is_none() && alpha.is_empty() && points.is_none()
     }
 
@@ -243,7 +306,7 @@ impl FunctionArgs {
     ///
     /// # Errors
     /// [`CliError::Function`] if the basis has no such function.
-    pub(super) fn chosen(&self, basis: &Basis) -> Result<Option<usize>, CliError> {
+    pub(super) fn chosen<W>(&self, basis: &Basis<W>) -> Result<Option<usize>, CliError> {
         match self.index {
             Some(index) if index > basis.n() => Err(CliError::Function { index, n: basis.n() }),
             index => Ok(index),
