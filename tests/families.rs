@@ -416,8 +416,11 @@ fn wrong_files_are_complained_of_at_their_place() {
     assert_eq!(Family::read("mine.toml", &name).unwrap_err()[0].underlined(), "\"my family\"");
 }
 
+type Setting = (&'static str, &'static str);
 /// Family, settings, degree, knots; a part of the error.
-const WRONG_MEMBERS: &[(&str, &[(&str, &str)], usize, &str, &str)] = &[
+type WrongMember = (&'static str, &'static [Setting], usize, &'static str, &'static str);
+
+const WRONG_MEMBERS: &[WrongMember] = &[
     ("lupas", &[], 1, "0 0 1 1", "needs `q`: give it, such as --set q=1/3"),
     ("lupas", &[("q", "0")], 1, "0 0 1 1", "`q` of the family lupas can't be 0: q > 0"),
     ("lupas", &[("q", "-1/2")], 1, "0 0 1 1", "can't be -1/2"),
@@ -557,5 +560,23 @@ fn sentences_about_a_family_name_its_parameters() {
         let cases = Cases::of_family(&family(name), &[]).unwrap().up_to(2);
         let verdict = judge(&read, knotproof::meaning::Names::empty(), &cases.of(&read, None)).unwrap();
         assert_eq!(verdict.status(), status, "{name} {sentence}: {verdict:?}");
+    }
+}
+
+/// What the schema says of a file is what is read: of shipped ones, and of some that are none.
+#[test]
+fn files_are_as_their_schema_says() {
+    let schema = serde_json::to_value(knotproof::language::family_schema()).unwrap();
+    let validator = jsonschema::draft202012::options().build(&schema).unwrap();
+    let valid = |text: &str| {
+        let data: serde_json::Value = toml::from_str(text).unwrap();
+        validator.is_valid(&data)
+    };
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("families");
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let text = std::fs::read_to_string(entry.unwrap().path()).unwrap();
+        assert!(valid(&text), "{text}");
+        assert!(!valid(&text.replace("rise", "rize")), "{text}");
+        assert!(!valid(&text.replace("title =", "more = 1\ntitle =")), "{text}");
     }
 }

@@ -4,6 +4,7 @@ use crate::scalar::{BigRational, Jet, integer, rational};
 use crate::spline::{Basis, Side};
 
 use super::linear::determinant;
+use super::piece::Jets;
 
 /// Three consecutive functions and three points with a negative minor.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -17,9 +18,6 @@ pub struct NegativeMinor {
     /// The minor.
     pub value: BigRational,
 }
-
-/// The jets of all functions at a point from a side.
-type Jets<'a> = &'a dyn Fn(&BigRational, Side, usize) -> Vec<Jet<BigRational>>;
 
 /// A negative minor of order 3 close to a knot, if there is one by this test: where the derivatives jump, the
 /// minor of (G_i) at x − ε, x, x + ε is ε² det(G, D⁻G, D⁺G) + O(ε³).

@@ -42,5 +42,5 @@ pub use rational_bezier::RationalBezier;
 pub use roots::{IsolatedRoot, count_positive_roots, positive_roots};
 pub use shape::Shape;
 pub use sign::Sign;
-pub use slopes::{KnotSlopes, knot_slopes};
+pub use slopes::{KnotSlopes, knot_slopes, knot_slopes_of};
 pub use span_quotients::{OneDenominator, span_quotients, symbolic_quotients};

@@ -420,12 +420,23 @@ pub enum CliError {
     /// A command that works with the weights of an index only.
     #[error(
         "--family: {what} the weights of an index only (families classical and mobius), and {family} has others; \
-         `knotproof check` and `knotproof eval` take any family"
+         `knotproof check`, `eval` and `shape` take any family"
     )]
     OnlyIndices {
         /// Who knows no others: `this command knows`.
         what: &'static str,
         /// The family.
+        family: String,
+    },
+    /// A shape that can't be told.
+    #[error(
+        "--family: G_{index} is negative somewhere for {family}, and a shape is that of a function ≥ 0; choose other \
+         parameters, or ask `knotproof check --claim` what you want to know"
+    )]
+    Negative {
+        /// i.
+        index: usize,
+        /// The member.
         family: String,
     },
     /// A result could not be written.
@@ -482,7 +493,7 @@ impl CliError {
             Self::Threads { .. } => Some("--threads"),
             Self::Claim { argument, .. } | Self::Member { argument, .. } => Some(argument),
             Self::Setting(_) | Self::SetTwice(_) => Some("--set"),
-            Self::UnknownFamily { .. } | Self::OnlyIndices { .. } => Some("--family"),
+            Self::UnknownFamily { .. } | Self::OnlyIndices { .. } | Self::Negative { .. } => Some("--family"),
             Self::Recorded(_)
             | Self::NotRecorded(_)
             | Self::Conversion { .. }

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::judge::{Cases, Verdict, Witness, judge};
+use crate::judge::{Cases, Verdict, judge};
 use crate::language::{Adjective, Claim, Family, Form, Parameter, classical, families};
 use crate::meaning::{MemberError, Values, Weighting, has};
 use crate::scalar::{integer, rational};
@@ -290,30 +290,35 @@ fn linear_ratio(asked: &Arc<Family>) -> Option<String> {
 /// A cell of the table.
 struct Judged {
     cell: String,
-    /// The command that shows it.
-    witness: Option<(Witness, String)>,
+    /// Why not, or why it is open.
+    because: Option<String>,
 }
 
 fn judged(family: &Family, id: &str, verdict: &Verdict) -> Judged {
-    let cell = match verdict {
-        Verdict::Proved { reach, .. } => format!("yes, {} cases", reach.small_cases + reach.instances),
+    let cell = |cell: &str, because: Option<String>| Judged { cell: cell.to_owned(), because };
+    match verdict {
+        Verdict::Proved { reach, .. } => {
+            let highest = reach.degrees.iter().max().map(|k| format!(", k ≤ {k}")).unwrap_or_default();
+            cell(&format!("yes: {}{highest}", reach.small_cases + reach.instances), None)
+        }
         Verdict::Refuted(witness) => {
-            let k = witness.k.map(|k| format!(", k = {k}")).unwrap_or_default();
-            return Judged {
-                cell: format!("**no**{k}"),
-                witness: Some(((**witness).clone(), id.to_owned())),
-            };
+            let k = witness.k.map(|k| format!(": k = {k}")).unwrap_or_default();
+            let given = witness.given().into_iter().map(|(name, value)| format!("{name} = {value}"));
+            let because = format!(
+                "no `{id}` at {}: not {}; {}. `{}`",
+                given.collect::<Vec<_>>().join(", "),
+                witness.claimed,
+                witness.found(),
+                witness.again(id)
+            );
+            cell(&format!("**no**{k}"), Some(because))
         }
-        Verdict::Undecided(_) if family.dual.is_none() && id == "reflection" => "no dual".to_owned(),
-        Verdict::Undecided(why) => {
-            match why.split_whitespace().find(|word| word.chars().all(|c| c.is_ascii_digit())) {
-                Some(tries) if why.contains("tries") => format!("open, {tries} tries"),
-                _ => "open".to_owned(),
-            }
+        Verdict::Undecided(_) if family.dual.is_none() && id == "reflection" => {
+            cell("–", Some(format!("nothing to say of `{id}`: the file has no `[dual]`")))
         }
-        Verdict::NotApplicable(_) | Verdict::NotFormal(_) => "nothing to say".to_owned(),
-    };
-    Judged { cell, witness: None }
+        Verdict::Undecided(why) => cell("open", Some(format!("open `{id}`: {why}"))),
+        Verdict::NotApplicable(_) | Verdict::NotFormal(_) => cell("–", None),
+    }
 }
 
 /// The page of families × properties.
@@ -392,16 +397,8 @@ fn markdown(rows: &[(&Arc<Family>, Vec<Judged>)], claims: &[Claim<'_>]) -> Strin
         if !adjectives.is_empty() {
             page.push_str(&format!("- knots: {}\n", adjectives.join(", ")));
         }
-        for (witness, id) in row.iter().filter_map(|judged| judged.witness.as_ref()) {
-            let given: Vec<_> =
-                witness.given().into_iter().map(|(name, value)| format!("{name} = {value}")).collect();
-            let claimed = &witness.claimed;
-            page.push_str(&format!(
-                "- no `{id}`: {}: not {claimed}; {}. `{}`\n",
-                given.join(", "),
-                witness.found(),
-                witness.again(id)
-            ));
+        for because in row.iter().filter_map(|judged| judged.because.as_ref()) {
+            page.push_str(&format!("- {because}\n"));
         }
     }
     page
@@ -410,10 +407,11 @@ fn markdown(rows: &[(&Arc<Family>, Vec<Judged>)], claims: &[Claim<'_>]) -> Strin
 const HEAD: &str = "\
 # Families of splines, and the classical properties
 
-Which properties of polynomial B-splines does a family keep? Every *yes* is decided for every x, exactly, on the small cases
-that are counted: knots and parameters in order of size. Every *no* is a smallest witness, below, with the command that shows it.
-*Open* is what no finite number of cases decides: control values that were tried. This page is written by
-`knotproof families --table`, and a test compares it.
+Which properties of polynomial B-splines does a family keep? A *yes* is decided for every x, exactly, on as many small cases as it says,
+of the degrees up to k: knots and parameters in order of size. A *no* has a smallest witness, below, with the command that shows
+it. *Open* is what these cases do not decide, with the reason: control values that are only tried refute, and prove nothing. A
+dash: the cases of the family have nothing to do with it. This page is written by `knotproof families --table`, and a test compares
+it.
 
 ";
 

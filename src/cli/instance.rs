@@ -317,7 +317,7 @@ impl FunctionArgs {
     ///
     /// # Errors
     /// As [`chosen`](Self::chosen).
-    pub(super) fn range(&self, basis: &Basis) -> Result<RangeInclusive<usize>, CliError> {
+    pub(super) fn range<W>(&self, basis: &Basis<W>) -> Result<RangeInclusive<usize>, CliError> {
         Ok(self.chosen(basis)?.map_or(0..=basis.n(), |i| i..=i))
     }
 }

@@ -288,12 +288,12 @@ fn small_bases() -> Vec<Basis> {
 
 /// The knots that members of other families are looked at on: fewer, as there are no fast kernels for them.
 const FAMILY_SIZES: [Sizes; 6] = [
-    Sizes { degree: 1, sizes: 3..=3, greatest_gap: 2, greatest_length: 4, indices: 0, open: false },
-    Sizes { degree: 1, sizes: 4..=4, greatest_gap: 1, greatest_length: 4, indices: 0, open: false },
-    Sizes { degree: 2, sizes: 5..=5, greatest_gap: 1, greatest_length: 5, indices: 0, open: false },
-    Sizes { degree: 2, sizes: 6..=7, greatest_gap: 2, greatest_length: 3, indices: 0, open: true },
-    Sizes { degree: 3, sizes: 7..=9, greatest_gap: 2, greatest_length: 4, indices: 0, open: true },
-    Sizes { degree: 4, sizes: 9..=9, greatest_gap: 1, greatest_length: 1, indices: 0, open: true },
+    Sizes { degree: 1, sizes: 3..=4, greatest_gap: 2, greatest_length: 5, indices: 0, open: false },
+    Sizes { degree: 2, sizes: 5..=6, greatest_gap: 1, greatest_length: 6, indices: 0, open: false },
+    Sizes { degree: 2, sizes: 5..=7, greatest_gap: 3, greatest_length: 5, indices: 0, open: true },
+    Sizes { degree: 3, sizes: 7..=7, greatest_gap: 1, greatest_length: 7, indices: 0, open: false },
+    Sizes { degree: 3, sizes: 7..=9, greatest_gap: 3, greatest_length: 6, indices: 0, open: true },
+    Sizes { degree: 4, sizes: 9..=11, greatest_gap: 1, greatest_length: 3, indices: 0, open: true },
 ];
 
 /// Degrees and knots in order of size.

@@ -120,7 +120,7 @@ struct RawFamily {
     /// The parameters after a reflection: r = "1/r", "omega[i]" = "omega[m-i]"; empty, if they stay.
     #[schemars(with = "Option<BTreeMap<String, String>>")]
     dual: Option<BTreeMap<Text, Text>>,
-    /// Names for terms: "W[i,0](x)" = "omega[i]".
+    /// Names for terms, with indices and x where they depend on them: "c[i]" = "omega[i]^2".
     #[serde(default)]
     #[schemars(with = "BTreeMap<String, String>")]
     define: BTreeMap<Text, Text>,

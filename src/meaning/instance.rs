@@ -5,7 +5,8 @@ use std::hash::Hash;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use crate::analysis::{
-    Greatest, OneDenominator, Piece, Pieces, Tie, common_numerators, coordinate_between, positive_coordinate,
+    Greatest, OneDenominator, Piece, Pieces, Sign, Tie, common_numerators, coordinate_between,
+    positive_coordinate, sign_pattern,
 };
 use crate::language::Name;
 use crate::scalar::{BigInt, BigRational, Jet, Polynomial, RationalAlgebra, Ring, integer};
@@ -206,9 +207,23 @@ impl Instance {
     }
 
     /// Is every function ≥ 0 by the coefficients of its weights alone? Those of an index are.
-    #[must_use]
-    pub fn is_positive(&self, weights: &Weighting) -> bool {
+    fn is_positive(&self, weights: &Weighting) -> bool {
         self.table(weights).is_ok_and(|table| table.is_none_or(|table| failing(&table).next().is_none()))
+    }
+
+    /// Is G_i^d nowhere negative? By the weights, or else by the signs of its pieces; `None` if there are no functions.
+    #[must_use]
+    pub fn is_nonnegative(&self, weights: &Weighting, (i, d): (usize, usize)) -> Option<bool> {
+        if self.is_positive(weights) {
+            return Some(true);
+        }
+        let below = |g: &Piece| {
+            let pattern = sign_pattern(&g.numerator().times(g.denominator()));
+            pattern.between().iter().any(|(_, sign)| *sign == Sign::Negative)
+        };
+        let pieces = self.pieces(weights, d)?;
+        let mut own = pieces.spans().iter().filter_map(|on| on.functions.get(i));
+        Some(!own.any(|g| !g.is_zero() && below(g)))
     }
 
     /// The pieces of a degree ≤ k and a member; those of the own one are compared once with what the definition gives over

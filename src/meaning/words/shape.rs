@@ -1,6 +1,6 @@
 //! Words about knots, and about the graph of a basis function: multiplicity, maxima, minima, continuity.
 
-use crate::analysis::{Attained, LocalKnots, Monotonicity, Piece, Shape, Sign, Tie, sign_pattern};
+use crate::analysis::{Attained, LocalKnots, Monotonicity, Piece, Shape, Tie};
 use crate::language::{Function, Int, Real};
 use crate::scalar::{BigRational, Ring};
 use crate::spline::Side;
@@ -52,30 +52,10 @@ fn shape(own: &mut Reading<'_>, of: OfMember<'_>) -> Result<Shape, Stop> {
 
 /// A shape is that of a function ≥ 0, which begins and ends at 0: of another one it can't be told.
 fn nonnegative(own: &mut Reading<'_>, of: OfMember<'_>) -> Result<(), Stop> {
-    let below = |g: &Piece| {
-        if g.is_zero() {
-            return false;
-        }
-        let pattern = sign_pattern(&g.numerator().times(g.denominator()));
-        pattern.between().iter().any(|(_, sign)| *sign == Sign::Negative)
-    };
-    let holds = of_basis(own, of, |own, (i, d)| {
-        let by_weights = own.on.is_positive(&own.weights);
-        Some(
-            by_weights
-                || !own
-                    .on
-                    .pieces(&own.weights, d)?
-                    .spans()
-                    .iter()
-                    .any(|on| on.functions.get(i).is_some_and(below)),
-        )
-    })?;
-    if holds {
-        Ok(())
-    } else {
-        Err(Stop::Unknown("the shape of a function that is negative somewhere".into()))
+    if of_basis(own, of, |own, id| own.on.is_nonnegative(&own.weights, id))? {
+        return Ok(());
     }
+    Err(Stop::Unknown("the shape of a function that is negative somewhere".into()))
 }
 
 /// Local maxima; an interval of constancy counts once.
