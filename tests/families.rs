@@ -66,6 +66,41 @@ fn members_of_mobius_and_classical_are_indices() {
     assert_eq!(index("lupas", &[("q", "1")]), None);
 }
 
+/// What a file calls classical are the polynomial B-splines.
+#[test]
+fn classical_members_are_polynomial() {
+    let mut compared = 0;
+    for family in families() {
+        let Some(classical) = &family.classical else { continue };
+        let numbers = classical.iter().map(|(name, term)| {
+            let number = term.literal().unwrap();
+            let own = family.parameters.iter().find(|own| own.name == *name).unwrap();
+            let list = vec![number.clone(); 12];
+            let values = match own.indices.len() {
+                0 => Values::One(number),
+                1 => Values::List(list),
+                _ => Values::Rows(vec![list; 3]),
+            };
+            (name.to_string(), values)
+        });
+        let weights = Weighting::of(family, &numbers.collect::<Vec<_>>()).unwrap();
+        for on in ["0 0 0 0 1 1 1 1", "0 0 0 0 1 3 4 4 4 4", "0 1 2 4 5 7 8 9"] {
+            let Ok(table) = weights.table(&knots(on), 3) else { continue };
+            let basis = Basis::new(knots(on), 3, Index::infinity()).unwrap();
+            for x in [rational(1, 3), rational(3, 4)] {
+                assert_eq!(
+                    basis.with(table.clone()).jets(&x, Side::Right, 1),
+                    basis.jets(&x, Side::Right, 1),
+                    "{}",
+                    family.name
+                );
+                compared += 1;
+            }
+        }
+    }
+    assert!(compared > 20, "{compared}");
+}
+
 /// Products and sums of the literature on (0, …, 0, 1, …, 1), written out here.
 #[test]
 fn bernstein_cases_are_the_closed_forms() {

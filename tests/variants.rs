@@ -256,7 +256,7 @@ impl Walk {
                     *t = Real::Over(Box::new(one()), Box::new(Real::Ratio));
                 }
             }
-            Real::Coefficient(_, of) | Real::Defined(_, of) => {
+            Real::Coefficient(_, of) | Real::Parameter(_, of) | Real::Defined(_, of) => {
                 of.iter_mut().for_each(|i| self.index(i, None))
             }
             Real::Plus(a, b) | Real::Times(a, b) | Real::Least(a, b) | Real::Greatest(a, b) => {
@@ -300,8 +300,8 @@ impl Walk {
                     *member = None;
                 }
             }
-            Some(Member::Index(t) | Member::Ratio(t)) => self.real(t, None),
-            None => {}
+            Some(Member::Index(t) | Member::Ratio(t) | Member::Parameter(_, t)) => self.real(t, None),
+            Some(Member::Dual) | None => {}
         }
     }
 

@@ -430,14 +430,16 @@ pub enum CliError {
     },
     /// A shape that can't be told.
     #[error(
-        "--family: G_{index} is negative somewhere for {family}, and a shape is that of a function ≥ 0; choose other \
-         parameters, or ask `knotproof check --claim` what you want to know"
+        "--family: G_{index} is negative somewhere for {family} ({why}), and a shape is that of a function ≥ 0; choose \
+         other parameters, or ask `knotproof check --claim` what you want to know"
     )]
     Negative {
         /// i.
         index: usize,
         /// The member.
         family: String,
+        /// Which weight is not as those of nonnegative functions are, and why.
+        why: String,
     },
     /// A result could not be written.
     #[error("cannot write the result: {0}")]

@@ -8,7 +8,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::judge::{Cases, Verdict, judge};
-use crate::language::{Adjective, Claim, Family, Form, Parameter, classical, families};
+use crate::language::{Adjective, Claim, Family, Form, Name, Parameter, Real, classical, families, source};
 use crate::meaning::{MemberError, Values, Weighting, has};
 use crate::scalar::{integer, rational};
 use crate::settle::SettleError;
@@ -82,6 +82,14 @@ struct Shown {
     parameters: Vec<Bounded>,
     /// rise : fall.
     weight: String,
+    /// What reads a member otherwise, by parameters; and back.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    reads: Vec<String>,
+    /// The parameters of the polynomial B-splines; nothing, if they are no member, or the only one.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    classical: Vec<String>,
+    /// The parameters that the reflection of the knots leads to, of those that change; `null`, if they are not known.
+    dual: Option<Vec<String>>,
     /// Under `--like`: the parameters of the family by those of the weights that were asked for.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     with: Vec<String>,
@@ -100,7 +108,18 @@ impl Shown {
     fn of(family: &Family) -> Self {
         let bounded =
             |parameter: &Parameter| Bounded { parameter: parameter.head(), bound: parameter.says.clone() };
+        let head = |name: &Name| {
+            let own = family.parameters.iter().find(|own| own.name == *name);
+            own.map_or_else(|| name.to_string(), Parameter::head)
+        };
+        let equations = |all: &[(Name, Real)]| -> Vec<String> {
+            all.iter().map(|(name, term)| format!("{} = {}", head(name), source(term))).collect()
+        };
+        let reads = family.reads.iter().flat_map(|(_, all)| equations(all));
         Self {
+            reads: reads.chain(equations(&family.writes)).collect(),
+            classical: family.classical.as_deref().map(equations).unwrap_or_default(),
+            dual: family.dual.as_deref().map(equations),
             name: family.name.clone(),
             title: family.title.clone(),
             source: family.source.clone(),
@@ -176,7 +195,17 @@ impl fmt::Display for Shown {
         for Bounded { parameter, bound } in &self.parameters {
             writeln!(f, "parameter: {parameter}, {}", if bound.is_empty() { "any number" } else { bound })?;
         }
-        Ok(())
+        for read in &self.reads {
+            writeln!(f, "read by: {read}")?;
+        }
+        if !self.classical.is_empty() {
+            writeln!(f, "polynomial B-splines: {}", self.classical.join(", "))?;
+        }
+        match self.dual.as_deref() {
+            None => writeln!(f, "reflected knots: no member is known"),
+            Some([]) => writeln!(f, "reflected knots: the same member"),
+            Some(dual) => writeln!(f, "reflected knots: {}", dual.join(", ")),
+        }
     }
 }
 

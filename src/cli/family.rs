@@ -12,6 +12,7 @@ use super::file::read;
 use super::lists::numbers;
 use super::offered::family_name;
 use super::provenance::Provenance;
+use super::visible::visible_path;
 
 /// Which weights the recursion has, if not those of an index.
 #[derive(Debug, Clone, Default, clap::Args)]
@@ -82,7 +83,7 @@ pub(super) fn find(name: &OsString) -> Result<Arc<Family>, CliError> {
         return Err(CliError::UnknownFamily { name: path.display().to_string(), names });
     }
     let text = read("--family", path)?;
-    let family = Family::read(&path.display().to_string(), &text);
+    let family = Family::read(&visible_path(path), &text);
     family.map(Arc::new).map_err(|complaints| CliError::Claim { argument: "--family", complaints })
 }
 

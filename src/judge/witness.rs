@@ -74,11 +74,11 @@ impl OfFamily {
 /// The options that choose it.
 impl fmt::Display for OfFamily {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "--family {}", self.name)?;
-        self.parameters.iter().try_for_each(|(name, values)| {
-            let quote = if values.contains(';') { "\"" } else { "" };
-            write!(f, " --set {quote}{name}={values}{quote}")
-        })
+        let quoted = |word: String| if word.contains([';', ' ']) { format!("\"{word}\"") } else { word };
+        write!(f, "--family {}", quoted(self.name.clone()))?;
+        let set =
+            |(name, values): (&String, &String)| write!(f, " --set {}", quoted(format!("{name}={values}")));
+        self.parameters.iter().try_for_each(set)
     }
 }
 

@@ -10,7 +10,7 @@ use thiserror::Error;
 use crate::analysis::sign_pattern;
 use crate::language::{Family, Function, Int, Name, Parameter, Pattern, Real};
 use crate::scalar::{BigRational, Polynomial, RationalAlgebra, RationalFunction, Ring, integer};
-use crate::spline::{FormTable, Forms, Index, KnotVector, Obligation};
+use crate::spline::{FormTable, Forms, Index, KnotVector};
 
 use super::adjectives::has;
 use super::truth::Stop;
@@ -297,17 +297,6 @@ impl Weighting {
         }
     }
 
-    /// The one that reflection leads to, on knots of these m and k.
-    ///
-    /// # Errors
-    /// [`Stop`], if the family has none.
-    pub(super) fn dual(&self, m: usize, k: usize) -> Result<Self, Stop> {
-        match self {
-            Self::Index(index) => Ok(Self::Index(index.conjugate())),
-            Self::Family(member) => member.dual(m, k),
-        }
-    }
-
     /// With another number for a parameter that has no index.
     pub(super) fn with(&self, name: &Name, value: BigRational) -> Result<Self, Stop> {
         let Self::Family(member) = self else { return Err(Stop::Unbound(name.to_string())) };
@@ -367,7 +356,11 @@ impl FamilyMember {
         parameter(&self.family, &self.values, name, of)
     }
 
-    fn dual(&self, m: usize, k: usize) -> Result<Weighting, Stop> {
+    /// The one that reflection leads to, on knots of these m and k.
+    ///
+    /// # Errors
+    /// [`Stop`], if the family has none.
+    pub(super) fn dual(&self, m: usize, k: usize) -> Result<Weighting, Stop> {
         let Some(dual) = &self.family.dual else {
             let name = &self.family.name;
             return Err(Stop::Unknown(format!(
@@ -499,6 +492,7 @@ impl FamilyMember {
             numbers: vec![("a".into(), knots.t(i).clone()), ("b".into(), knots.t(i + d).clone())],
             ints: ints.into_iter().map(|(name, value)| (name.into(), value)).collect(),
             depth: 0,
+            known: Vec::new(),
         }
     }
 }
@@ -549,11 +543,6 @@ fn has_pole(
     over.is_zero() || at_start.is_zero() || at_end.is_zero() || !sign_pattern(&over).roots().is_empty()
 }
 
-/// The conditions that fail on knots, one for each weight that has some.
-pub(super) fn failing(table: &FormTable) -> impl Iterator<Item = ((usize, usize, usize), Obligation)> {
-    table.iter().filter_map(|(place, forms)| Some((place, forms.obligations().err()?)))
-}
-
 /// A recursion of definitions that falls on no literal.
 const DEEPEST: usize = 60;
 
@@ -569,6 +558,8 @@ struct Terms<'a, S> {
     numbers: Vec<(Name, BigRational)>,
     ints: Vec<(Name, i64)>,
     depth: usize,
+    /// Values of definitions, by indices and argument: a definition sees nothing else.
+    known: Vec<(Name, Vec<i64>, Option<S>, S)>,
 }
 
 impl<'a> Terms<'a, BigRational> {
@@ -584,6 +575,7 @@ impl<'a> Terms<'a, BigRational> {
             numbers: Vec::new(),
             ints: Vec::new(),
             depth: 0,
+            known: Vec::new(),
         }
     }
 }
@@ -629,6 +621,7 @@ impl<S: RationalAlgebra> Terms<'_, S> {
     fn real(&mut self, t: &Real) -> Result<S, String> {
         /// A higher power is no weight that anybody means.
         const HIGHEST: u64 = 1000;
+        const LONGEST: i64 = 10_000;
         let zero = || "it divides by 0".to_owned();
         match t {
             Real::Number(q) => Ok(self.like.embed(q)),
@@ -674,6 +667,9 @@ impl<S: RationalAlgebra> Terms<'_, S> {
                     Product => self.like.one(),
                     _ => return Err("only sums and products are in a weight".to_owned()),
                 };
+                if to.saturating_sub(from) > LONGEST {
+                    return Err("a sum or a product is too long".to_owned());
+                }
                 for i in from..=to {
                     self.ints.push((range.name.clone(), i));
                     let next = self.real(body);
@@ -709,21 +705,27 @@ impl<S: RationalAlgebra> Terms<'_, S> {
             definition.name == *name && indices.all(|(own, i)| !matches!(own, Pattern::Number(n) if n != i))
         });
         let definition = definition.ok_or_else(|| format!("there is no {name}"))?;
+        let known = self.known.iter().find(|(own, i, at, _)| own == name && *i == of && *at == x);
+        if let Some((.., value)) = known {
+            return Ok(value.clone());
+        }
         if self.depth > DEEPEST {
             return Err(format!("{name} calls itself without an end"));
         }
         // A definition sees its own names only.
-        let ints = definition.indices.iter().zip(of).filter_map(|(own, i)| match own {
-            Pattern::Any(name) => Some((name.clone(), i)),
+        let ints = definition.indices.iter().zip(&of).filter_map(|(own, i)| match own {
+            Pattern::Any(name) => Some((name.clone(), *i)),
             Pattern::Number(_) => None,
         });
         let ints = std::mem::replace(&mut self.ints, ints.collect());
-        let reals = definition.variable.iter().cloned().zip(x).collect();
+        let reals = definition.variable.iter().cloned().zip(x.clone()).collect();
         let reals = std::mem::replace(&mut self.reals, reals);
         self.depth += 1;
         let value = self.real(&definition.body);
         self.depth -= 1;
         (self.ints, self.reals) = (ints, reals);
-        value
+        let value = value?;
+        self.known.push((name.clone(), of, x, value.clone()));
+        Ok(value)
     }
 }

@@ -11,11 +11,11 @@ use crate::analysis::{
 use crate::language::Name;
 use crate::scalar::{BigInt, BigRational, Jet, Polynomial, RationalAlgebra, Ring, integer};
 use crate::spline::{
-    Active, Basis, Evaluator, FormTable, Index, KnotVector, Point, Side, Span, SpanError, by_definition,
-    by_weights, weight,
+    Active, Basis, Evaluator, FormTable, Index, KnotVector, Obligation, Point, Side, Span, SpanError,
+    by_definition, by_weights, weight,
 };
 
-use super::family::{MemberError, Weighting, failing};
+use super::family::{MemberError, Weighting};
 use super::value::Fraction;
 
 /// An index, or another member of a family, with or without a degree on knots. What is computed on the knots is kept, for all
@@ -206,15 +206,18 @@ impl Instance {
         Basis::over(self.knots()?.clone(), degree, table).ok()
     }
 
-    /// Is every function ≥ 0 by the coefficients of its weights alone? Those of an index are.
-    fn is_positive(&self, weights: &Weighting) -> bool {
-        self.table(weights).is_ok_and(|table| table.is_none_or(|table| failing(&table).next().is_none()))
+    /// The first condition that fails of those which make all functions ≥ 0: for w_i^d on span j, as (j, i, d). For an index
+    /// none does.
+    #[must_use]
+    pub fn obligation(&self, weights: &Weighting) -> Option<((usize, usize, usize), Obligation)> {
+        let table = self.table(weights).ok()??;
+        table.iter().find_map(|(place, forms)| Some((place, forms.obligations().err()?)))
     }
 
     /// Is G_i^d nowhere negative? By the weights, or else by the signs of its pieces; `None` if there are no functions.
     #[must_use]
     pub fn is_nonnegative(&self, weights: &Weighting, (i, d): (usize, usize)) -> Option<bool> {
-        if self.is_positive(weights) {
+        if self.obligation(weights).is_none() {
             return Some(true);
         }
         let below = |g: &Piece| {

@@ -374,10 +374,10 @@ impl<'a> Reading<'a> {
     /// Another member of the family.
     pub(super) fn member(&mut self, member: &Member) -> Result<Weighting, Stop> {
         let weights = match member {
-            Member::Dual => {
-                let sizes = (self.knots()?.m(), self.degree()?);
-                self.weights.dual(sizes.0, sizes.1)?
-            }
+            Member::Dual => match &self.weights {
+                Weighting::Index(index) => Weighting::Index(index.conjugate()),
+                Weighting::Family(member) => member.dual(self.knots()?.m(), self.degree()?)?,
+            },
             Member::Parameter(name, term) => match self.real(term)?.number() {
                 Some(value) => self.weights.with(name, value.clone())?,
                 None => return Err(Stop::Unknown(format!("a {name} that is no rational number"))),

@@ -218,7 +218,11 @@ fn of_member(
     for i in chosen {
         progress.step(&format!("G_{i}"));
         if on.is_nonnegative(&weights, (i, k)) != Some(true) {
-            return Err(CliError::Negative { index: i, family: weights.to_string() });
+            let why = on
+                .obligation(&weights)
+                .map(|((j, i, d), why)| format!("w[{i},{d}] on [t_{j}, t_{}]: {why}", j + 1));
+            let family = weights.to_string();
+            return Err(CliError::Negative { index: i, family, why: why.unwrap_or_default() });
         }
         let mut shape = FunctionShape::of(&pieces, i);
         shape.refine_to(&args.width);
