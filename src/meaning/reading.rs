@@ -318,7 +318,7 @@ impl<'a> Reading<'a> {
 
     /// The index of the moment.
     pub(super) fn own_index(&self) -> Result<&Index, Stop> {
-        let none = || Stop::Unknown(format!("the family of {} has no index", self.weights));
+        let none = || Stop::Unknown(format!("the family {} has no index", self.weights));
         self.weights.index().ok_or_else(none)
     }
 
