@@ -29,6 +29,9 @@ impl Files {
         write("bad.json", "{");
         write("statement.statement", "(claim");
         write("statement.proof", "(");
+        let family =
+            "name = \"f\"\ntitle = \"\"\nsource = \"\"\n[weight]\nrise = \"x - a\"\nfall = \"2*(b - x)\"\n";
+        write("family.toml", family);
         let search =
             run(Command::new(PROGRAM).args(["search", "--degree", "3", "--limit", "7", "--format", "json"]));
         fs::write(files.path("search.jsonl"), search.stdout).unwrap();
@@ -71,6 +74,9 @@ fn calls(files: &Files) -> Vec<Vec<String>> {
     call(&["explain", "P2.1.1"], &[], &[]);
     call(&["prove", "--claim", "P2.1.1", "--out"], &[], &[files.text("certificates")]);
     call(&["verify"], &[], &[files.text("statement.statement")]);
+    call(&["families"], &[], &[files.text("family.toml")]);
+    let knots = ["--degree", "1", "--knots", "0 0 1 1", "--classical", "--family"];
+    call(&["check"], &knots, &[files.text("family.toml")]);
     call(&["search", "--degree", "3", "--limit", "7"], &[], &[]);
     call(&["merge"], &[], &[files.text("search.jsonl")]);
     call(&["schema"], &[], &[]);

@@ -58,7 +58,9 @@ fn a_proof_rests_on_the_cases_in_which_something_was_decided() {
     let Ok(Verdict::Proved { scope: Scope::Instance, reach }) = judge(&sentence, Names::empty(), &all) else {
         panic!("it is true")
     };
-    let meant = all.iter().filter(|case| case.on.degree() == Some(1) && !case.on.index.is_infinite());
+    let meant = all.iter().filter(|case| {
+        case.on.degree() == Some(1) && case.on.weights.index().is_some_and(|index| !index.is_infinite())
+    });
     let (small, paper): (Vec<_>, Vec<_>) = meant.partition(|case| case.origin == Origin::Small);
     assert_eq!((reach.small_cases, reach.instances), (small.len(), paper.len()));
     assert!(!small.is_empty() && !paper.is_empty() && reach.facts >= small.len() + paper.len());

@@ -179,6 +179,7 @@ impl Trees {
             1 => Some(Member::Index(Real::Index("beta".into()))),
             2 => Some(Member::Index(Real::Whole(Int::Number(1)).minus(Real::Index("alpha".into())))),
             3 => Some(Member::Ratio(self.real(depth))),
+            4 => Some(Member::Dual),
             _ => None,
         }
     }

@@ -154,6 +154,15 @@ fn examples() -> Vec<(&'static str, Vec<Vec<&'static str>>)> {
                 ],
             ],
         ),
+        (
+            "families",
+            vec![
+                vec!["families"],
+                vec!["families", "phillips"],
+                vec!["families", "--like", "q*(x-a) : b-x"],
+                vec!["families", "polya", "--table"],
+            ],
+        ),
         ("bezier", vec![on("bezier", &POINTS), on("bezier", &[POINTS[0], POINTS[1], "--float"])]),
         (
             "check",
@@ -162,6 +171,19 @@ fn examples() -> Vec<(&'static str, Vec<Vec<&'static str>>)> {
                 on("check", &["--property", "T3.5.1", "--baseline"]),
                 on("check", &["--property", "T3.5.1", "--amended"]),
                 vec!["check", "--claim", "k = 1; U : n >= 1"],
+                [
+                    "check",
+                    "--degree",
+                    "1",
+                    "--knots",
+                    "0 0 1 1",
+                    "--family",
+                    "lupas",
+                    "--set",
+                    "q=2",
+                    "--classical",
+                ]
+                .to_vec(),
             ],
         ),
         (
@@ -366,8 +388,8 @@ fn every_output_is_as_its_schema_says() {
     }
     let mut all = names();
     all.sort();
-    // Of files that are read: tests/language.rs.
-    described.push("claims".to_owned());
+    // Of files that are read: tests/language.rs and tests/families.rs.
+    described.extend(["claims", "family"].map(str::to_owned));
     described.sort();
     assert_eq!(described, all, "each has an example");
 }

@@ -54,7 +54,7 @@ const FALSE: [Refuted; 16] = [
 
 /// Judging all of them takes a few seconds: the tests share it.
 static JUDGED: LazyLock<Vec<(&str, Outcome)>> = LazyLock::new(|| {
-    let cases = Cases::of_paper(paper());
+    let cases = Cases::of_paper(paper()).expect("every index gives weights");
     let ids = TRUE.into_iter().chain(FALSE.map(|(id, ..)| id));
     ids.map(|id| (id, settle(claim(id), &cases, Proving::Nothing).expect("no two computations disagree")))
         .collect()

@@ -257,7 +257,7 @@ impl Walk {
                     *t = Real::Over(Box::new(one()), Box::new(Real::Ratio));
                 }
             }
-            Real::Coefficient(_, of) | Real::Defined(_, of) => {
+            Real::Coefficient(_, of) | Real::Parameter(_, of) | Real::Defined(_, of) => {
                 of.iter_mut().for_each(|i| self.index(i, None))
             }
             Real::Plus(a, b) | Real::Times(a, b) | Real::Least(a, b) | Real::Greatest(a, b) => {
@@ -301,8 +301,8 @@ impl Walk {
                     *member = None;
                 }
             }
-            Some(Member::Index(t) | Member::Ratio(t)) => self.real(t, None),
-            None => {}
+            Some(Member::Index(t) | Member::Ratio(t) | Member::Parameter(_, t)) => self.real(t, None),
+            Some(Member::Dual) | None => {}
         }
     }
 
@@ -488,9 +488,9 @@ static CONSTANTS: LazyLock<Vec<Arc<Case>>> = LazyLock::new(|| {
 
 /// Every so many-th of the cases up to a degree.
 static CHOICES: LazyLock<[(Cases, usize); 3]> = LazyLock::new(|| {
-    [(1, 3), (2, 5), (4, 17)].map(|(degree, every)| (Cases::of_paper(paper()).up_to(degree), every))
+    [(1, 3), (2, 5), (4, 17)].map(|(degree, every)| (Cases::of_paper(paper()).unwrap().up_to(degree), every))
 });
-static ALL: LazyLock<Cases> = LazyLock::new(|| Cases::of_paper(paper()));
+static ALL: LazyLock<Cases> = LazyLock::new(|| Cases::of_paper(paper()).unwrap());
 
 /// On the paper's instances where they are named; else on few cases, and if these do not refute it on more.
 fn judged(claim: Claim<'_>, sentence: &Sentence) -> Verdict {

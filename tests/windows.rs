@@ -16,7 +16,7 @@ use knotproof::spline::Basis;
 fn derivatives_change_their_sign_once() {
     for name in ["U0", "U4", "U12"] {
         for instance in examples_named(name).iter().filter(|instance| instance.degree > 0) {
-            for index in &instance.indices {
+            for index in instance.indices() {
                 let basis = Basis::new(instance.knots.clone(), instance.degree, index.clone()).unwrap();
                 let pieces = Pieces::of(&basis);
                 for i in 0..=basis.n() {

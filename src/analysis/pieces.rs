@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 
 use crate::scalar::{Polynomial, RationalAlgebra, RationalFunction, Ring, spend};
-use crate::spline::{Active, Basis, KnotVector, Span, SpanError};
+use crate::spline::{Active, Basis, FormTable, KnotVector, Pairs, Span, SpanError, triangle};
 
 use super::local_knots::SpanQuotient;
 use super::piece::{Piece, constant};
@@ -80,7 +80,7 @@ pub struct SpanPieces {
 /// ```
 #[derive(Debug, Clone)]
 pub struct Pieces {
-    basis: Basis,
+    basis: Basis<()>,
     spans: Vec<SpanPieces>,
     zero: Piece,
 }
@@ -97,12 +97,39 @@ impl Pieces {
             SpanPieces { span, x: coordinate_between(&ends.0, &ends.1), functions, ends }
         };
         let spans = knots.spans().map(on_span).collect();
-        Self { basis: basis.clone(), spans, zero: constant(knots.first().zero()) }
+        Self { basis: basis.with(()), spans, zero: constant(knots.first().zero()) }
     }
 
-    /// The basis.
+    /// The same for any weights, by the recursion over functions of u; the weights have no pole on a closed span.
     #[must_use]
-    pub fn basis(&self) -> &Basis {
+    pub fn of_forms(basis: &Basis<FormTable>) -> Self {
+        let knots = basis.knots();
+        let on_span = |span: Span| {
+            spend();
+            let j = span.index();
+            let ends = (knots.t(j).clone(), knots.t(j + 1).clone());
+            let zero = constant(ends.0.zero());
+            // p and q times 1 + u, which cancels: forms are homogeneous.
+            let linear = |at_start: BigRational, at_end: BigRational| Polynomial::new(at_start, [at_end]);
+            let share = |i: usize, d: usize| {
+                let (a, b) = (knots.t(i), knots.t(i + d));
+                let p = linear(&ends.0 - a, &ends.1 - a);
+                let q = linear(b - &ends.0, b - &ends.1);
+                let [rise, fall, over] =
+                    basis.weights().get(j, i, d)?.values(&p, &q, |c| Polynomial::constant(c.clone()));
+                Some((RationalFunction::new(&rise, &over)?, RationalFunction::new(&fall, &over)?))
+            };
+            let weights = Pairs::new(&zero, |i, d| share(i, d).unwrap_or_else(|| (zero.clone(), zero.one())));
+            let functions = triangle(&weights, span, basis.degree(), knots.m());
+            SpanPieces { span, x: coordinate_between(&ends.0, &ends.1), functions, ends }
+        };
+        let spans = knots.spans().map(on_span).collect();
+        Self { basis: basis.with(()), spans, zero: constant(knots.first().zero()) }
+    }
+
+    /// Degree and knots.
+    #[must_use]
+    pub fn basis(&self) -> &Basis<()> {
         &self.basis
     }
 

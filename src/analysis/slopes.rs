@@ -4,6 +4,8 @@ use num_rational::BigRational;
 
 use crate::spline::{Basis, Side};
 
+use super::piece::Jets;
+
 /// The one-sided derivatives of a function at a knot of its support.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct KnotSlopes {
@@ -37,11 +39,20 @@ pub struct KnotSlopes {
 /// If i > n.
 #[must_use]
 pub fn knot_slopes(basis: &Basis, i: usize) -> Vec<KnotSlopes> {
+    knot_slopes_of(basis, i, &|x, side, order| basis.jets(x, side, order))
+}
+
+/// The same by the jets of all functions at a point, of any weights.
+///
+/// # Panics
+/// If i > n.
+#[must_use]
+pub fn knot_slopes_of<W>(basis: &Basis<W>, i: usize, jets: Jets<'_>) -> Vec<KnotSlopes> {
     assert!(i <= basis.n(), "there is no function {i}: the basis has the functions 0 to {}", basis.n());
     let (first, last) = (basis.knots().first(), basis.knots().last());
     let mut knots = basis.knots().knots()[i..=i + basis.degree() + 1].to_vec();
     knots.dedup();
-    let slope = |at: &BigRational, side| basis.jets(at, side, 1)[i].derivatives()[1].clone();
+    let slope = |at: &BigRational, side| jets(at, side, 1)[i].derivatives()[1].clone();
     knots
         .into_iter()
         .map(|at| KnotSlopes {

@@ -222,6 +222,9 @@ pub fn certify(
     form: Form,
     witness: Option<&Witness>,
 ) -> Result<Option<Certificate>, CertificateError> {
+    if !has_format(claim) {
+        return Ok(None);
+    }
     let Some(stated) = statement(claim, form, witness)? else {
         let open = witness.is_none() && claim.paper.windows.is_empty();
         return Ok(if open { unasked(claim, form) } else { None });
@@ -230,6 +233,11 @@ pub fn certify(
     let certificate = Certificate::of(stated)?;
     // The checker has the last word on whether numbers are enough: of a sentence with a word they are not.
     Ok(Some(certificate).filter(|certificate| !is_point || certificate.check().is_ok()))
+}
+
+/// Certificates are about the weights of an index.
+fn has_format(claim: Claim<'_>) -> bool {
+    claim.paper.about.family.moebius().is_some()
 }
 
 /// A paper that says nothing of windows: what follows from the sentence in degrees up to this one is proved, where that is
@@ -259,6 +267,9 @@ pub fn certify_for_degree(
     form: Form,
     degree: Option<usize>,
 ) -> Result<Option<Certificate>, CertificateError> {
+    if !has_format(claim) {
+        return Ok(None);
+    }
     let form = match (form, degree) {
         (Form::Printed, Some(k)) if claim.stanza.each_degree => Form::Degree(k),
         (form, _) => form,

@@ -274,6 +274,7 @@ mod tests {
         let claim = *claims().iter().find(|claim| claim.id() == "abstract.classical").unwrap();
         let knots = ["0", "0", "1", "1"].map(str::to_owned).to_vec();
         let mut witness = Witness {
+            family: None,
             instance: None,
             k: Some(1),
             knots,

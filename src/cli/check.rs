@@ -10,16 +10,16 @@ use clap::builder::TypedValueParser as _;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::judge::{Cases, Scope, Verdict};
-use crate::language::{Claim, File, Form, Paper, Said, Source, Stanza, paper};
-use crate::meaning::{Instance, examples_of};
+use crate::judge::{Cases, OfFamily, Scope, Verdict};
+use crate::language::{Claim, Family, File, Form, Known, Paper, Said, Source, Stanza, classical, paper};
+use crate::meaning::{Instance, Weighting, examples_of, setting};
 use crate::report::{Baseline, Finding};
 use crate::settle::{Proving, settle_form};
 
 use super::error::CliError;
 use super::exit::Exit;
 use super::file::read;
-use super::instance::{InstanceArgs, Subject};
+use super::instance::{InstanceArgs, MemberSubject, Resolved, Subjects};
 use super::offered::claim_name;
 use super::output::Output;
 use super::paper::paper_of;
@@ -47,6 +47,9 @@ pub(super) struct Args {
     /// A file of claims (TOML), such as those below papers/.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["property", "claim", "all", "baseline"])]
     claims: Option<PathBuf>,
+    /// The classical properties of B-splines in place of the paper's claims; with `--property` some of them.
+    #[arg(long, conflicts_with_all = ["claim", "claims", "all", "amended", "baseline"])]
+    classical: bool,
     /// Every statement that can be judged on an instance: also those about the weight alone, which are the same on any
     /// instance, and the questions X.….
     #[arg(long, conflicts_with = "property")]
@@ -55,7 +58,7 @@ pub(super) struct Args {
     #[arg(long)]
     amended: bool,
     /// Exit code 1 only where something is refuted that is recorded as proved.
-    #[arg(long)]
+    #[arg(long, conflicts_with = "family")]
     baseline: bool,
     /// The least scope that counts: a claim that is proved for less is called undecided.
     #[arg(long, value_name = "S", default_value = "instance", value_parser = scope_parser())]
@@ -69,8 +72,10 @@ const EXAMPLE: &str = r#"Examples:
   knotproof check --instance U4 --alpha -1 --all --baseline
   knotproof check --degree 2 --knots "0 0 0 1 2 2 2" --alpha -1 --claim "i in 0..n; x in [t[0], t[m]] : G[i](x) <= 1"
   knotproof check --claim "k; U open; i in 0..n : maxima(G[i]) <= 1"
-Exit code 1 means that some claim is refuted, the first two and many others as printed, and the last; the witness says
-where. The others end with 0: what is known to be true holds here too."#;
+  knotproof check --family lupas --classical --property unity --property C1
+  knotproof check --family lupas --claim "k; U clamped : G'[0](t[0]) = -k*q^(k-1)/(t[k+1]-t[0])"
+Exit code 1 means that some claim is refuted, the first two and many others as printed, and the last three; the witness
+says where. The others end with 0: what is known to be true holds here too."#;
 
 fn scope_parser() -> impl clap::builder::TypedValueParser<Value = Scope> {
     PossibleValuesParser::new(Scope::ALL.map(Scope::name))
@@ -86,6 +91,9 @@ pub(super) struct Check {
     /// k; nothing where all small cases were judged.
     #[serde(skip_serializing_if = "Option::is_none")]
     degree: Option<usize>,
+    /// The member of another family than that of an index; nothing where many members were judged.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    family: Option<OfFamily>,
     /// t_0, …, t_m, as fractions in lowest terms; nothing where all small cases were judged.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     knots: Vec<String>,
@@ -93,6 +101,9 @@ pub(super) struct Check {
     properties: Vec<Property>,
     #[serde(skip)]
     label: Option<String>,
+    /// The family, for the head of a text.
+    #[serde(skip)]
+    of: Option<String>,
 }
 
 /// One claim on the instance with one index.
@@ -100,7 +111,7 @@ pub(super) struct Check {
 struct Property {
     /// The claim.
     id: String,
-    /// α: `inf`, or an exact number; nothing where all small cases were judged.
+    /// α: `inf`, or an exact number; nothing where all small cases were judged, or for another family.
     #[serde(skip_serializing_if = "Option::is_none")]
     alpha: Option<String>,
     /// Is it the printed statement, or the amended one?
@@ -150,25 +161,44 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     let mut check = Check {
         schema: "knotproof.check/1",
         degree: None,
+        family: None,
         knots: Vec::new(),
         properties: Vec::new(),
         label: None,
+        of: None,
     };
     let mut all = Vec::new();
-    if library.is_some() && args.instance.is_absent() {
-        all.push((None, None, Cases::of_paper(&paper)));
+    let chosen_family = args.instance.family()?;
+    let member = |error| CliError::Member { argument: "--family", error };
+    if let (Some(_), Some(of), true) = (&library, &chosen_family, args.instance.is_without_knots()) {
+        check.of = Some(of.family.name.clone());
+        all.push((None, None, Cases::of_family(&of.family, &of.given).map_err(member)?));
+    } else if library.is_some() && args.instance.is_absent() {
+        all.push((None, None, Cases::of_paper(&paper).map_err(member)?));
     } else {
-        let subjects = args.instance.resolve_among(&examples_of(&paper.examples))?;
-        let family = paper.about.family;
-        let foreign = |subject: &&Subject| !family.has(subject.basis.index().alpha().as_ref());
-        if let Some(subject) = subjects.cases.iter().find(foreign) {
-            let alpha = subject.basis.index().to_string();
-            return Err(CliError::ForeignIndex { family: family.name(), alpha });
+        let examples = examples_of(&paper.examples, &paper.about.family);
+        let subjects = match args.instance.resolve_among(&examples)? {
+            Resolved::Indices(subjects) => subjects,
+            Resolved::Member(MemberSubject { label, basis }) => {
+                native(&paper, library.is_some(), basis.weights())?;
+                check.degree = Some(basis.degree());
+                check.family = OfFamily::of(basis.weights());
+                check.of = Some(basis.weights().to_string());
+                check.knots = basis.knots().knots().iter().map(ToString::to_string).collect();
+                check.label = label;
+                let on = Instance::on(basis).map_err(member)?;
+                all.push((on.degree(), None, Cases::only(on)));
+                Subjects { label: None, cases: Vec::new() }
+            }
+        };
+        for subject in &subjects.cases {
+            native(&paper, library.is_some(), &Weighting::Index(subject.basis.index().clone()))?;
         }
-        let first = &subjects.cases[0].basis;
-        check.degree = Some(first.degree());
-        check.knots = first.knots().knots().iter().map(ToString::to_string).collect();
-        check.label = subjects.label;
+        if let Some(first) = subjects.cases.first() {
+            check.degree = Some(first.basis.degree());
+            check.knots = first.basis.knots().knots().iter().map(ToString::to_string).collect();
+            check.label = subjects.label;
+        }
         for subject in &subjects.cases {
             let points = subject.curve.as_ref().map(|curve| curve.points().to_vec());
             let on = Instance::of(subject.basis.clone()).with_points(points);
@@ -180,7 +210,9 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     for (degree, alpha, cases) in &all {
         for claim in &chosen {
             progress.step(claim.id());
-            let on = On { degree: *degree, cases, proves: library.is_none(), scope: args.scope };
+            // What is proved is about the weights of an index.
+            let proves = library.is_none() && check.of.is_none();
+            let on = On { degree: *degree, cases, proves, scope: args.scope };
             let property = on.property(*claim, args.amended, recorded.as_ref())?;
             check.properties.push(Property { alpha: alpha.clone(), ..property });
         }
@@ -192,13 +224,39 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     Ok(counted.exit())
 }
 
+/// The paper's claims are about its own family; own sentences are about any.
+fn native(paper: &Paper, own: bool, weights: &Weighting) -> Result<(), CliError> {
+    let family: &Family = &paper.about.family;
+    let is_native = match weights {
+        Weighting::Index(index) => family.has_index(index.alpha().as_ref()),
+        Weighting::Family(member) => {
+            let other = member.family();
+            (&other.name, &other.rise, &other.fall) == (&family.name, &family.rise, &family.fall)
+        }
+    };
+    // The family of an index is every paper's that names no other.
+    if is_native || own && family.moebius().is_none_or(|parameter| parameter.is_some()) {
+        return Ok(());
+    }
+    let (argument, shown) = match weights {
+        Weighting::Index(index) => ("--alpha", format!("index {index}")),
+        Weighting::Family(member) => ("--family", format!("member {}", member.family().name)),
+    };
+    let advice = match (family.moebius(), family.parameters.first()) {
+        (Some(_), _) => "write --alpha inf".to_owned(),
+        (None, None) => format!("write --family {}", family.given),
+        (None, Some(own)) => format!("write --family {} --set {}", family.given, setting(own)),
+    };
+    Err(CliError::Foreign { argument, family: family.name.clone(), weights: shown, advice })
+}
+
 impl Args {
     /// The sentence or the file of the user's own, if one is given.
     fn own_claims(&self, paper: &Paper) -> Result<Option<File>, CliError> {
         if let Some(text) = &self.claim {
             let complain = |complaint| CliError::Claim { argument: "--claim", complaints: vec![complaint] };
-            let known = paper.known();
-            let sentence = match self.instance.is_absent() {
+            let known = self.known(paper.known())?;
+            let sentence = match self.instance.is_without_knots() {
                 true => known.one_line(text),
                 false => known.one_line_on_knots(text),
             };
@@ -209,11 +267,36 @@ impl Args {
                 claims: vec![Stanza::own(printed)],
             }));
         }
+        if self.classical {
+            return self.of_classical().map(Some);
+        }
         let Some(path) = &self.claims else { return Ok(None) };
         let text = read("--claims", path)?;
         let name = path.display().to_string();
-        let file = paper.stanzas(&name, &text);
+        let file = paper.stanzas_about(self.known(paper.known())?, &name, &text);
         file.map(Some).map_err(|complaints| CliError::Claim { argument: "--claims", complaints })
+    }
+
+    /// What sentences may say of the family that is chosen.
+    fn known(&self, known: Known) -> Result<Known, CliError> {
+        Ok(match self.instance.family()? {
+            Some(chosen) => known.about(&chosen.family),
+            None => known,
+        })
+    }
+
+    /// The classical properties that are asked for.
+    fn of_classical(&self) -> Result<File, CliError> {
+        let mut file = classical().clone();
+        let ids: Vec<_> = classical().claims.iter().map(|stanza| &*stanza.id).collect();
+        if let Some(unknown) = self.property.iter().find(|name| !ids.contains(&name.as_str())) {
+            return Err(CliError::unknown_claim("--property", unknown, &ids));
+        }
+        let wanted = |stanza: &Stanza| {
+            self.property.is_empty() || self.property.iter().any(|name| **name == *stanza.id)
+        };
+        file.claims.retain(wanted);
+        Ok(file)
     }
 
     /// The paper's claims that are asked for: by name, all that can be judged on an instance, or those that depend on it.
@@ -311,7 +394,13 @@ impl fmt::Display for Check {
         }
         match self.degree {
             Some(k) => writeln!(f, "k = {k}, U = ({})", self.knots.join(", "))?,
+            None if self.of.is_some() => {}
             None => writeln!(f, "On all small cases and the paper's examples, for every x:")?,
+        }
+        match (&self.of, self.degree) {
+            (Some(of), Some(_)) => writeln!(f, "\nFamily {of}, for every x:")?,
+            (Some(of), None) => writeln!(f, "On small cases of the family {of}, for every x:")?,
+            (None, _) => {}
         }
         let width =
             if self.properties.iter().any(|property| property.form == Form::Amended) { 35 } else { 26 };
@@ -340,7 +429,11 @@ impl fmt::Display for Check {
                 writeln!(f, "      {}", property.statement)?;
                 // The case stands at the head, if there is only one.
                 let known = if self.degree.is_some() { ["k", "U", "α"].as_slice() } else { &[] };
-                let at = witness.given().into_iter().filter(|(name, _)| !known.contains(&name.as_str()));
+                let of = witness.family.as_ref().filter(|_| self.degree.is_some());
+                let set =
+                    |name: &str| of.is_some_and(|of| name == "family" || of.parameters.contains_key(name));
+                let at = witness.given().into_iter();
+                let at = at.filter(|(name, _)| !known.contains(&name.as_str()) && !set(name));
                 let told = |(name, value): (String, String)| match name.as_str() {
                     "instance" => value,
                     _ => format!("{name} = {value}"),

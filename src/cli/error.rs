@@ -11,6 +11,7 @@ use crate::certificate::CertificateError;
 use crate::float::FloatError;
 use crate::json::JsonError;
 use crate::language::Complaint;
+use crate::meaning::MemberError;
 use crate::report::{BaselineError, PageError, PictureError, ScriptError};
 use crate::scalar::NumberError;
 use crate::search::{AuditError, MergeError, PortionError, RecordError};
@@ -243,14 +244,6 @@ pub enum CliError {
         /// The papers that come with the program.
         names: Vec<&'static str>,
     },
-    /// No family of weights has this name.
-    #[error("--family: there is no family `{name}`; there are {}", list(names))]
-    UnknownFamily {
-        /// What was given.
-        name: String,
-        /// The families.
-        names: Vec<&'static str>,
-    },
     /// The windows of a paper in a folder are about something else than its claims.
     #[error("{argument}: {}: {error}; correct it, or remove what it is about", path.display())]
     Windows {
@@ -261,13 +254,17 @@ pub enum CliError {
         /// What is wrong.
         error: Box<CertificateError>,
     },
-    /// An index that the family of the paper has not.
-    #[error("--alpha: the family `{family}` of the paper has no index {alpha}; write --alpha inf")]
-    ForeignIndex {
+    /// Weights that the family of the paper has not.
+    #[error("{argument}: the family `{family}` of the paper has no {weights}; {advice}")]
+    Foreign {
+        /// The argument.
+        argument: &'static str,
         /// The family.
-        family: &'static str,
-        /// α.
-        alpha: String,
+        family: String,
+        /// α, or a member of another family.
+        weights: String,
+        /// What to write instead.
+        advice: String,
     },
     /// Degrees that are none.
     #[error("--degrees: `{0}` is no range of degrees; write one, such as 2, or the first and the last: 1..3")]
@@ -439,6 +436,52 @@ pub enum CliError {
         /// What is wrong, each with its place and what to write instead.
         complaints: Vec<Complaint>,
     },
+    /// A setting that is none of the family's, or weights that it does not give.
+    #[error("{argument}: {error}")]
+    Member {
+        /// `--set`, or `--family`.
+        argument: &'static str,
+        /// What is wrong.
+        error: MemberError,
+    },
+    /// A setting that is not written as one.
+    #[error("--set: `{0}` has no `=`: write NAME=VALUES, such as q=1/3 or omega=1,2,1/2")]
+    Setting(String),
+    /// Two settings of one name.
+    #[error("--set: `{0}` is set twice: give it once")]
+    SetTwice(String),
+    /// Neither the name of a family nor a file.
+    #[error("--family: there is no family `{name}`, and no such file; there are {}", list(names))]
+    UnknownFamily {
+        /// What was given.
+        name: String,
+        /// The families that come with the program.
+        names: Vec<String>,
+    },
+    /// A command that works with the weights of an index only.
+    #[error(
+        "--family: {what} the weights of an index only (families classical and mobius), and {family} has others; \
+         `knotproof check`, `eval` and `shape` take any family"
+    )]
+    OnlyIndices {
+        /// Who knows no others: `this command knows`.
+        what: &'static str,
+        /// The family.
+        family: String,
+    },
+    /// A shape that can't be told.
+    #[error(
+        "--family: G_{index} is negative somewhere for {family} ({why}), and a shape is that of a function ≥ 0; choose \
+         other parameters, or ask `knotproof check --claim` what you want to know"
+    )]
+    Negative {
+        /// i.
+        index: usize,
+        /// The member.
+        family: String,
+        /// Which weight is not as those of nonnegative functions are, and why.
+        why: String,
+    },
     /// A result could not be written.
     #[error("cannot write the result: {0}")]
     Output(#[from] io::Error),
@@ -471,10 +514,7 @@ impl CliError {
             Self::Points { .. } | Self::NoPoint { .. } => Some("--points-file"),
             Self::TooHigh { .. } => Some("--degree"),
             Self::UnknownInstance { .. } | Self::Malformed { .. } => Some("--instance"),
-            Self::SeveralIndices { .. }
-            | Self::ForeignIndex { .. }
-            | Self::AllIndices
-            | Self::SymbolicIndex => Some("--alpha"),
+            Self::SeveralIndices { .. } | Self::AllIndices | Self::SymbolicIndex => Some("--alpha"),
             Self::UnknownCommand { .. } => Some("COMMAND"),
             Self::Width(_) => Some("--width"),
             Self::FreeKnot(_) | Self::TwoParameters => Some("--free-knot"),
@@ -487,7 +527,6 @@ impl CliError {
             | Self::NoPaper { argument, .. }
             | Self::Windows { argument, .. } => Some(argument),
             Self::Degrees(_) => Some("--degrees"),
-            Self::UnknownFamily { .. } => Some("--family"),
             Self::NotGeneral { .. } => Some("--property"),
             Self::Baseline { .. } => Some("--baseline"),
             Self::Needed { argument, .. }
@@ -499,7 +538,11 @@ impl CliError {
             Self::Merge(_) => Some("FILE"),
             Self::Audit(_) => Some("--audit"),
             Self::Threads { .. } => Some("--threads"),
-            Self::Claim { argument, .. } => Some(argument),
+            Self::Claim { argument, .. } | Self::Member { argument, .. } | Self::Foreign { argument, .. } => {
+                Some(argument)
+            }
+            Self::Setting(_) | Self::SetTwice(_) => Some("--set"),
+            Self::UnknownFamily { .. } | Self::OnlyIndices { .. } | Self::Negative { .. } => Some("--family"),
             Self::Recorded(_)
             | Self::NotRecorded(_)
             | Self::Conversion { .. }

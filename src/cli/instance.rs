@@ -8,11 +8,12 @@ use std::str::FromStr;
 
 use num_rational::BigRational;
 
-use crate::meaning::{Example, examples};
+use crate::meaning::{Example, Weighting, examples};
 use crate::spline::{Basis, Curve, CurveError, Index, IndexError, KnotError, KnotVector, Point};
 
 use super::error::CliError;
 use super::exact::Exact;
+use super::family::{ChosenFamily, FamilyArgs};
 use super::file::InstanceFile;
 use super::lists::{numbers, points};
 use super::offered::{instance_name, instance_names};
@@ -42,6 +43,8 @@ pub(super) struct InstanceArgs {
     /// or none, points of one coordinate: "0 1 4".
     #[arg(long, value_name = "POINTS", allow_hyphen_values = true)]
     points: Option<String>,
+    #[command(flatten)]
+    family: FamilyArgs,
 }
 
 /// A value of `--alpha`.
@@ -85,6 +88,31 @@ pub(super) struct Subjects {
     pub(super) cases: Vec<Subject>,
 }
 
+/// What a command works on, of any family.
+#[derive(Debug)]
+pub(super) enum Resolved {
+    /// With the weights of indices.
+    Indices(Subjects),
+    /// With those of another family's member.
+    Member(MemberSubject),
+}
+
+/// A degree on knots with a member of another family than that of an index.
+#[derive(Debug)]
+pub(super) struct MemberSubject {
+    /// The name of the paper's instance, or the file.
+    pub(super) label: Option<String>,
+    /// Its knots and weights.
+    pub(super) basis: Basis<Weighting>,
+}
+
+impl MemberSubject {
+    /// The name of the family.
+    pub(super) fn family(&self) -> String {
+        self.basis.weights().member().map(|member| member.family().name.clone()).unwrap_or_default()
+    }
+}
+
 /// A basis, and the curve if there are control points.
 #[derive(Debug)]
 pub(super) struct Subject {
@@ -100,16 +128,30 @@ struct Given {
     label: Option<String>,
     degree: Option<usize>,
     knots: Option<(KnotVector, Provenance)>,
-    indices: Vec<Index>,
+    weights: Vec<Weighting>,
     points: Option<(Vec<Point>, Provenance)>,
 }
 
 impl InstanceArgs {
-    /// Reads the instance, lets the options override it, and checks that all of it fits together.
+    /// Reads the instance, lets the options override it, and checks that all of it fits together; for the commands that know
+    /// the weights of an index only.
     ///
     /// # Errors
     /// [`CliError`], for the first thing that is wrong.
     pub(super) fn resolve(&self) -> Result<Subjects, CliError> {
+        match self.resolve_among(examples())? {
+            Resolved::Indices(subjects) => Ok(subjects),
+            Resolved::Member(subject) => {
+                Err(CliError::OnlyIndices { what: "this command knows", family: subject.family() })
+            }
+        }
+    }
+
+    /// The same for any family.
+    ///
+    /// # Errors
+    /// [`CliError`], for the first thing that is wrong.
+    pub(super) fn resolve_any(&self) -> Result<Resolved, CliError> {
         self.resolve_among(examples())
     }
 
@@ -117,7 +159,8 @@ impl InstanceArgs {
     ///
     /// # Errors
     /// [`CliError`], for the first thing that is wrong.
-    pub(super) fn resolve_among(&self, examples: &[Example]) -> Result<Subjects, CliError> {
+    pub(super) fn resolve_among(&self, examples: &[Example]) -> Result<Resolved, CliError> {
+        let member = self.family.chosen()?.as_ref().map(ChosenFamily::member).transpose()?;
         let given = match &self.instance {
             Some(name) => self.named(name, examples)?,
             None => Given::default(),
@@ -139,7 +182,19 @@ impl InstanceArgs {
         let degree = degree.ok_or_else(|| missing("--degree", "give the degree, such as --degree 2"))?;
         let (knots, place) =
             knots.ok_or_else(|| missing("--knots", "give the knots, such as --knots \"0 0 0 1 2 2 2\""))?;
-        let mut indices = self.indices()?.unwrap_or(given.indices);
+        let own = member.map(|member| vec![member]);
+        let alpha = self.indices()?.map(|list| list.into_iter().map(Weighting::Index).collect());
+        let weights = own.or(alpha).unwrap_or(given.weights);
+        if let Some(weights @ Weighting::Family(_)) = weights.first() {
+            let basis = Basis::over(knots, degree, weights.clone())
+                .map_err(|error| CliError::Basis { place: place.clone(), error })?;
+            let subject = MemberSubject { label, basis };
+            if points.is_some() {
+                return Err(CliError::OnlyIndices { what: "curves have", family: subject.family() });
+            }
+            return Ok(Resolved::Member(subject));
+        }
+        let mut indices: Vec<_> = weights.iter().filter_map(Weighting::index).cloned().collect();
         let mut seen = HashSet::new();
         indices.retain(|index| seen.insert(index.clone()));
         if indices.is_empty() {
@@ -158,12 +213,25 @@ impl InstanceArgs {
             Ok(Subject { basis, curve })
         };
         let cases = indices.into_iter().map(case).collect::<Result<_, CliError>>()?;
-        Ok(Subjects { label, cases })
+        Ok(Resolved::Indices(Subjects { label, cases }))
+    }
+
+    /// The family that is chosen, if there is one.
+    ///
+    /// # Errors
+    /// [`CliError`], where it is not there or not well formed, or a setting is not.
+    pub(super) fn family(&self) -> Result<Option<ChosenFamily>, CliError> {
+        self.family.chosen()
     }
 
     /// Is nothing said at all?
     pub(super) fn is_absent(&self) -> bool {
-        let Self { instance, degree, knots, alpha, points } = self;
+        self.is_without_knots() && self.family.is_absent()
+    }
+
+    /// Is nothing said but perhaps a family?
+    pub(super) fn is_without_knots(&self) -> bool {
+        let Self { instance, degree, knots, alpha, points, family: _ } = self;
         instance.is_none() && degree.is_none() && knots.is_none() && alpha.is_empty() && points.is_none()
     }
 
@@ -241,7 +309,7 @@ impl InstanceArgs {
             label: Some(format!("{} ({})", chosen.name, chosen.figure)),
             degree: Some(chosen.degree),
             knots: Some((chosen.knots, Provenance::paper(&chosen.name, "knots"))),
-            indices: chosen.indices,
+            weights: chosen.weights,
             points: chosen.points.map(|points| (points, Provenance::paper(&chosen.name, "points"))),
         })
     }
@@ -252,7 +320,7 @@ impl FunctionArgs {
     ///
     /// # Errors
     /// [`CliError::Function`] if the basis has no such function.
-    pub(super) fn chosen(&self, basis: &Basis) -> Result<Option<usize>, CliError> {
+    pub(super) fn chosen<W>(&self, basis: &Basis<W>) -> Result<Option<usize>, CliError> {
         match self.index {
             Some(index) if index > basis.n() => Err(CliError::Function { index, n: basis.n() }),
             index => Ok(index),
@@ -263,7 +331,7 @@ impl FunctionArgs {
     ///
     /// # Errors
     /// As [`chosen`](Self::chosen).
-    pub(super) fn range(&self, basis: &Basis) -> Result<RangeInclusive<usize>, CliError> {
+    pub(super) fn range<W>(&self, basis: &Basis<W>) -> Result<RangeInclusive<usize>, CliError> {
         Ok(self.chosen(basis)?.map_or(0..=basis.n(), |i| i..=i))
     }
 }
@@ -308,7 +376,7 @@ fn from_file(path: &Path, examples: &[Example]) -> Result<Given, CliError> {
         label: Some(visible_path(path)),
         degree: Some(file.degree.0),
         knots: Some((knots, place)),
-        indices,
+        weights: indices.into_iter().map(Weighting::Index).collect(),
         points: points.map(|points| (points, Provenance::field(path, "points"))),
     })
 }

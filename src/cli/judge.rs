@@ -169,7 +169,7 @@ pub(super) fn report_files(
 fn write(folder: &Path, judged: &Judged<'_>, paper: &Paper) -> Result<(Vec<PathBuf>, Vec<String>), CliError> {
     let report = &judged.report;
     let (mut pictures, mut undrawn) = (Vec::new(), Vec::new());
-    for example in examples_of(&paper.examples) {
+    for example in examples_of(&paper.examples, &paper.about.family) {
         let own = figures::pictures(&example)?;
         if own.is_empty() {
             undrawn.push(format!("{}, degree {}", example.name, example.degree));

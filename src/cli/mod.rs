@@ -13,6 +13,8 @@ mod eval;
 mod exact;
 mod exit;
 mod explain;
+mod families;
+mod family;
 mod figures;
 mod file;
 mod float;
@@ -92,6 +94,7 @@ enum Command {
     Explain(explain::Args),
     Prove(prove::Args),
     Verify(verify::Args),
+    Families(families::Args),
     Search(Box<search::Args>),
     Merge(merge::Args),
     Schema(schema::Args),
@@ -116,6 +119,7 @@ impl Command {
             Self::Explain(args) => explain::run(args, output),
             Self::Prove(args) => prove::run(args, output),
             Self::Verify(args) => verify::run(args, output),
+            Self::Families(args) => families::run(args, output),
             Self::Search(args) => search::run(args, output),
             Self::Merge(args) => merge::run(args, output),
             Self::Schema(args) => schema::run(args, output),

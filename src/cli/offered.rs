@@ -5,7 +5,7 @@ use std::ffi::OsStr;
 use clap::builder::{OsStringValueParser, PossibleValue, StringValueParser, TypedValueParser};
 use clap::{Arg, Command, Error};
 
-use crate::language::claims;
+use crate::language::{claims, families};
 use crate::meaning::{Example, examples};
 
 /// Reads as `parser` does, and offers the names.
@@ -23,6 +23,12 @@ pub(super) fn claim_name() -> Offered<StringValueParser> {
 /// The name of an instance of the paper, or a file.
 pub(super) fn instance_name() -> Offered<OsStringValueParser> {
     Offered { parser: OsStringValueParser::new(), names: || instance_names(examples()) }
+}
+
+/// The name of a family, or a file.
+pub(super) fn family_name() -> Offered<OsStringValueParser> {
+    let names = || families().iter().map(|family| family.name.as_str()).collect();
+    Offered { parser: OsStringValueParser::new(), names }
 }
 
 /// The names of a paper's instances, once each.

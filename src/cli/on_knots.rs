@@ -25,7 +25,7 @@ pub(super) struct OnKnots {
 
 impl OnKnots {
     /// Those of a basis, and the name of the instance that it comes from.
-    pub(super) fn of(basis: &Basis, label: Option<String>) -> Self {
+    pub(super) fn of<W>(basis: &Basis<W>, label: Option<String>) -> Self {
         Self { degree: basis.degree(), knots: exact(basis.knots().knots()), label }
     }
 }

@@ -6,9 +6,10 @@ use std::ffi::OsStr;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use crate::certificate::window_fault;
-use crate::language::{Complaint, Paper, shipped, shipped_names};
+use crate::language::{Complaint, Family, Paper, shipped, shipped_names};
 use crate::meaning::row_faults;
 
 use super::error::CliError;
@@ -72,7 +73,13 @@ fn read_folder(argument: &'static str, folder: &Path) -> Result<Paper, CliError>
     complaints.extend(row_faults(&paper));
     complaints.extend(window_fault(&paper));
     if complaints.is_empty() {
-        return Ok(Paper { called: Some(quoted(folder)), ..paper });
+        let mut paper = Paper { called: Some(quoted(folder)), ..paper };
+        // A family of the folder's own is found from outside.
+        if let Some(file) = Some(&paper.about.family.given).filter(|given| files.contains_key(*given)) {
+            let given = quoted(&folder.join(file));
+            paper.about.family = Arc::new(Family { given, ..Family::clone(&paper.about.family) });
+        }
+        return Ok(paper);
     }
     complaints.sort_by(|a, b| (a.source(), a.place()).cmp(&(b.source(), b.place())));
     let name = folder.display().to_string();

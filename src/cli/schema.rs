@@ -5,7 +5,7 @@ use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema, schema_for};
 use serde_json::Value;
 
-use crate::language::schema as claims_schema;
+use crate::language::{family_schema, schema as claims_schema};
 use crate::report::Errata;
 use crate::search::{FindingRecord, SummaryRecord};
 
@@ -14,17 +14,18 @@ use super::exit::Exit;
 use super::file::InstanceFile;
 use super::output::{ErrorReport, OfPaper, Output, Stamped};
 use super::{
-    bezier, check, completions, eval, explain, figures, float, formula, help, judge, man, merge, new, prove,
-    report, shape, verify,
+    bezier, check, completions, eval, explain, families, figures, float, formula, help, judge, man, merge,
+    new, prove, report, shape, verify,
 };
 
-/// Prints a JSON Schema: of instance files (for --instance FILE), of files of claims (for check --claims FILE), or of what
+/// Prints a JSON Schema: of instance files (for --instance FILE), of files of claims (for check --claims FILE), of families (for
+/// --family FILE), or of what
 /// a command writes with --format json.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLE)]
 pub(super) struct Args {
     /// The command whose JSON is described, each key with what it means; or `error`, for errors; or `claims`, for files of
-    /// claims.
+    /// claims; or `family`, for files of families.
     #[arg(value_name = "COMMAND", value_enum)]
     command: Option<Written>,
 }
@@ -33,6 +34,7 @@ const EXAMPLE: &str = r#"Examples:
   knotproof schema > instance.schema.json
   knotproof schema eval > eval.schema.json
   knotproof schema claims > claims.schema.json
+  knotproof schema family > family.schema.json
 An instance file:
   {"degree": 2, "knots": ["0", 0, 0, "1/2", 1, 1, 1], "alpha": "-1", "points": [["0", "2"], [1, 3], [2, 3], [3, 0]]}"#;
 
@@ -52,6 +54,7 @@ enum Written {
     Explain,
     Prove,
     Verify,
+    Families,
     Search,
     Merge,
     Completions,
@@ -61,6 +64,8 @@ enum Written {
     Error,
     /// Files of claims, which are read.
     Claims,
+    /// Files of families, which are read.
+    Family,
 }
 
 const EVAL: &str = "One object for one point. With --points-file JSON lines: the first has what all points share, each other is a point, in the order of the file. With --format text a file of points is answered as CSV, with the columns x, side, G_0, …, G_n (or the one function that was asked for), G_0^(d), …, G_n^(d) for each derivative d from 1, and with control points curve_0, … (the coordinates) and curve_0^(d), … likewise.";
@@ -71,6 +76,8 @@ const SEARCH: &str =
     "JSON lines, also in a checkpoint: one for each finding, and at the end a summary of what was searched.";
 const HELP: &str = "All tasks, or the help of one command.";
 const CLAIMS: &str = "Files of claims, for check --claims: TOML, here as the data that it stands for. docs/language.md says how sentences are written.";
+const FAMILY: &str = "Files of families, for --family: TOML, here as the data that it stands for. docs/language.md says how weights are written.";
+const FAMILIES: &str = "Families of splines; with --table the page of their classical properties.";
 const ERROR: &str = "The object on standard error, with exit code 2, or 4 for a bug of the program.";
 
 /// Prints the schema; it is JSON in either format.
@@ -147,6 +154,13 @@ impl Written {
             Self::Verify => {
                 ("What the checker says of certificates.", vec![of::<OfPaper<verify::Verified>>(to)])
             }
+            Self::Families => (
+                FAMILIES,
+                vec![
+                    titled("Families", of::<families::Families>(to)),
+                    titled("The page of properties (--table)", of::<families::Page>(to)),
+                ],
+            ),
             Self::Search => (
                 SEARCH,
                 vec![
@@ -168,6 +182,7 @@ impl Written {
             ),
             Self::Error => (ERROR, vec![of::<ErrorReport<'static>>(to)]),
             Self::Claims => (CLAIMS, vec![claims_schema()]),
+            Self::Family => (FAMILY, vec![family_schema()]),
         }
     }
 }

@@ -4,9 +4,11 @@ use std::collections::{BTreeMap, HashSet};
 use std::ops::RangeInclusive;
 use std::sync::Arc;
 
-use crate::language::{Binder, Family, Name, Paper, Sentence};
-use crate::meaning::{Example, Instance, admits, concerns, examples_of, listed};
-use crate::scalar::integer;
+use crate::language::{Binder, Family, Name, Paper, Parameter, Sentence};
+use crate::meaning::{
+    Example, Instance, MemberError, Values, Weighting, admits, concerns, examples_of, has, listed,
+};
+use crate::scalar::{BigRational, integer, rational};
 use crate::spline::{Basis, Index, KnotVector};
 
 use super::verdict::Origin;
@@ -31,8 +33,8 @@ pub struct Cases {
     indices: Vec<Arc<Case>>,
     /// Further cases of the paper, by the file that claims name.
     further: BTreeMap<String, Vec<Example>>,
-    /// What indices there are.
-    family: Family,
+    /// The family they are of; any with an index, if there is none.
+    family: Option<Arc<Family>>,
 }
 
 impl Cases {
@@ -42,52 +44,92 @@ impl Cases {
         let case = |origin| move |on| Arc::new(Case { on, origin });
         let small = small_instances().into_iter().map(case(Origin::Small)).collect();
         let mut paper: Vec<_> = paper.into_iter().collect();
-        let of = |on: &Instance| (on.name.clone(), on.degree(), on.index.clone());
+        let of = |on: &Instance| (on.name.clone(), on.degree(), on.weights.clone());
         let all: Vec<_> = paper.iter().map(of).collect();
         for on in &mut paper {
             let same = all.iter().filter(|(name, degree, _)| *name == on.name && *degree == on.degree());
-            on.shown = same.map(|(_, _, index)| index.clone()).collect();
+            on.shown = same.filter_map(|(_, _, weights)| weights.index().cloned()).collect();
         }
         let paper = paper.into_iter().map(case(Origin::Paper)).collect();
         let simple = INDICES[..4].iter().chain([&CLASSICAL]).map(|text| Instance::index(index(text)));
         let indices = simple.map(case(Origin::Small)).collect();
-        Self { small, paper, indices, further: BTreeMap::new(), family: Family::default() }
+        Self { small, paper, indices, ..Self::none() }
+    }
+
+    fn none() -> Self {
+        let (small, paper, indices) = (Vec::new(), Vec::new(), Vec::new());
+        Self { small, paper, indices, further: BTreeMap::new(), family: None }
     }
 
     /// Those of a paper: of its family, with its instances, its indices and its further cases.
-    #[must_use]
-    pub fn of_paper(paper: &Paper) -> Self {
-        let examples = examples_of(&paper.examples);
-        let mut cases = Self::new(examples.iter().flat_map(Example::instances));
+    ///
+    /// # Errors
+    /// [`MemberError`], if some member of its family gives no weights.
+    pub fn of_paper(paper: &Paper) -> Result<Self, MemberError> {
+        let family = &paper.about.family;
+        let examples = examples_of(&paper.examples, family);
+        let own = Self::new(examples.iter().flat_map(Example::instances));
+        let Self { small, mut indices, .. } = Self::of_family(family, &[])?;
         let shown = paper.about.indices.iter().filter_map(|alpha| match alpha {
             Some(alpha) => Index::from_alpha(alpha.clone()).ok(),
             None => Some(Index::infinity()),
         });
         let shown = shown.map(|index| Arc::new(Case { on: Instance::index(index), origin: Origin::Paper }));
-        cases.indices.extend(shown);
-        cases.further = paper.cases.iter().map(|(file, rows)| (file.clone(), examples_of(rows))).collect();
-        cases.family = paper.about.family;
-        let family = cases.family;
-        let of_family = |case: &Arc<Case>| family.has(case.on.index.alpha().as_ref());
-        for list in [&mut cases.small, &mut cases.paper, &mut cases.indices] {
-            list.retain(of_family);
-        }
-        cases
+        indices.extend(shown.filter(|case| is_of(family, &case.on)));
+        let further = paper.cases.iter().map(|(file, rows)| (file.clone(), examples_of(rows, family)));
+        let (paper, further) = (own.paper, further.collect());
+        Ok(Self { small, paper, indices, further, family: Some(Arc::clone(family)) })
     }
 
     /// One instance of the user's own, and its index for sentences about weights.
     #[must_use]
     pub fn only(on: Instance) -> Self {
-        let index = on.index.clone();
-        let [on, index] = [on, Instance::index(index)].map(|on| Arc::new(Case { on, origin: Origin::User }));
-        let (small, further) = (Vec::new(), BTreeMap::new());
-        Self { small, paper: vec![on], indices: vec![index], further, family: Family::default() }
+        let alone = Instance::weights(on.weights.clone());
+        let [on, index] = [on, alone].map(|on| Arc::new(Case { on, origin: Origin::User }));
+        Self { paper: vec![on], indices: vec![index], ..Self::none() }
     }
 
     /// Only the cases up to this degree.
     #[must_use]
     pub fn up_to(self, degree: usize) -> Self {
         self.in_degrees(&(0..=degree))
+    }
+
+    /// Small cases of a family, with parameters by size; those that are given are kept. For Möbius weights, the usual ones.
+    ///
+    /// # Errors
+    /// [`MemberError`], if what is given is none of the family's, or some member gives no weights.
+    pub fn of_family(family: &Arc<Family>, given: &[(String, Values)]) -> Result<Self, MemberError> {
+        let of = Some(Arc::clone(family));
+        if family.moebius().is_some() {
+            let Self { mut small, mut indices, .. } = Self::new([]);
+            if given.is_empty() {
+                small.retain(|case| is_of(family, &case.on));
+                indices.retain(|case| is_of(family, &case.on));
+            } else if let Weighting::Index(index) = Weighting::of(family, given)? {
+                let list = [index];
+                (small, indices) = (with_indices(&small, &list), with_indices(&indices, &list));
+            }
+            return Ok(Self { small, indices, family: of, ..Self::none() });
+        }
+        let mut all = Vec::new();
+        for (degree, knots) in family_knots() {
+            if family.knots.iter().any(|adjective| !has(*adjective, &knots, degree)) {
+                continue;
+            }
+            for values in members(family, given, knots.m(), degree) {
+                let weights = Weighting::of(family, &values)?;
+                let Ok(basis) = Basis::over(knots.clone(), degree, weights) else { continue };
+                all.push(Instance::on(basis)?);
+            }
+        }
+        let by_ends =
+            || members(family, given, 1, 1).into_iter().map(|values| Weighting::of(family, &values));
+        let alone: Vec<_> =
+            if family.is_by_ends() { by_ends().collect::<Result<_, _>>()? } else { Vec::new() };
+        let case = |on| Arc::new(Case { on, origin: Origin::Small });
+        let indices = alone.into_iter().map(Instance::weights).map(case).collect();
+        Ok(Self { small: all.into_iter().map(case).collect(), indices, family: of, ..Self::none() })
     }
 
     /// Only the cases of these degrees.
@@ -142,10 +184,10 @@ impl Cases {
         if own_knots {
             // Of a case that brings no knots a degree and an index are left.
             let mut seen = HashSet::new();
-            cases.retain(|case| seen.insert((case.on.degree(), case.on.index.clone())));
+            cases.retain(|case| seen.insert((case.on.degree(), case.on.weights.clone())));
         }
         if let Some(mut list) = listed(sentence) {
-            list.retain(|index| self.family.has(index.alpha().as_ref()));
+            list.retain(|index| self.family.iter().all(|family| family.has_index(index.alpha().as_ref())));
             cases = with_indices(&cases, &list);
         }
         cases.retain(|case| concerns(sentence, &case.on));
@@ -153,22 +195,22 @@ impl Cases {
     }
 }
 
+/// Is the instance one of a family that has an index?
+fn is_of(family: &Family, on: &Instance) -> bool {
+    on.weights.index().is_some_and(|index| family.has_index(index.alpha().as_ref()))
+}
+
 /// The cases with these indices in place of theirs.
 fn with_indices(cases: &[Arc<Case>], list: &[Index]) -> Vec<Arc<Case>> {
-    let mut seen: HashSet<(Option<Name>, Option<Basis>)> = HashSet::new();
-    let classical = |case: &&Arc<Case>| {
-        seen.insert((
-            case.on.name.clone(),
-            case.on.basis.as_ref().map(|basis| basis.with_index(Index::infinity())),
-        ))
-    };
+    let mut seen: HashSet<(Option<Name>, Option<Basis<()>>)> = HashSet::new();
+    let on_knots = |on: &Instance| on.basis.as_ref().map(|basis| basis.with(()));
+    let classical = |case: &&Arc<Case>| seen.insert((case.on.name.clone(), on_knots(&case.on)));
     let distinct: Vec<_> = cases.iter().filter(classical).collect();
     let each = |case: &Arc<Case>| {
         let own = list.iter().map(|index| {
             let known = cases.iter().find(|other| {
-                let same =
-                    || other.on.basis == case.on.basis.as_ref().map(|basis| basis.with_index(index.clone()));
-                other.on.index == *index && other.on.name == case.on.name && same()
+                let same = || on_knots(&other.on) == on_knots(&case.on);
+                other.on.weights.index() == Some(index) && other.on.name == case.on.name && same()
             });
             let made = || Arc::new(Case { on: case.on.with_index(index.clone()), origin: case.origin });
             known.cloned().unwrap_or_else(made)
@@ -192,7 +234,7 @@ fn index(text: &str) -> Index {
 }
 
 /// All knot vectors of some sizes with integer gaps.
-struct Enumerated {
+struct Sizes {
     degree: usize,
     /// m.
     sizes: RangeInclusive<usize>,
@@ -207,20 +249,20 @@ struct Enumerated {
 
 /// What is enumerated: everything for the smallest sizes; open vectors, which most claims are about, further; and
 /// short vectors of degree 3 with many indices, for the conjecture.
-const FAMILIES: [Enumerated; 10] = [
-    Enumerated { degree: 1, sizes: 3..=4, greatest_gap: 2, greatest_length: 8, indices: 4, open: false },
-    Enumerated { degree: 1, sizes: 5..=5, greatest_gap: 2, greatest_length: 10, indices: 2, open: false },
-    Enumerated { degree: 2, sizes: 5..=5, greatest_gap: 2, greatest_length: 10, indices: 4, open: false },
-    Enumerated { degree: 2, sizes: 6..=7, greatest_gap: 1, greatest_length: 7, indices: 2, open: false },
-    Enumerated { degree: 3, sizes: 7..=7, greatest_gap: 1, greatest_length: 7, indices: 2, open: false },
-    Enumerated { degree: 3, sizes: 7..=7, greatest_gap: 2, greatest_length: 4, indices: 14, open: false },
-    Enumerated { degree: 3, sizes: 8..=10, greatest_gap: 2, greatest_length: 8, indices: 1, open: true },
-    Enumerated { degree: 4, sizes: 9..=12, greatest_gap: 1, greatest_length: 4, indices: 1, open: true },
-    Enumerated { degree: 5, sizes: 11..=13, greatest_gap: 1, greatest_length: 3, indices: 1, open: true },
-    Enumerated { degree: 6, sizes: 13..=15, greatest_gap: 1, greatest_length: 3, indices: 1, open: true },
+const SIZES: [Sizes; 10] = [
+    Sizes { degree: 1, sizes: 3..=4, greatest_gap: 2, greatest_length: 8, indices: 4, open: false },
+    Sizes { degree: 1, sizes: 5..=5, greatest_gap: 2, greatest_length: 10, indices: 2, open: false },
+    Sizes { degree: 2, sizes: 5..=5, greatest_gap: 2, greatest_length: 10, indices: 4, open: false },
+    Sizes { degree: 2, sizes: 6..=7, greatest_gap: 1, greatest_length: 7, indices: 2, open: false },
+    Sizes { degree: 3, sizes: 7..=7, greatest_gap: 1, greatest_length: 7, indices: 2, open: false },
+    Sizes { degree: 3, sizes: 7..=7, greatest_gap: 2, greatest_length: 4, indices: 14, open: false },
+    Sizes { degree: 3, sizes: 8..=10, greatest_gap: 2, greatest_length: 8, indices: 1, open: true },
+    Sizes { degree: 4, sizes: 9..=12, greatest_gap: 1, greatest_length: 4, indices: 1, open: true },
+    Sizes { degree: 5, sizes: 11..=13, greatest_gap: 1, greatest_length: 3, indices: 1, open: true },
+    Sizes { degree: 6, sizes: 13..=15, greatest_gap: 1, greatest_length: 3, indices: 1, open: true },
 ];
 
-impl Enumerated {
+impl Sizes {
     /// The vectors of m + 1 knots, from 0, with t_k < t_{m−k} as the paper's statements ask (D3.2).
     fn vectors(&self, m: usize) -> impl Iterator<Item = Vec<usize>> {
         let (k, base) = (self.degree, self.greatest_gap + 1);
@@ -243,11 +285,11 @@ impl Enumerated {
 /// Bases in order of size: by degree, by the number of knots, by length, by knots; then by index.
 fn small_bases() -> Vec<Basis> {
     let mut keys = Vec::new();
-    for family in &FAMILIES {
-        for m in family.sizes.clone() {
-            for knots in family.vectors(m) {
-                for place in (0..family.indices).chain([INDICES.len()]) {
-                    keys.push((family.degree, m, knots[m], knots.clone(), place));
+    for sizes in &SIZES {
+        for m in sizes.sizes.clone() {
+            for knots in sizes.vectors(m) {
+                for place in (0..sizes.indices).chain([INDICES.len()]) {
+                    keys.push((sizes.degree, m, knots[m], knots.clone(), place));
                 }
             }
         }
@@ -263,6 +305,111 @@ fn small_bases() -> Vec<Basis> {
         }
     };
     keys.into_iter().map(basis).collect()
+}
+
+/// The knots that members of other families are looked at on: fewer, as there are no fast kernels for them.
+const FAMILY_SIZES: [Sizes; 6] = [
+    Sizes { degree: 1, sizes: 3..=4, greatest_gap: 2, greatest_length: 5, indices: 0, open: false },
+    Sizes { degree: 2, sizes: 5..=6, greatest_gap: 1, greatest_length: 6, indices: 0, open: false },
+    Sizes { degree: 2, sizes: 5..=7, greatest_gap: 3, greatest_length: 5, indices: 0, open: true },
+    Sizes { degree: 3, sizes: 7..=7, greatest_gap: 1, greatest_length: 7, indices: 0, open: false },
+    Sizes { degree: 3, sizes: 7..=9, greatest_gap: 3, greatest_length: 6, indices: 0, open: true },
+    Sizes { degree: 4, sizes: 9..=11, greatest_gap: 1, greatest_length: 3, indices: 0, open: true },
+];
+
+/// Degrees and knots in order of size.
+fn family_knots() -> Vec<(usize, KnotVector)> {
+    let mut keys = Vec::new();
+    for sizes in &FAMILY_SIZES {
+        for m in sizes.sizes.clone() {
+            keys.extend(sizes.vectors(m).map(|knots| (sizes.degree, m, knots[m], knots)));
+        }
+    }
+    keys.sort_unstable();
+    keys.dedup();
+    let knots = |(degree, _, _, knots): (usize, usize, usize, Vec<usize>)| {
+        let knots = KnotVector::new(knots.into_iter().map(integer).collect());
+        Some((degree, knots.ok()?))
+    };
+    keys.into_iter().filter_map(knots).collect()
+}
+
+/// Numbers for parameters, simplest first.
+const NUMBERS: [(i64, i64); 9] = [(0, 1), (1, 1), (2, 1), (1, 2), (3, 1), (1, 3), (-1, 1), (3, 2), (-2, 1)];
+
+/// The simplest parameters of a family that are not all the same, on knots of these m and k.
+#[must_use]
+pub fn simplest_member(family: &Family, m: usize, k: usize) -> Vec<(String, Values)> {
+    let mut all = members(family, &[], m, k);
+    all.truncate(2);
+    all.pop().unwrap_or_default()
+}
+
+/// Parameters of a family by size, on knots of these m and k: of each one number after the other, or lists that are constant
+/// but for one entry, then lists that are not. What is given is kept.
+fn members(family: &Family, given: &[(String, Values)], m: usize, k: usize) -> Vec<Vec<(String, Values)>> {
+    /// As many for each.
+    const EACH: usize = 4;
+    let fixed = |name: &str| given.iter().any(|(other, _)| other == name);
+    let read: Vec<&str> = family
+        .reads
+        .iter()
+        .filter(|(other, _)| fixed(other))
+        .flat_map(|(_, of)| of.iter().map(|(name, _)| &**name))
+        .collect();
+    let mut all = vec![(0, given.to_vec())];
+    for parameter in &family.parameters {
+        if fixed(&parameter.name) || read.contains(&&*parameter.name) {
+            continue;
+        }
+        let numbers: Vec<BigRational> = NUMBERS
+            .iter()
+            .map(|(p, q)| rational(*p, *q))
+            .filter(|q| parameter.admits(q))
+            .take(EACH)
+            .collect();
+        let name = parameter.name.to_string();
+        let choices = choices(parameter, &numbers, m, k);
+        let longer = |(size, values): &(usize, Vec<(String, Values)>)| {
+            let next = |(place, value): (usize, &Values)| {
+                (size + place, [values.as_slice(), &[(name.clone(), value.clone())]].concat())
+            };
+            choices.iter().enumerate().map(next).collect::<Vec<_>>()
+        };
+        all = all.iter().flat_map(longer).collect();
+    }
+    all.sort_by_key(|(size, _)| *size);
+    all.into_iter().map(|(_, values)| values).collect()
+}
+
+fn choices(parameter: &Parameter, numbers: &[BigRational], m: usize, k: usize) -> Vec<Values> {
+    let [first, rest @ ..] = numbers else { return Vec::new() };
+    let second = rest.first().unwrap_or(first);
+    // Longer lists than those of quadratic splines have too many entries to change one by one.
+    let one_by_one = k <= 2;
+    let rows = |lengths: &[usize]| {
+        let made = |number: &dyn Fn(usize, usize) -> BigRational| -> Vec<Vec<BigRational>> {
+            lengths.iter().enumerate().map(|(row, n)| (0..*n).map(|i| number(row, i)).collect()).collect()
+        };
+        let mut all = vec![made(&|_, _| first.clone())];
+        for (row, length) in lengths.iter().enumerate().filter(|_| one_by_one) {
+            all.extend(
+                (0..*length)
+                    .map(|at| made(&|r, i| if (r, i) == (row, at) { second.clone() } else { first.clone() })),
+            );
+        }
+        all.push(made(&|row, i| if (row + i) % 2 == 0 { first.clone() } else { second.clone() }));
+        all.push(made(&|row, i| numbers[(2 * row + i * i) % numbers.len()].clone()));
+        all
+    };
+    match parameter.indices.as_slice() {
+        [] => numbers.iter().cloned().map(Values::One).collect(),
+        [of] => {
+            let length = if **of == *"d" { k } else { m + 1 };
+            rows(&[length]).into_iter().map(|mut rows| Values::List(rows.swap_remove(0))).collect()
+        }
+        _ => rows(&(1..=k).map(|d| m + 1 - d).collect::<Vec<_>>()).into_iter().map(Values::Rows).collect(),
+    }
 }
 
 /// With what is computed on knots shared by their indices.

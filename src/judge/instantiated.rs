@@ -57,6 +57,7 @@ pub(super) fn real(own: &mut Reading<'_>, t: &Real) -> Real {
         Real::Greatest(a, b) => pair(Real::Greatest, two(a, b)),
         Real::Whole(i) => Real::Whole(int(own, i)),
         Real::Knot(i) => Real::Knot(int(own, i)),
+        Real::Parameter(name, of) => Real::Parameter(name.clone(), of.iter().map(|i| int(own, i)).collect()),
         Real::Coefficient(name, of) => {
             Real::Coefficient(name.clone(), of.iter().map(|i| int(own, i)).collect())
         }
@@ -106,6 +107,8 @@ fn member(own: &mut Reading<'_>, other: &Member) -> Member {
     match other {
         Member::Index(t) => Member::Index(real(own, t)),
         Member::Ratio(t) => Member::Ratio(real(own, t)),
+        Member::Parameter(name, t) => Member::Parameter(name.clone(), real(own, t)),
+        Member::Dual => Member::Dual,
     }
 }
 

@@ -17,9 +17,9 @@ use crate::language::{Sentence, text};
 use crate::meaning::{Decided, Found, Instance, Names, Reading, decide};
 use crate::scalar::{BigRational, decimal};
 
-pub use cases::{Case, Cases};
+pub use cases::{Case, Cases, simplest_member};
 pub use verdict::{Origin, Reach, Scope, Supremum, Verdict};
-pub use witness::{Bind, Bound, Count, Flanked, Looked, Shows, Term, Tied, Witness};
+pub use witness::{Bind, Bound, Count, Flanked, Looked, OfFamily, Shows, Term, Tied, Witness};
 
 /// A bug of this program, found by computing the same thing in two ways. No verdict is given.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -81,7 +81,7 @@ fn suprema(found: Vec<Found>, names: Names<'_>, on: &Instance) -> Vec<Supremum> 
         reading.bound.integers = integers;
         let term = text(&instantiated::real(&mut reading, &term));
         let [lo, hi] = ends.map(|end| decimal(&end, DIGITS));
-        Supremum { instance: instance.to_string(), k, alpha: on.index.to_string(), term, lo, hi }
+        Supremum { instance: instance.to_string(), k, alpha: on.weights.to_string(), term, lo, hi }
     };
     greatest.into_iter().map(told).collect()
 }

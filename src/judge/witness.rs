@@ -1,13 +1,16 @@
 //! A counterexample as plain data: nothing reads its text again.
 
+use std::collections::BTreeMap;
 use std::fmt;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::analysis::{Algebraic, Enclosed, Flank, Tie, settled};
-use crate::language::{Formula, Int, Name, Over, Paper, Real, Sentence, text};
-use crate::meaning::{Failure, Focus, Given, Instance, Look, Names, Plain, Reading, Truth, Value, tie};
+use crate::language::{Formula, Int, Name, Over, Paper, Real, Sentence, classical, text};
+use crate::meaning::{
+    Failure, Focus, Given, Instance, Look, Names, Plain, Reading, Truth, Value, Weighting, tie,
+};
 use crate::scalar::{BigRational, parse_rational};
 use crate::spline::{Basis, KnotVector, Side};
 
@@ -26,8 +29,11 @@ pub struct Witness {
     /// U; none where the sentence is about weights.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub knots: Vec<String>,
-    /// α, or `inf`.
+    /// α, or `inf`; of a member of another family, that with its parameters.
     pub alpha: String,
+    /// The member of another family than that of an index.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub family: Option<OfFamily>,
     /// What is bound, in reading order: by `for`, then by `all` inside of the conclusion.
     pub given: Vec<Bound>,
     /// The conclusion that fails, by its place; without it a hypothesis is not defined.
@@ -43,6 +49,37 @@ pub struct Witness {
     /// The words of the part that fails.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub words: Vec<String>,
+}
+
+/// A family with numbers for its parameters.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct OfFamily {
+    /// Its name, or its file.
+    pub name: String,
+    /// Its parameters, each with its numbers as behind `--set`.
+    pub parameters: BTreeMap<String, String>,
+}
+
+impl OfFamily {
+    /// Of the weights of an instance; `None` for an index.
+    #[must_use]
+    pub fn of(weights: &Weighting) -> Option<Self> {
+        let member = weights.member()?;
+        let parameters =
+            member.named().map(|(name, values)| (name.to_string(), values.to_string())).collect();
+        Some(Self { name: member.family().given.clone(), parameters })
+    }
+}
+
+/// The options that choose it.
+impl fmt::Display for OfFamily {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let quoted = |word: String| if word.contains([';', ' ']) { format!("\"{word}\"") } else { word };
+        write!(f, "--family {}", quoted(self.name.clone()))?;
+        let set =
+            |(name, values): (&String, &String)| write!(f, " --set {}", quoted(format!("{name}={values}")));
+        self.parameters.iter().try_for_each(set)
+    }
 }
 
 /// A name and what it is.
@@ -177,13 +214,13 @@ pub struct Looked {
     pub x: String,
     /// Was the limit from the left taken?
     pub left: bool,
-    /// α, or `inf`.
+    /// α, or `inf`; or the member of another family.
     pub alpha: String,
 }
 
 impl From<Look> for Looked {
-    fn from(Look { i, degree, order, x, side, index }: Look) -> Self {
-        Self { i, degree, order, x: x.to_string(), left: side == Side::Left, alpha: index.to_string() }
+    fn from(Look { i, degree, order, x, side, weights }: Look) -> Self {
+        Self { i, degree, order, x: x.to_string(), left: side == Side::Left, alpha: weights.to_string() }
     }
 }
 
@@ -199,8 +236,8 @@ impl Witness {
         failure: Failure,
     ) -> Result<Self, Fault> {
         let own_knots = failure.knots.as_ref().zip(on.degree());
-        let basis = own_knots.and_then(|(knots, k)| Basis::new(knots.clone(), k, on.index.clone()).ok());
-        let own = basis.map(Instance::of);
+        let basis = own_knots.and_then(|(knots, k)| Basis::over(knots.clone(), k, on.weights.clone()).ok());
+        let own = basis.and_then(|basis| Instance::on(basis).ok());
         let on = own.as_ref().unwrap_or(on);
         let reference = on.by_definition();
         let mut reading = Reading::with(&reference, names, &failure.given);
@@ -211,9 +248,9 @@ impl Witness {
             let conclusion = &sentence.then[at];
             if shows == Shows::Fails {
                 if reading.truth(conclusion) != Truth::False {
-                    let (basis, index) = (&on.basis, &on.index);
+                    let (knots, weights) = (on.knots(), &on.weights);
                     return Err(Fault(format!(
-                        "{} fails on {basis:?}, α = {index}, {given:?}, but not by the definition",
+                        "{} fails on {knots:?}, α = {weights}, {given:?}, but not by the definition",
                         text(conclusion)
                     )));
                 }
@@ -232,7 +269,8 @@ impl Witness {
             instance: on.name.as_ref().map(ToString::to_string),
             k: on.degree(),
             knots: on.knots().into_iter().flat_map(|knots| knots.knots()).map(ToString::to_string).collect(),
-            alpha: on.index.to_string(),
+            alpha: on.weights.to_string(),
+            family: OfFamily::of(&on.weights),
             given: given.into_iter().map(bound).collect(),
             conclusion: failure.conclusion,
             claimed,
@@ -251,7 +289,13 @@ impl Witness {
         if !self.knots.is_empty() {
             all.push(named("U", format!("({})", self.knots.join(", "))));
         }
-        all.push(named("α", self.alpha.clone()));
+        match &self.family {
+            None => all.push(named("α", self.alpha.clone())),
+            Some(OfFamily { name, parameters }) => {
+                all.push(named("family", name.clone()));
+                all.extend(parameters.iter().map(|(name, values)| named(name, values.clone())));
+            }
+        }
         let greek = |name: &str| if name == "beta" { "β".to_owned() } else { name.to_owned() };
         all.extend(self.given.iter().map(|bound| (greek(&bound.name), bound.value.to_string())));
         all
@@ -260,6 +304,9 @@ impl Witness {
     /// The basis that it is about, if it is about one.
     #[must_use]
     pub fn basis(&self) -> Option<Basis> {
+        if self.family.is_some() {
+            return None;
+        }
         let knots = self.knots.iter().map(|t| parse_rational(t).ok()).collect::<Option<_>>()?;
         Basis::new(KnotVector::new(knots).ok()?, self.k?, self.alpha.parse().ok()?).ok()
     }
@@ -306,8 +353,8 @@ impl Witness {
     #[must_use]
     pub fn again(&self, claim: &str, paper: &Paper) -> String {
         const SHAPES: [&str; 4] = ["maxima", "minima", "maximisers", "tied"];
-        let basis =
-            self.k.map(|k| format!("--degree {k} --knots {} --alpha {}", self.knots.join(","), self.alpha));
+        let of = self.family.as_ref().map_or_else(|| format!("--alpha {}", self.alpha), ToString::to_string);
+        let basis = self.k.map(|k| format!("--degree {k} --knots {} {of}", self.knots.join(",")));
         let i = self.given.iter().find(|bound| bound.name == "i").map(|bound| &bound.value);
         let one = |read: fn(&Looked) -> &str| {
             let (first, rest) = self.looked.split_first()?;
@@ -327,8 +374,13 @@ impl Witness {
                 format!("knotproof eval {basis} --x {x}{derivatives}{side}")
             }
             (Some(basis), ..) if self.instance.is_none() => {
-                let of = paper.called.as_ref().map(|paper| format!(" --paper {paper}")).unwrap_or_default();
-                format!("knotproof check {basis}{of} --property {claim}")
+                // The classical properties are a set of their own.
+                let set = if classical().claims.iter().any(|own| &*own.id == claim) {
+                    " --classical".to_owned()
+                } else {
+                    paper.called.as_ref().map(|paper| format!(" --paper {paper}")).unwrap_or_default()
+                };
+                format!("knotproof check {basis}{set} --property {claim}")
             }
             _ => paper.judges(claim),
         }

@@ -2,7 +2,7 @@
 
 use super::complaint::{Fault, Place, ensure, fault};
 use super::known::Kind;
-use super::raw::{Given, Node, Raw};
+use super::raw::{Given, Node, Raw, RawMember};
 use super::resolve::{Resolved, Scope, Typed, bounded, derived};
 use super::syntax::{Argument, Formula, Function, Int, Item, Member, Real, Use};
 use super::words::{Sort, Word};
@@ -11,6 +11,7 @@ impl Scope<'_> {
     /// What stands in brackets behind something: a point, or what a built-in function or a word is said of.
     pub(super) fn call(&mut self, of: &Node, with: &[Given], at: &Place) -> Resolved<Typed> {
         if let Raw::Name { name, primes } = &of.raw {
+            self.in_file(name, &of.at)?;
             if matches!(name.as_str(), "phi" | "f") {
                 return self.phi(name, *primes, with, at);
             }
@@ -39,6 +40,10 @@ impl Scope<'_> {
             let rule = format!("`{name}` takes a point and two ends");
             return fault(at, rule, format!("write `{name}(x, a, b)`"));
         };
+        if let Some(family) = self.known.family.as_ref().filter(|family| !family.by_ends) {
+            let rule = format!("a weight of the family {} depends on more than two ends", family.name);
+            return fault(at, rule, "write `w[i,d](x)`");
+        }
         for end in [from, to] {
             no_side(end)?;
         }
@@ -50,13 +55,24 @@ impl Scope<'_> {
         Ok(Typed::Real(Real::Value(Box::new(derived(function, primes, at)?), Box::new(argument))))
     }
 
-    fn argument(&mut self, given: &Given, member: Option<&(String, Place, Node)>) -> Resolved<Argument> {
+    fn argument(&mut self, given: &Given, member: Option<&RawMember>) -> Resolved<Argument> {
         let member = self.member(given.member.as_ref().or(member))?;
         Ok(Argument { at: self.real(&given.node)?, side: given.side, member })
     }
 
-    fn member(&mut self, member: Option<&(String, Place, Node)>) -> Resolved<Option<Member>> {
+    fn member(&mut self, member: Option<&RawMember>) -> Resolved<Option<Member>> {
         let Some((name, at, value)) = member else { return Ok(None) };
+        let Some(value) = value else { return Ok(Some(Member::Dual)) };
+        let known = self.known;
+        if let Some(family) = &known.family {
+            let own = family.parameters.iter().find(|(own, of)| **own == **name && of.is_empty());
+            let Some((own, _)) = own else {
+                let advice =
+                    format!("write `; dual`, or a parameter without an index; it has {}", family.has());
+                return fault(at, format!("the family {} has no `{name}` here", family.name), advice);
+            };
+            return Ok(Some(Member::Parameter(own.clone(), self.real(value)?)));
+        }
         Ok(Some(match name.as_str() {
             "alpha" => Member::Index(match self.typed(value)? {
                 Typed::Infinity => Real::Infinity,

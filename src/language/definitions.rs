@@ -20,7 +20,7 @@ impl Known {
     pub fn defining(texts: &[(&str, &str)]) -> Result<Self, Complaint> {
         let owned: Vec<_> =
             texts.iter().map(|(head, body)| ((*head).to_owned(), (*body).to_owned())).collect();
-        definitions(&owned).map_err(|mut faults| {
+        definitions(&owned, Self::default()).map_err(|mut faults| {
             let (at, in_head, fault) = faults.swap_remove(0);
             let (head, body) = texts[at];
             let text = if in_head { head } else { body }.to_owned();
@@ -30,10 +30,9 @@ impl Known {
     }
 }
 
-/// Reads the definitions `head = body` of a file.
-pub(super) fn definitions(texts: &[(String, String)]) -> Result<Known, Vec<InDefinition>> {
+/// Reads the definitions `head = body` of a file; they may speak of what is known already.
+pub(super) fn definitions(texts: &[(String, String)], mut known: Known) -> Result<Known, Vec<InDefinition>> {
     let mut faults = Vec::new();
-    let mut known = Known::default();
     let mut at = Vec::new();
     for (index, (text, _)) in texts.iter().enumerate() {
         match whole(text, Parser::head).and_then(|head| heading(&head, &known.definitions)) {
@@ -118,6 +117,12 @@ fn body(
         Pattern::Number(_) => None,
     });
     super::resolve::not_reserved(&definition.name, &whole_head).map_err(|fault| (true, fault))?;
+    let mut parameters = known.family.iter().flat_map(|family| &family.parameters);
+    if parameters.any(|(name, _)| *name == definition.name) {
+        let rule = format!("`{}` is a parameter already", definition.name);
+        let advice = "take another name: none hides another".to_owned();
+        return Err((true, Fault { at: whole_head, rule, advice }));
+    }
     for (name, kind) in own.chain(definition.variable.as_ref().map(|name| (name, Kind::Real))) {
         scope.free(name, &whole_head).map_err(|fault| (true, fault))?;
         scope.own.push((Arc::clone(name), kind));

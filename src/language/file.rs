@@ -130,7 +130,7 @@ pub(super) struct RawFile {
     claim: Vec<Spanned<RawStanza>>,
 }
 
-type Text = Spanned<String>;
+pub(super) type Text = Spanned<String>;
 
 /// A claim. What `amended` and `fails` don't say themselves is the printed one's. Its sentence is no [`RawSaid`] within: serde does not
 /// flatten what refuses unknown keys and keeps places.
@@ -232,16 +232,12 @@ pub fn schema() -> Schema {
 /// # Errors
 /// Everything that is wrong, each with its place.
 pub fn stanzas(file_name: &str, text: &str) -> Result<File, Vec<Complaint>> {
-    Reading::new(file_name, text).file(&Around::default())
+    Reading::new(file_name, text).file(Known::default(), &Around::default())
 }
 
 /// What a file may name of what is around it; without a list, anything.
 #[derive(Debug, Default)]
 pub(super) struct Around {
-    /// The names of the instances.
-    pub(super) instances: Option<BTreeSet<Name>>,
-    /// The identifiers of all claims.
-    pub(super) claims: Option<BTreeSet<Name>>,
     /// The files of the folder.
     pub(super) files: Option<BTreeSet<String>>,
     /// The identifiers that files before this one have taken, with the file.
@@ -304,6 +300,11 @@ impl Reading {
         Arc::clone(&self.origin)
     }
 
+    /// What the file is called.
+    pub(super) fn name(&self) -> &str {
+        &self.origin.name
+    }
+
     /// What is in a file of claims, if that much can be read.
     pub(super) fn outlines(&self) -> Option<Vec<Outline>> {
         toml::from_str(&self.origin.text).map(|Outlines { claim }| claim).ok()
@@ -318,7 +319,7 @@ impl Reading {
     }
 
     /// Complains of a fault inside of a string of the file.
-    fn fault(&mut self, text: &Text, fault: Fault) {
+    pub(super) fn fault(&mut self, text: &Text, fault: Fault) {
         let whole = text.span();
         // Behind the quotes; a text with escapes is underlined as a whole.
         let inside = self.origin.text.get(whole.clone()).and_then(|raw| raw.find(text.get_ref().as_str()));
@@ -329,7 +330,7 @@ impl Reading {
         self.complain(at, fault.rule, fault.advice);
     }
 
-    fn read<T>(&mut self, text: &Text, read: Result<T, Fault>) -> Option<T> {
+    pub(super) fn read<T>(&mut self, text: &Text, read: Result<T, Fault>) -> Option<T> {
         read.map_err(|fault| self.fault(text, fault)).ok()
     }
 
@@ -346,13 +347,14 @@ impl Reading {
             .ok()
     }
 
-    pub(super) fn file(mut self, around: &Around) -> Result<File, Vec<Complaint>> {
+    /// A file of claims that may name these, and what is around it.
+    pub(super) fn file(mut self, known: Known, around: &Around) -> Result<File, Vec<Complaint>> {
         let Some(raw) = self.toml::<RawFile>() else { return Err(self.complaints) };
         let mut heads: Vec<_> = raw.define.iter().collect();
         heads.sort_by_key(|(head, _)| head.span().start);
         let texts: Vec<_> =
             heads.iter().map(|(head, body)| (head.get_ref().clone(), body.get_ref().clone())).collect();
-        let known = definitions(&texts).unwrap_or_else(|faults| {
+        let known = definitions(&texts, known).unwrap_or_else(|faults| {
             for (index, in_head, fault) in faults {
                 self.fault(if in_head { heads[index].0 } else { heads[index].1 }, fault);
             }
@@ -362,8 +364,6 @@ impl Reading {
         if !self.complaints.is_empty() {
             return Err(self.complaints);
         }
-        let (instances, claims) = (around.instances.clone(), around.claims.clone());
-        let known = Known { instances, claims, ..known };
         let mut used: BTreeSet<Name> = BTreeSet::new();
         let mut ids = BTreeSet::new();
         let mut all = Vec::new();

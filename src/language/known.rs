@@ -40,6 +40,32 @@ impl Subjects {
     }
 }
 
+/// What a text may say of the family it is about.
+#[derive(Debug, Clone)]
+pub(super) struct Vocabulary {
+    /// Its name.
+    pub(super) name: String,
+    /// Its parameters with their indices.
+    pub(super) parameters: Vec<(Name, Vec<Name>)>,
+    /// Are its weights given by the ends of an interval, so that phi(x, a, b) has a meaning?
+    pub(super) by_ends: bool,
+    /// Is it the family's own file?
+    pub(super) in_file: bool,
+}
+
+impl Vocabulary {
+    /// `omega[i]`.
+    pub(super) fn head(name: &str, of: &[Name]) -> String {
+        if of.is_empty() { name.to_owned() } else { format!("{name}[{}]", of.join(",")) }
+    }
+
+    /// What it has, for a message.
+    pub(super) fn has(&self) -> String {
+        let heads: Vec<_> = self.parameters.iter().map(|(name, of)| Self::head(name, of)).collect();
+        if heads.is_empty() { "no parameter".to_owned() } else { heads.join(", ") }
+    }
+}
+
 /// What a text may name besides what it binds.
 #[derive(Debug, Clone, Default)]
 pub struct Known {
@@ -49,6 +75,8 @@ pub struct Known {
     pub(super) leads: BTreeMap<Name, BTreeSet<Name>>,
     /// What each of them speaks of, itself or through others.
     pub(super) subjects: BTreeMap<Name, Subjects>,
+    /// The family that is spoken of, if that is not the one with an index.
+    pub(super) family: Option<Vocabulary>,
     /// The names of the instances; without them, any name is taken.
     pub instances: Option<BTreeSet<Name>>,
     /// The identifiers of the claims; without them, any is taken.

@@ -5,12 +5,13 @@ use std::sync::{Arc, LazyLock, OnceLock};
 
 use include_dir::{Dir, include_dir};
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 use toml::Spanned;
 
 use crate::scalar::BigRational;
 
 use super::complaint::Complaint;
+use super::family::{Family, families};
 use super::file::{Around, File, Outline, Reading, Stanza};
 use super::known::{Known, nearest};
 use super::rows::{Row, indices, rows};
@@ -42,7 +43,9 @@ pub struct About {
     /// The authors; empty if the version that was read does not name them.
     pub authors: Vec<String>,
     /// The family of weights that its claims are about.
-    pub family: Family,
+    #[serde(serialize_with = "by_name")]
+    #[schemars(with = "String")]
+    pub family: Arc<Family>,
     /// Where it is found, if not at arXiv: a book, a journal.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub source: Option<String>,
@@ -81,40 +84,6 @@ pub struct Headline {
     pub refuted: String,
 }
 
-/// A family of weights.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum Family {
-    /// φ_α with an index α < 0, α > 1 or α = ∞.
-    #[default]
-    Mobius,
-    /// α = ∞ only: polynomial B-splines.
-    Classical,
-}
-
-impl Family {
-    /// All, by their names.
-    pub const ALL: [(&'static str, Self); 2] = [("mobius", Self::Mobius), ("classical", Self::Classical)];
-
-    /// The one of this name.
-    #[must_use]
-    pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find_map(|(known, family)| (known == name).then_some(family))
-    }
-
-    /// Its name.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        Self::ALL.into_iter().find_map(|(name, family)| (family == self).then_some(name)).unwrap_or_default()
-    }
-
-    /// Is this index one of it? `None` is ∞.
-    #[must_use]
-    pub fn has(self, alpha: Option<&BigRational>) -> bool {
-        self == Self::Mobius || alpha.is_none()
-    }
-}
-
 /// A paper: what stands in paper.toml.
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -125,8 +94,9 @@ pub(super) struct RawAbout {
     /// The authors.
     #[serde(default)]
     authors: Vec<String>,
-    /// The family of weights that the claims are about: `mobius` (an index α), if nothing is said, or `classical` (α = ∞).
-    #[schemars(with = "Option<String>", extend("enum" = ["mobius", "classical"]))]
+    /// The family of weights that the claims are about: one that comes with the program, `mobius` (an index α) if nothing is
+    /// said, or a file of the folder: `family.toml`.
+    #[schemars(with = "Option<String>")]
     family: Option<Spanned<String>>,
     /// Where it is found, if not at arXiv.
     source: Option<String>,
@@ -173,16 +143,31 @@ fn claims_file(name: &str) -> String {
     format!("claims/{name}.toml")
 }
 
-/// The family that a paper names.
-fn family(reading: &mut Reading, name: Option<&Spanned<String>>) -> Family {
-    let Some(name) = name else { return Family::default() };
-    Family::named(name.get_ref()).unwrap_or_else(|| {
-        let known = Family::ALL.map(|(name, _)| name);
-        let advice = nearest(name.get_ref(), known.into_iter())
-            .map_or(format!("write one of {}", known.join(", ")), |close| format!("did you mean `{close}`?"));
-        reading.complain(name.span(), format!("no family is called `{}`", name.get_ref()), advice);
-        Family::default()
-    })
+fn by_name<S: Serializer>(family: &Family, to: S) -> Result<S::Ok, S::Error> {
+    to.serialize_str(&family.name)
+}
+
+/// The family that a paper names: its own file, or one that comes with the program.
+fn family(
+    reading: &mut Reading,
+    name: Option<&Spanned<String>>,
+    files: &BTreeMap<String, String>,
+) -> Result<Arc<Family>, Vec<Complaint>> {
+    let Some(name) = name else { return Ok(Arc::default()) };
+    let given = name.get_ref();
+    if let Some(text) = files.get(given) {
+        return Family::read(given, text).map(Arc::new);
+    }
+    if let Some(family) = families().iter().find(|family| family.name == *given) {
+        return Ok(Arc::clone(family));
+    }
+    let known: Vec<_> = families().iter().map(|family| family.name.as_str()).collect();
+    let advice = nearest(given, known.iter().copied()).map_or_else(
+        || format!("write one of {}, or the name of a file of this folder", known.join(", ")),
+        |close| format!("did you mean `{close}`?"),
+    );
+    reading.complain(name.span(), format!("no family is called `{given}`"), advice);
+    Ok(Arc::default())
 }
 
 impl Paper {
@@ -214,6 +199,11 @@ impl Paper {
             complaints.append(&mut reading.complaints);
             rows
         };
+        let named = raw.as_ref().and_then(|raw| raw.family.as_ref());
+        let family = family(&mut about, named, files).unwrap_or_else(|mut wrong| {
+            complaints.append(&mut wrong);
+            Arc::default()
+        });
         let examples = table(INSTANCES, &mut complaints);
         // Where it is not known what is listed, whatever is there is read.
         let names: Vec<String> = match &raw {
@@ -230,17 +220,20 @@ impl Paper {
         };
         let claims: BTreeSet<Name> = stanzas().map(|(_, one)| one.id.as_str().into()).collect();
         let uses = |one: &Outline| one.uses.iter().map(|other| other.id.as_str().into()).collect();
-        let mut around = Around {
+        let known = Known {
             instances: Some(examples.iter().filter_map(|row| row.name.clone()).collect()),
             // A file that is no TOML may have any identifier in it.
             claims: whole.then_some(claims),
+            ..Known::default().about(&family)
+        };
+        let mut around = Around {
             files: Some(files.keys().cloned().collect()),
             taken: BTreeMap::new(),
             uses: stanzas().map(|(_, one)| (one.id.as_str().into(), uses(one))).collect(),
         };
         let mut read = Vec::new();
         for (name, outlines) in &outlines {
-            match Reading::new(name, text(name)).file(&around) {
+            match Reading::new(name, text(name)).file(known.clone(), &around) {
                 Ok(file) => read.push(file),
                 Err(mut more) => complaints.append(&mut more),
             }
@@ -254,15 +247,16 @@ impl Paper {
         {
             cases.entry(name.clone()).or_insert_with_key(|name| table(name, &mut complaints));
         }
-        let mut known: BTreeSet<&str> = [ABOUT, INSTANCES, WINDOWS].into();
-        known.extend(names.iter().chain(cases.keys()).map(String::as_str));
+        let mut listed: BTreeSet<&str> = [ABOUT, INSTANCES, WINDOWS].into();
+        listed
+            .extend(names.iter().chain(cases.keys()).chain(named.map(Spanned::get_ref)).map(String::as_str));
         let about_claims = raw.as_ref().map_or(0..0, |raw| raw.claims.span());
         // A file that is no TOML may name any file.
-        for name in files.keys().filter(|name| whole && !known.contains(name.as_str())) {
+        for name in files.keys().filter(|name| whole && !listed.contains(name.as_str())) {
             let advice = "name it under `claims` or in the `cases` of a claim, or move it away";
             about.complain(about_claims.clone(), format!("nothing names {name}"), advice);
         }
-        let found = raw.map(|raw| raw.about(&mut about, around.claims.as_ref())).unwrap_or_default();
+        let found = raw.map(|raw| raw.about(&mut about, family, known.claims.as_ref())).unwrap_or_default();
         about.complaints.append(&mut complaints);
         let windows = text(WINDOWS).into();
         let paper = Self { about: found, files: read, examples, cases, windows, called: None };
@@ -274,7 +268,11 @@ impl Paper {
     pub fn known(&self) -> Known {
         let instances = self.examples.iter().filter_map(|row| row.name.clone()).collect();
         let claims = self.claims().map(|(_, claim)| claim.id.clone()).collect();
-        Known { instances: Some(instances), claims: Some(claims), ..Known::default() }
+        Known {
+            instances: Some(instances),
+            claims: Some(claims),
+            ..Known::default().about(&self.about.family)
+        }
     }
 
     /// Reads a file of claims that may name each other, and what there is of the paper.
@@ -282,11 +280,18 @@ impl Paper {
     /// # Errors
     /// Everything that is wrong, each with its place.
     pub fn stanzas(&self, file_name: &str, text: &str) -> Result<File, Vec<Complaint>> {
-        let Known { instances, claims, .. } = self.known();
+        self.stanzas_about(self.known(), file_name, text)
+    }
+
+    /// The same where these names are known.
+    ///
+    /// # Errors
+    /// Everything that is wrong, each with its place.
+    pub fn stanzas_about(&self, known: Known, file_name: &str, text: &str) -> Result<File, Vec<Complaint>> {
         let own = Reading::new(file_name, text).outlines();
         let own = own.map(|own| own.into_iter().map(|one| one.id.into()));
-        let claims = own.and_then(|own| Some(claims?.into_iter().chain(own).collect()));
-        Reading::new(file_name, text).file(&Around { instances, claims, ..Around::default() })
+        let claims = own.and_then(|own| Some(known.claims?.into_iter().chain(own).collect()));
+        Reading::new(file_name, text).file(Known { claims, ..known }, &Around::default())
     }
 
     /// With a file of claims before its own.
@@ -343,7 +348,7 @@ fn listed(raw: &RawAbout, files: &BTreeMap<String, String>, about: &mut Reading)
 
 impl RawAbout {
     /// As it is kept.
-    fn about(self, reading: &mut Reading, claims: Option<&BTreeSet<Name>>) -> About {
+    fn about(self, reading: &mut Reading, family: Arc<Family>, claims: Option<&BTreeSet<Name>>) -> About {
         let mut headlines = Vec::new();
         for RawHeadline { claim, refuted } in self.headline {
             if claims.is_some_and(|claims| !claims.contains(claim.get_ref().as_str())) {
@@ -354,7 +359,7 @@ impl RawAbout {
         }
         let indices = self.indices.as_ref().map(|text| indices(reading, text)).unwrap_or_default();
         About {
-            family: family(reading, self.family.as_ref()),
+            family,
             title: self.title,
             authors: self.authors,
             source: self.source,

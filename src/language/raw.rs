@@ -80,9 +80,12 @@ pub(super) enum Quantity {
 pub(super) struct Given {
     pub(super) node: Node,
     pub(super) side: Option<Side>,
-    /// `alpha = …` or `r = …`.
-    pub(super) member: Option<(String, Place, Node)>,
+    /// `alpha = …`, `r = …`, or a word alone: `dual`.
+    pub(super) member: Option<RawMember>,
 }
+
+/// A name, its place, and what it is to be.
+pub(super) type RawMember = (String, Place, Option<Node>);
 
 #[derive(Debug)]
 pub(super) struct Domain {
@@ -458,11 +461,12 @@ impl<'a> Parser<'a> {
             return Ok(Given { node, side, member: None });
         }
         let (name, at) = self.name()?;
-        if !self.sign("=") {
-            return self.unexpected("`=`");
-        }
-        let member = Some((name, at, self.binding(SUM)?));
-        Ok(Given { node, side, member })
+        let value = match (name.as_str(), self.sign("=")) {
+            (_, true) => Some(self.binding(SUM)?),
+            ("dual", false) => None,
+            _ => return self.unexpected("`=`"),
+        };
+        Ok(Given { node, side, member: Some((name, at, value)) })
     }
 
     fn domain(&mut self) -> Parsed<Domain> {
@@ -655,7 +659,7 @@ impl Raw {
             Self::And(nodes) | Self::Or(nodes) => nodes.iter().collect(),
             Self::Index { of, by } => by.iter().chain([&**of]).collect(),
             Self::Call { of, with } => {
-                let members = with.iter().filter_map(|given| given.member.as_ref().map(|(_, _, node)| node));
+                let members = with.iter().filter_map(|given| given.member.as_ref()?.2.as_ref());
                 with.iter().map(|given| &given.node).chain(members).chain([&**of]).collect()
             }
             Self::Chain(first, rest) => rest.iter().map(|(_, node)| node).chain([&**first]).collect(),

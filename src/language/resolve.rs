@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::complaint::{Fault, Place, ensure, fault};
-use super::known::{Kind, Known, Subjects, nearest};
+use super::known::{Kind, Known, Subjects, Vocabulary, nearest};
 use super::raw::{Domain, DomainKind, Infix, Node, Quantity, Raw};
 use super::syntax::{Formula, Function, Gap, Int, Interval, Name, Over, Range, Real, Relation};
 use super::words::Word;
@@ -144,7 +144,41 @@ impl Scope<'_> {
         })
     }
 
+    /// The parameter of the family with these indices; `None`, if the name is another one.
+    fn parameter(&mut self, name: &str, by: &[Node], at: &Place) -> Resolved<Option<Typed>> {
+        let known = self.known;
+        let Some(family) = &known.family else { return Ok(None) };
+        let Some((own, of)) = family.parameters.iter().find(|(own, _)| **own == *name) else {
+            if matches!(name, "alpha" | "r" | "infinity") && self.find(name).is_none() {
+                let rule = format!("the family {} has no `{name}`", family.name);
+                return fault(at, rule, format!("it has {}", family.has()));
+            }
+            return Ok(None);
+        };
+        if by.len() != of.len() {
+            let head = Vocabulary::head(own, of);
+            return fault(at, format!("`{name}` has another number of indices"), format!("write `{head}`"));
+        }
+        Ok(Some(Typed::Real(Real::Parameter(Arc::clone(own), self.ints(by)?))))
+    }
+
+    /// In the file of a family there are numbers only: no functions that its weights make.
+    pub(super) fn in_file(&self, name: &str, at: &Place) -> Resolved<()> {
+        let made = matches!(name, "G" | "w" | "P" | "D" | "phi" | "f" | "abs" | "sqrt" | "min" | "max")
+            || Word::ALL.iter().any(|word| word.name() == name);
+        let allowed = !(made && self.known.family.as_ref().is_some_and(|family| family.in_file));
+        let advice =
+            "use numbers, x, a, b, i, d, s, k, t[i], parameters, definitions, + - * / ^, `sum`, `prod`";
+        ensure(allowed, at, format!("`{name}` is nothing that weights are made of"), advice)
+    }
+
     fn name(&mut self, name: &str, primes: usize, at: &Place) -> Resolved<Typed> {
+        self.in_file(name, at)?;
+        if primes == 0
+            && let Some(parameter) = self.parameter(name, &[], at)?
+        {
+            return Ok(parameter);
+        }
         if primes > 0 {
             return Ok(Typed::Function(derived(self.function_name(name, at)?, primes, at)?));
         }
@@ -157,8 +191,8 @@ impl Scope<'_> {
                 self.need_knots(name, at)?;
                 Typed::Int(if name == "n" { Int::Last } else { Int::M })
             }
-            "alpha" => Typed::Real(Real::Index(name.into())),
-            "r" => Typed::Real(Real::Ratio),
+            "alpha" if self.known.family.is_none() => Typed::Real(Real::Index(name.into())),
+            "r" if self.known.family.is_none() => Typed::Real(Real::Ratio),
             "infinity" => Typed::Infinity,
             _ => match self.find(name) {
                 Some((name, Kind::Int)) => Typed::Int(Int::Bound(name)),
@@ -181,7 +215,8 @@ impl Scope<'_> {
         if let Some(defined) = self.defined(name, &[], at)? {
             return Ok(defined);
         }
-        if self.defining && !is_reserved(name) {
+        let file = self.known.family.as_ref().is_some_and(|family| family.in_file);
+        if self.defining && !file && !is_reserved(name) {
             self.has.names.push((name.into(), Kind::Real));
             return Ok(Typed::Real(Real::Bound(name.into())));
         }
@@ -212,10 +247,15 @@ impl Scope<'_> {
             );
         }
         let bound = self.own.iter().chain(&self.has.names).map(|(name, _)| &**name);
+        let family = self.known.family.iter().flat_map(|family| &family.parameters);
+        let bound = bound.chain(family.map(|(name, _)| &**name));
         let defined = self.known.definitions.iter().map(|definition| &*definition.name);
         let words = Word::ALL.iter().map(|word| word.name());
         let advice = match nearest(name, bound.chain(defined).chain(words).chain(RESERVED.iter().copied())) {
             Some(close) => format!("did you mean `{close}`?"),
+            None if self.known.family.as_ref().is_some_and(|family| family.in_file) => {
+                "make it a parameter, or define it in `define`".to_owned()
+            }
             None => "bind it in `for`, or define it in `define`".to_owned(),
         };
         fault(at, format!("nothing is called `{name}` here"), advice)
@@ -306,6 +346,10 @@ impl Scope<'_> {
             return fault(at, "indices stand behind a name", "write them in one bracket: `G[i,d]`");
         };
         ensure(name != "U", &of.at, "`U` has no indices", "a knot is `t[i]`")?;
+        self.in_file(name, &of.at)?;
+        if let Some(parameter) = self.parameter(name, by, at)? {
+            return no_prime(*primes, &of.at).map(|()| parameter);
+        }
         let several = |least: usize, most: usize, form: &str| {
             let right = (least..=most).contains(&by.len());
             ensure(right, at, format!("`{name}` has another number of indices"), format!("write `{form}`"))
@@ -353,7 +397,12 @@ impl Scope<'_> {
                 None => match self.defined(name, by, at)? {
                     Some(Typed::Function(function)) => function,
                     Some(other) => return no_prime(*primes, &of.at).map(|()| other),
-                    None if self.defining && by.len() == 1 && *primes == 0 && !is_reserved(name) => {
+                    None if self.defining
+                        && !self.known.family.as_ref().is_some_and(|family| family.in_file)
+                        && by.len() == 1
+                        && *primes == 0
+                        && !is_reserved(name) =>
+                    {
                         self.has.names.push((name.into(), Kind::Coefficients));
                         return Ok(Typed::Real(Real::Coefficient(name.into(), vec![self.place(&by[0])?])));
                     }
@@ -393,6 +442,8 @@ impl Scope<'_> {
         not_reserved(name, at)?;
         let bound = self.own.iter().chain(&self.has.names).any(|(bound, _)| **bound == *name);
         let defined = self.known.definitions.iter().any(|definition| *definition.name == *name);
+        let family = self.known.family.iter().flat_map(|family| &family.parameters);
+        let bound = bound || family.into_iter().any(|(own, _)| **own == *name);
         let rule = format!("`{name}` is bound already, or defined");
         ensure(!bound && !defined, at, rule, "take another name: none hides another")
     }

@@ -1,5 +1,6 @@
 //! Instances and cases of a paper: TOML → degrees on knots with indices, every number with its place.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use num_traits::{One, Signed};
@@ -26,6 +27,8 @@ pub struct Row {
     pub knots: Vec<BigRational>,
     /// The values of α; `None` is ∞.
     pub indices: Vec<Option<BigRational>>,
+    /// The parameters of a family without an index by their names: a row of numbers, or for parameters by degree one for each.
+    pub set: Vec<(String, Vec<Vec<BigRational>>)>,
     /// d_0, …, d_n, for a curve.
     pub points: Option<Vec<Vec<BigRational>>>,
     places: Places,
@@ -37,7 +40,7 @@ struct Places {
     origin: Arc<Origin>,
     name: Place,
     knots: Place,
-    indices: Place,
+    weights: Place,
     points: Place,
 }
 
@@ -48,8 +51,8 @@ pub enum RowPart {
     Name,
     /// `knots`.
     Knots,
-    /// `alpha`.
-    Indices,
+    /// `alpha`, or `set`.
+    Weights,
     /// `points`.
     Points,
 }
@@ -58,11 +61,11 @@ impl Row {
     /// What is wrong with a part of it, with its place.
     #[must_use]
     pub fn complaint(&self, part: RowPart, rule: impl Into<String>, advice: impl Into<String>) -> Complaint {
-        let Places { origin, name, knots, indices, points } = &self.places;
+        let Places { origin, name, knots, weights, points } = &self.places;
         let at = match part {
             RowPart::Name => name,
             RowPart::Knots => knots,
-            RowPart::Indices => indices,
+            RowPart::Weights => weights,
             RowPart::Points => points,
         };
         Complaint::new(origin, at.clone(), rule, advice)
@@ -97,8 +100,12 @@ struct RawRow {
     #[schemars(with = "String")]
     knots: Spanned<String>,
     /// The values of α, by spaces; `inf` for ∞.
-    #[schemars(with = "String")]
-    alpha: Spanned<String>,
+    #[schemars(with = "Option<String>")]
+    alpha: Option<Spanned<String>>,
+    /// The parameters of another family, as behind `--set`: { q = "1/2" }, { omega = "1 2 1/2 3" }; by degrees with `;`.
+    #[serde(default)]
+    #[schemars(with = "BTreeMap<String, String>")]
+    set: BTreeMap<String, Spanned<String>>,
     /// d_0, …, d_n by spaces, coordinates by commas.
     #[schemars(with = "Option<String>")]
     points: Option<Spanned<String>>,
@@ -164,7 +171,16 @@ pub(super) fn rows(reading: &mut Reading) -> Vec<Row> {
             text.get_ref().split_whitespace().map(numbers).collect()
         };
         let knots = all(reading, &raw.knots, ' ').into_iter().flatten().collect();
-        let indices = indices(reading, &raw.alpha);
+        let alpha = raw.alpha.as_ref();
+        let indices = alpha.map(|text| indices(reading, text)).unwrap_or_default();
+        let set = raw.set.iter().map(|(name, text)| {
+            let row = |row: &str| {
+                let parts = row.split([' ', ',']).filter(|part| !part.is_empty());
+                parts.filter_map(|part| number(reading, &text.span(), part)).collect()
+            };
+            (name.clone(), text.get_ref().split(';').map(row).collect())
+        });
+        let set = set.collect();
         let points = raw.points.as_ref().map(|points| all(reading, points, ','));
         let place = |text: &Option<Spanned<String>>| text.as_ref().map_or(0..0, Spanned::span);
         if reading.complaints.len() == before {
@@ -173,7 +189,9 @@ pub(super) fn rows(reading: &mut Reading) -> Vec<Row> {
                     origin: reading.origin(),
                     name: place(&raw.name),
                     knots: raw.knots.span(),
-                    indices: raw.alpha.span(),
+                    weights: alpha
+                        .or(raw.set.values().next())
+                        .map_or_else(|| raw.knots.span(), Spanned::span),
                     points: place(&raw.points),
                 },
                 name: raw.name.map(|name| Name::from(name.get_ref().as_str())),
@@ -181,6 +199,7 @@ pub(super) fn rows(reading: &mut Reading) -> Vec<Row> {
                 degree: raw.degree,
                 knots,
                 indices,
+                set,
                 points,
             });
         }

@@ -139,6 +139,12 @@ impl<'a> Reader<'a> {
     }
 
     fn binder(&mut self, raw: &RawBinder) -> Result<Binder, Fault> {
+        let of_index = raw.name == "alpha"
+            || matches!(&raw.says, Says::Words(words) if words.iter().any(|(w, _)| w == "index"));
+        if let (Some(family), true) = (&self.scope.known.family, of_index) {
+            let rule = format!("the family {} has no index", family.name);
+            return fault(&raw.at, rule, "leave the binder out: a sentence runs over the parameters");
+        }
         match (raw.name.as_str(), &raw.says) {
             ("k", says) => self.degree(raw, says),
             ("U", says) => self.knots(raw, says),

@@ -57,6 +57,8 @@ pub enum Real {
     Knot(Int),
     /// d_i, or a coordinate P_{i,c}.
     Coefficient(Name, Vec<Int>),
+    /// A parameter of the family: q, ω_i.
+    Parameter(Name, Vec<Int>),
     /// a + b.
     Plus(Box<Real>, Box<Real>),
     /// a − b.
@@ -161,6 +163,10 @@ pub enum Member {
     Index(Real),
     /// `r = …`.
     Ratio(Real),
+    /// `q = …`: with this value of a parameter of the family.
+    Parameter(Name, Real),
+    /// `dual`: the one that reflection leads to.
+    Dual,
 }
 
 /// From which side a limit is taken.

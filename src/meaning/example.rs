@@ -1,10 +1,11 @@
 //! The paper's examples: degrees on knots, with the indices that its figures show and, for a curve, control points.
 
-use std::sync::LazyLock;
+use std::sync::{Arc, LazyLock};
 
 use crate::language::{Complaint, Family, Name, Paper, Row, RowPart, paper};
 use crate::spline::{Basis, Curve, Index, KnotVector, Point};
 
+use super::family::{MemberError, Values, Weighting, setting};
 use super::instance::Instance;
 
 /// One of the paper's examples.
@@ -18,26 +19,27 @@ pub struct Example {
     pub degree: usize,
     /// U.
     pub knots: KnotVector,
-    /// The values of α.
-    pub indices: Vec<Index>,
+    /// Its weights: for each α, or of a member of another family.
+    pub weights: Vec<Weighting>,
     /// d_0, …, d_n, for a curve.
     pub points: Option<Vec<Point>>,
 }
 
 impl Example {
-    fn of(row: &Row) -> Option<Self> {
-        let index = |alpha: &Option<_>| match alpha {
-            Some(alpha) => Index::from_alpha(Clone::clone(alpha)).ok(),
-            None => Some(Index::infinity()),
-        };
+    fn of(row: &Row, family: &Arc<Family>) -> Option<Self> {
         Some(Self {
             name: row.name.clone().unwrap_or_default(),
             figure: row.figure.clone(),
             degree: row.degree,
             knots: KnotVector::new(row.knots.clone()).ok()?,
-            indices: row.indices.iter().map(index).collect::<Option<_>>()?,
+            weights: weights(row, family).ok()?,
             points: row.points.clone(),
         })
+    }
+
+    /// The values of α; none of a family without an index.
+    pub fn indices(&self) -> impl Iterator<Item = &Index> {
+        self.weights.iter().filter_map(Weighting::index)
     }
 
     /// Its basis for an index; `None` if the degree does not fit the knots, which [`row_faults`] complains of.
@@ -46,27 +48,42 @@ impl Example {
         Basis::new(self.knots.clone(), self.degree, index.clone()).ok()
     }
 
-    /// What sentences are read on: one for each index.
+    /// What sentences are read on: one for each of its weights.
     pub fn instances(&self) -> impl Iterator<Item = Instance> {
-        let on = self.indices.first().and_then(|index| self.basis(index)).map(Instance::of);
+        let basis = |weights: &Weighting| Basis::over(self.knots.clone(), self.degree, weights.clone()).ok();
+        let on = self.weights.first().and_then(basis).and_then(|basis| Instance::on(basis).ok());
         let on =
             on.map(|on| if self.name.is_empty() { on } else { on.named(&self.name, self.points.clone()) });
-        let each = |on: Instance| self.indices.iter().map(move |index| on.with_index(index.clone()));
+        let each = |on: Instance| self.weights.iter().map(move |weights| on.with(weights.clone()));
         on.into_iter().flat_map(each)
     }
 }
 
-/// Rows of a file as examples. A row that is none is left out: [`row_faults`] says why.
-#[must_use]
-pub fn examples_of(rows: &[Row]) -> Vec<Example> {
-    rows.iter().filter_map(Example::of).collect()
+/// The weights that a row names.
+fn weights(row: &Row, family: &Arc<Family>) -> Result<Vec<Weighting>, MemberError> {
+    if !row.set.is_empty() || family.parameters.is_empty() && row.indices.is_empty() {
+        let given =
+            row.set.iter().map(|(name, rows)| (name.clone(), Values::shaped(rows.clone(), family, name)));
+        return Ok(vec![Weighting::of(family, &given.collect::<Vec<_>>())?]);
+    }
+    let index = |alpha: &Option<_>| match alpha {
+        Some(alpha) => Index::from_alpha(Clone::clone(alpha)).ok(),
+        None => Some(Index::infinity()),
+    };
+    Ok(row.indices.iter().filter_map(index).map(Weighting::Index).collect())
 }
 
-/// What keeps instances and cases of a paper from being examples, each with its place: knots that fall, an index that its family
+/// Rows of a file as examples. A row that is none is left out: [`row_faults`] says why.
+#[must_use]
+pub fn examples_of(rows: &[Row], family: &Arc<Family>) -> Vec<Example> {
+    rows.iter().filter_map(|row| Example::of(row, family)).collect()
+}
+
+/// What keeps instances and cases of a paper from being examples, each with its place: knots that fall, weights that its family
 /// has not, control points that are no curve in the plane, a name twice in one degree.
 #[must_use]
 pub fn row_faults(paper: &Paper) -> Vec<Complaint> {
-    let family = paper.about.family;
+    let family = &paper.about.family;
     let rows = std::iter::once(&paper.examples).chain(paper.cases.values()).flatten();
     let mut faults: Vec<_> = rows.filter_map(|row| row_fault(row, family)).collect();
     for (at, row) in paper.examples.iter().enumerate() {
@@ -79,19 +96,41 @@ pub fn row_faults(paper: &Paper) -> Vec<Complaint> {
 }
 
 /// The first thing that is wrong with a row.
-fn row_fault(row: &Row, family: Family) -> Option<Complaint> {
-    let fault = |part, rule: String, advice| Some(row.complaint(part, rule, advice));
+fn row_fault(row: &Row, family: &Arc<Family>) -> Option<Complaint> {
+    let fault = |part, rule: String, advice: &str| Some(row.complaint(part, rule, advice));
     let knots = match KnotVector::new(row.knots.clone()) {
         Ok(knots) => knots,
         Err(error) => return fault(RowPart::Knots, error.to_string(), "write t_0 ≤ … ≤ t_m with t_0 < t_m"),
     };
-    if row.indices.is_empty() {
-        return fault(RowPart::Indices, "there is no index".into(), "write some, such as `-1 2 inf`");
+    let has_index = family.moebius().is_some();
+    if row.set.is_empty() && (has_index || !row.indices.is_empty()) {
+        if row.indices.is_empty() {
+            return fault(
+                RowPart::Weights,
+                "there is no index".into(),
+                "write some, such as `alpha = \"-1 2 inf\"`",
+            );
+        }
+        if row.indices.iter().any(|alpha| !family.has_index(alpha.as_ref())) {
+            let rule = match has_index {
+                true => format!("the family `{}` has no index but ∞", family.name),
+                false => format!("the family `{}` has no index α", family.name),
+            };
+            let advice = match family.parameters.first() {
+                None => "write `inf`, or name another family in paper.toml".to_owned(),
+                Some(own) => format!("write `set` in place of `alpha`, as behind --set {}", setting(own)),
+            };
+            return fault(RowPart::Weights, rule, &advice);
+        }
     }
-    for alpha in &row.indices {
-        if !family.has(alpha.as_ref()) {
-            let rule = "the family `classical` has no index but ∞".into();
-            return fault(RowPart::Indices, rule, "write `inf`, or name another family in paper.toml");
+    let weights = match weights(row, family) {
+        Ok(weights) => weights,
+        Err(error) => return fault(RowPart::Weights, error.to_string(), "write what it says"),
+    };
+    for weights in weights {
+        let basis = Basis::over(knots.clone(), row.degree, weights).ok();
+        if let Some(Err(error)) = basis.map(Instance::on) {
+            return fault(RowPart::Weights, error.to_string(), "take other numbers");
         }
     }
     let basis = match Basis::new(knots, row.degree, Index::infinity()) {
@@ -113,7 +152,8 @@ fn row_fault(row: &Row, family: Family) -> Option<Complaint> {
 /// All examples of the paper, in its order.
 #[must_use]
 pub fn examples() -> &'static [Example] {
-    static ALL: LazyLock<Vec<Example>> = LazyLock::new(|| examples_of(&paper().examples));
+    static ALL: LazyLock<Vec<Example>> =
+        LazyLock::new(|| examples_of(&paper().examples, &paper().about.family));
     &ALL
 }
 
@@ -133,7 +173,7 @@ mod tests {
         for paper in shipped_names().filter_map(shipped) {
             assert_eq!(row_faults(paper), []);
             for rows in std::iter::once(&paper.examples).chain(paper.cases.values()) {
-                assert_eq!(examples_of(rows).len(), rows.len());
+                assert_eq!(examples_of(rows, &paper.about.family).len(), rows.len());
             }
         }
     }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::analysis::{Piece, Sign, constant};
 use crate::language::{Argument, Definition, Function, Int, Name, Pattern, Side};
 use crate::scalar::{BigRational, Polynomial, RationalAlgebra, Ring, integer};
-use crate::spline;
+use crate::spline::{self, FormTable, Forms};
 
 use super::cell::Cell;
 use super::reading::{Look, Reading, place};
@@ -33,8 +33,8 @@ impl Reading<'_> {
         match &argument.member {
             None => self.function(base, order, &x, argument.side),
             Some(member) => {
-                let index = self.member(member)?;
-                self.with_index(index, |own| own.function(base, order, &x, argument.side))
+                let weights = self.member(member)?;
+                self.with_weights(weights, |own| own.function(base, order, &x, argument.side))
             }
         }
     }
@@ -72,7 +72,7 @@ impl Reading<'_> {
             && let (Some(j), true) = (frame.span, frame.is_variable(x))
         {
             let id = self.existing(i, degree.as_ref())?;
-            let piece = self.on.piece(&self.index, id, j, order);
+            let piece = self.on.piece(&self.weights, id, j, order);
             return Ok(piece.map_or_else(|| 0.into(), Value::from));
         }
         let value = self.along(f, x)?;
@@ -104,8 +104,8 @@ impl Reading<'_> {
         side: spline::Side,
         order: usize,
     ) -> BigRational {
-        let value = self.on.value(&self.index, (i, degree), x, side, order);
-        let look = Look { i, degree, order, x: x.clone(), side, index: self.index.clone() };
+        let value = self.on.value(&self.weights, (i, degree), x, side, order);
+        let look = Look { i, degree, order, x: x.clone(), side, weights: self.weights.clone() };
         if let Some(looked) = self.looked.as_mut().filter(|looked| !looked.contains(&look)) {
             looked.push(look);
         }
@@ -193,7 +193,7 @@ impl Reading<'_> {
                     Where::Outside => Ok(0.into()),
                     Where::Knot(t) => self.at_number(f, 0, &t, None),
                     Where::Span(j) => {
-                        let Some(piece) = self.on.piece(&self.index, id, j, 0) else { return Ok(0.into()) };
+                        let Some(piece) = self.on.piece(&self.weights, id, j, 0) else { return Ok(0.into()) };
                         let Value { plain: Plain::Piece(argument), root: None } = x else {
                             return Err(Stop::Unknown("a basis function at an irrational number".into()));
                         };
@@ -241,11 +241,16 @@ impl Reading<'_> {
         match span {
             Some(j) if from <= j && j < to => {
                 if self.is_coordinate(j, x)
-                    && let Some(known) = self.on.weight(&self.index, (from, to), j)
+                    && let Some(known) = self.on.weight(&self.weights, (from, to), j)
                 {
                     return Ok(known.into());
                 }
-                self.moebius(x, &knots.t(from).clone().into(), &knots.t(to).clone().into())
+                let (a, b) = (knots.t(from), knots.t(to));
+                if let Some(table) = self.table()? {
+                    let missing = || Stop::Undefined(format!("w[{i},{d}] has no value on span {j}"));
+                    return self.by_forms(x, a, b, table.get(j, from, to - from).ok_or_else(missing)?);
+                }
+                self.moebius(x, &a.clone().into(), &b.clone().into())
             }
             _ => Ok(0.into()),
         }
@@ -261,9 +266,44 @@ impl Reading<'_> {
         if nowhere { Ok(0.into()) } else { self.moebius(x, a, b) }
     }
 
-    /// f(x, a, b) = r(x − a)/(r(x − a) + (b − x)).
+    /// The weights of another family than that of an index.
+    fn table(&self) -> Result<Option<FormTable>, Stop> {
+        self.on.table(&self.weights).map_err(|error| Stop::Undefined(error.to_string()))
+    }
+
+    /// The weight of an interval by its forms.
+    fn by_forms(
+        &mut self,
+        x: &Value,
+        a: &BigRational,
+        b: &BigRational,
+        forms: &Forms,
+    ) -> Result<Value, Stop> {
+        let Value { plain, root: None } = x else {
+            return Err(Stop::Unknown("a weight at an irrational number".into()));
+        };
+        let x = plain.piece();
+        let (p, q) = (x.minus(&x.embed(a)), x.embed(b).minus(&x));
+        let [rise, _, over] = forms.values(&p, &q, |c| x.embed(c));
+        self.quotient(&rise.into(), &over.into())
+    }
+
+    /// f(x, a, b) = r(x − a)/(r(x − a) + (b − x)), or what a family has in its place.
     fn moebius(&mut self, x: &Value, a: &Value, b: &Value) -> Result<Value, Stop> {
-        let rise = x.minus(a)?.times(&self.index.ratio().clone().into())?;
+        if let Some(member) = self.weights.member() {
+            if !member.family().is_by_ends() {
+                let name = &member.family().name;
+                return Err(Stop::Unknown(format!(
+                    "a weight of the family {name} depends on more than two ends"
+                )));
+            }
+            let (Some(a), Some(b)) = (a.number(), b.number()) else {
+                return Err(Stop::Unknown("a weight between ends that are no rational numbers".into()));
+            };
+            let forms = member.between(a, b).map_err(Stop::Undefined)?;
+            return self.by_forms(x, &a.clone(), &b.clone(), &forms);
+        }
+        let rise = x.minus(a)?.times(&self.own_index()?.ratio().clone().into())?;
         let both = rise.plus(&b.minus(x)?)?;
         self.quotient(&rise, &both)
     }
@@ -282,7 +322,7 @@ impl Reading<'_> {
         if self.depth > DEEPEST {
             return Err(Stop::Unknown(format!("{name} calls itself without an end")));
         }
-        let key = (name.clone(), of, self.index.clone());
+        let key = (name.clone(), of, self.weights.clone());
         let argument = x.cloned().unwrap_or_else(|| 0.into());
         let known = self.memo.known.get(&key).and_then(|known| known.iter().find(|(at, _)| *at == argument));
         if let Some((_, value)) = known {

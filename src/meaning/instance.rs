@@ -1,26 +1,31 @@
-//! What sentences are read on: an index, and where there are any a degree, knots and control points.
+//! What sentences are read on: an index or another member of a family, and where there are any a degree, knots and control points.
 
 use std::collections::HashMap;
 use std::hash::Hash;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use crate::analysis::{
-    Greatest, OneDenominator, Piece, Pieces, Tie, coordinate_between, positive_coordinate,
+    Greatest, OneDenominator, Piece, Pieces, Sign, Tie, common_numerators, coordinate_between,
+    positive_coordinate, sign_pattern,
 };
 use crate::language::Name;
 use crate::scalar::{BigInt, BigRational, Jet, Polynomial, RationalAlgebra, Ring, integer};
-use crate::spline::{Active, Basis, Evaluator, Index, KnotVector, Point, Side, by_definition, weight};
+use crate::spline::{
+    Active, Basis, Evaluator, FormTable, Index, KnotVector, Obligation, Point, Side, Span, SpanError,
+    by_definition, by_weights, weight,
+};
 
+use super::family::{MemberError, Weighting};
 use super::value::Fraction;
 
-/// An index, with or without a degree on knots. What is computed on the knots is kept, for all sentences that are judged on
-/// it, and on the same knots with another index.
+/// An index, or another member of a family, with or without a degree on knots. What is computed on the knots is kept, for all
+/// sentences that are judged on it, and on the same knots with another index.
 #[derive(Debug)]
 pub struct Instance {
-    /// α.
-    pub index: Index,
+    /// α, or the parameters of another family.
+    pub weights: Weighting,
     /// The degree and U.
-    pub basis: Option<Basis>,
+    pub basis: Option<Basis<Weighting>>,
     /// Its name, if the paper gives it one.
     pub name: Option<Name>,
     /// Control points, if it has some.
@@ -38,20 +43,21 @@ pub struct Instance {
 /// What was computed on knots, for any index.
 #[derive(Debug, Default)]
 struct Known {
-    pieces: Kept<(Index, usize), Pieces>,
-    over_one: Kept<(Index, usize, usize), OverOne>,
-    weights: Kept<(Index, usize, usize, usize), Fraction>,
-    derivatives: Kept<(Index, usize, usize, usize, usize), Fraction>,
+    tables: Kept<(Weighting, usize), Result<FormTable, MemberError>>,
+    pieces: Kept<(Weighting, usize), Pieces>,
+    over_one: Kept<(Weighting, usize, usize), OverOne>,
+    weights: Kept<(Weighting, usize, usize, usize), Fraction>,
+    derivatives: Kept<(Weighting, usize, usize, usize, usize), Fraction>,
     jets: Kept<JetsKey, Option<Jets>>,
-    ties: Kept<(Index, usize, usize), Option<Tie>>,
+    ties: Kept<(Weighting, usize, usize), Option<Tie>>,
     suprema: Kept<(Parts, Parts, bool), Option<Greatest>>,
 }
 
 /// The coefficients of a polynomial as integers, which have a hash that costs little.
 type Parts = Vec<(BigInt, BigInt)>;
 
-/// α, the degree, x, whether from the left, the order, and whether by the definition.
-type JetsKey = (Index, usize, BigRational, bool, usize, bool);
+/// The member, the degree, x, whether from the left, the order, and whether by the definition.
+type JetsKey = (Weighting, usize, BigRational, bool, usize, bool);
 
 /// The numerators of all functions of a degree on a span over one denominator.
 type OverOne = (Arc<Polynomial<BigRational>>, Active<Polynomial<BigRational>>);
@@ -84,8 +90,14 @@ impl Instance {
     /// An index alone, for sentences about weights.
     #[must_use]
     pub fn index(index: Index) -> Self {
+        Self::weights(Weighting::Index(index))
+    }
+
+    /// A member of any family alone, likewise.
+    #[must_use]
+    pub fn weights(weights: Weighting) -> Self {
         Self {
-            index,
+            weights,
             basis: None,
             name: None,
             points: None,
@@ -101,7 +113,18 @@ impl Instance {
     /// A degree and an index on knots.
     #[must_use]
     pub fn of(basis: Basis) -> Self {
-        Self { basis: Some(basis.clone()), ..Self::index(basis.index().clone()) }
+        let weights = Weighting::Index(basis.index().clone());
+        Self { basis: Some(basis.with(weights.clone())), ..Self::weights(weights) }
+    }
+
+    /// A degree and a member of any family on knots.
+    ///
+    /// # Errors
+    /// [`MemberError`], if the member gives no weights on these knots.
+    pub fn on(basis: Basis<Weighting>) -> Result<Self, MemberError> {
+        let weights = basis.weights().clone();
+        let on = Self { basis: Some(basis), ..Self::weights(weights.clone()) };
+        on.table(&weights).map(|_| on)
     }
 
     /// With a name, and perhaps control points.
@@ -119,15 +142,19 @@ impl Instance {
     /// The same for another index.
     #[must_use]
     pub fn with_index(&self, index: Index) -> Self {
-        let basis = self.basis.as_ref().map(|basis| basis.with_index(index.clone()));
+        self.with(Weighting::Index(index))
+    }
+
+    pub(super) fn with(&self, weights: Weighting) -> Self {
+        let basis = self.basis.as_ref().map(|basis| basis.with(weights.clone()));
         let (name, points, shown) = (self.name.clone(), self.points.clone(), self.shown.clone());
-        Self { basis, name, points, shown, known: Arc::clone(&self.known), ..Self::index(index) }
+        Self { basis, name, points, shown, known: Arc::clone(&self.known), ..Self::weights(weights) }
     }
 
     /// The same with values by the definition: the slow reference, which a witness is read on once more.
     #[must_use]
     pub fn by_definition(&self) -> Self {
-        Self { reference: true, ..self.with_index(self.index.clone()) }
+        Self { reference: true, ..self.with(self.weights.clone()) }
     }
 
     /// k.
@@ -155,19 +182,66 @@ impl Instance {
         }
     }
 
-    /// The basis of a degree ≤ k and an index on the same knots.
+    /// The basis of a degree ≤ k and an index on the same knots; `None` for a member of another family too.
     #[must_use]
-    pub fn basis_of(&self, index: &Index, degree: usize) -> Option<Basis> {
-        Basis::new(self.knots()?.clone(), degree, index.clone()).ok()
+    pub fn basis_of(&self, weights: &Weighting, degree: usize) -> Option<Basis> {
+        Basis::new(self.knots()?.clone(), degree, weights.index()?.clone()).ok()
     }
 
-    /// The pieces of a degree ≤ k and an index; those of the own index are compared once with what the definition gives over
+    /// The weights of a member of another family on the knots, for the degree k; `None` for an index, which needs no table.
+    ///
+    /// # Errors
+    /// [`MemberError`], if it gives none.
+    pub fn table(&self, weights: &Weighting) -> Result<Option<FormTable>, MemberError> {
+        let (Some(member), Some(basis)) = (weights.member(), &self.basis) else { return Ok(None) };
+        let key = (weights.clone(), basis.degree());
+        let made = self.known.tables.get(key, |_| member.table(basis.knots(), basis.degree()));
+        (*made).clone().map(Some)
+    }
+
+    /// The basis of a degree ≤ k with the weights of a member of another family.
+    #[must_use]
+    pub fn forms_of(&self, weights: &Weighting, degree: usize) -> Option<Basis<FormTable>> {
+        let table = self.table(weights).ok()??;
+        Basis::over(self.knots()?.clone(), degree, table).ok()
+    }
+
+    /// The first condition that fails of those which make all functions ≥ 0: for w_i^d on span j, as (j, i, d). For an index
+    /// none does.
+    #[must_use]
+    pub fn obligation(&self, weights: &Weighting) -> Option<((usize, usize, usize), Obligation)> {
+        let table = self.table(weights).ok()??;
+        table.iter().find_map(|(place, forms)| Some((place, forms.obligations().err()?)))
+    }
+
+    /// Is G_i^d nowhere negative? By the weights, or else by the signs of its pieces; `None` if there are no functions.
+    #[must_use]
+    pub fn is_nonnegative(&self, weights: &Weighting, (i, d): (usize, usize)) -> Option<bool> {
+        if self.obligation(weights).is_none() {
+            return Some(true);
+        }
+        let below = |g: &Piece| {
+            let pattern = sign_pattern(&g.numerator().times(g.denominator()));
+            pattern.between().iter().any(|(_, sign)| *sign == Sign::Negative)
+        };
+        let pieces = self.pieces(weights, d)?;
+        let mut own = pieces.spans().iter().filter_map(|on| on.functions.get(i));
+        Some(!own.any(|g| !g.is_zero() && below(g)))
+    }
+
+    /// The pieces of a degree ≤ k and a member; those of the own one are compared once with what the definition gives over
     /// the variable u.
     #[must_use]
-    pub fn pieces(&self, index: &Index, degree: usize) -> Option<Arc<Pieces>> {
-        let basis = self.basis_of(index, degree)?;
-        let pieces = self.known.pieces.get((index.clone(), degree), |_| Pieces::of(&basis));
-        if *index == self.index {
+    pub fn pieces(&self, weights: &Weighting, degree: usize) -> Option<Arc<Pieces>> {
+        let key = (weights.clone(), degree);
+        let pieces = match self.basis_of(weights, degree) {
+            Some(basis) => self.known.pieces.get(key, |_| Pieces::of(&basis)),
+            None => {
+                let basis = self.forms_of(weights, degree)?;
+                self.known.pieces.get(key, |_| Pieces::of_forms(&basis))
+            }
+        };
+        if *weights == self.weights {
             self.compared.get(degree, |_| self.compare(&pieces, degree));
         }
         Some(pieces)
@@ -182,7 +256,7 @@ impl Instance {
             if let Some(i) = row.enumerate().position(differs) {
                 let (j, knots) = (span.span.index(), pieces.basis().knots());
                 let fault =
-                    format!("two pieces of G_{i}^{degree} on span {j} of U = {knots}, α = {}", self.index);
+                    format!("two pieces of G_{i}^{degree} on span {j} of U = {knots}, α = {}", self.weights);
                 _ = self.fault.set(fault);
             }
         }
@@ -192,16 +266,51 @@ impl Instance {
     fn by_variable(&self) -> Vec<Vec<Vec<Piece>>> {
         let Some(basis) = &self.basis else { return Vec::new() };
         let coordinate = |span| positive_coordinate(basis.knots(), span).ok();
-        basis.knots().spans().filter_map(|span| by_definition(basis, span, &coordinate(span)?).ok()).collect()
+        let defined = |span| self.defined(&self.weights, basis.degree(), span, &coordinate(span)?)?.ok();
+        basis.knots().spans().filter_map(defined).collect()
     }
 
-    /// φ(x, t_a, t_b) on span j between these knots, in its coordinate.
+    /// All functions of the degrees up to d by the recursion word for word: of a family with the terms of its file.
+    fn defined<S: RationalAlgebra>(
+        &self,
+        weights: &Weighting,
+        degree: usize,
+        span: Span,
+        x: &S,
+    ) -> Option<Result<Vec<Vec<S>>, SpanError>> {
+        let basis = self.basis.as_ref()?;
+        Some(match weights.member() {
+            None => by_definition(&self.basis_of(weights, degree)?, span, x),
+            Some(member) => {
+                let of_degree = Basis::over(basis.knots().clone(), degree, ()).ok()?;
+                let shares = |i: usize, d: usize| {
+                    let place = (span.index(), i, d);
+                    // The table has seen to it that there is a value.
+                    let shares = member.shares(place, basis.knots(), basis.degree(), x);
+                    shares.unwrap_or_else(|| (x.zero(), x.one()))
+                };
+                by_weights(&of_degree, span, x, shares)
+            }
+        })
+    }
+
+    /// w_i^d on span j between the knots t_a = t_i and t_b = t_{i+d}, in its coordinate.
     #[must_use]
-    pub fn weight(&self, index: &Index, (a, b): (usize, usize), j: usize) -> Option<Arc<Fraction>> {
+    pub fn weight(&self, weights: &Weighting, (a, b): (usize, usize), j: usize) -> Option<Arc<Fraction>> {
         let knots = self.knots()?;
-        Some(self.known.weights.get((index.clone(), a, b, j), |_| {
+        let table = self.table(weights).ok()?;
+        Some(self.known.weights.get((weights.clone(), a, b, j), |_| {
             let x = coordinate_between(knots.t(j), knots.t(j + 1));
-            weight(&x.embed(index.ratio()), &x, knots.t(a), knots.t(b)).0.into()
+            let ends = (knots.t(a), knots.t(b));
+            let share = match (weights, &table) {
+                (Weighting::Index(index), _) => Some(weight(&x.embed(index.ratio()), &x, ends.0, ends.1).0),
+                (_, Some(table)) => {
+                    let forms = table.get(j, a, b - a).cloned();
+                    forms.and_then(|forms| Some(forms.shares(&x, ends.0, ends.1)?.0))
+                }
+                (_, None) => None,
+            };
+            share.unwrap_or_else(|| x.zero()).into()
         }))
     }
 
@@ -218,16 +327,16 @@ impl Instance {
 
     /// What ties the largest values of G_i^d for an index close by, as far as it is found.
     #[must_use]
-    pub fn tie(&self, index: &Index, (i, d): (usize, usize)) -> Option<Tie> {
-        let basis = self.basis_of(index, d)?;
-        (*self.known.ties.get((index.clone(), d, i), |_| Tie::near(&basis, i))).clone()
+    pub fn tie(&self, weights: &Weighting, (i, d): (usize, usize)) -> Option<Tie> {
+        let basis = self.basis_of(weights, d)?;
+        (*self.known.ties.get((weights.clone(), d, i), |_| Tie::near(&basis, i))).clone()
     }
 
     /// The derivative of an order of G_i^d on span j in its coordinate; `None` where it is 0.
     #[must_use]
     pub fn piece(
         &self,
-        index: &Index,
+        weights: &Weighting,
         (i, d): (usize, usize),
         j: usize,
         order: usize,
@@ -235,19 +344,30 @@ impl Instance {
         if !(i..=i + d).contains(&j) {
             return None;
         }
-        let pieces = self.pieces(index, d)?;
+        let pieces = self.pieces(weights, d)?;
         let span = self.knots()?.span(j)?;
         let on = pieces.on(span)?;
         let own = on.functions.get(i)?;
         let derivative = |order| (0..order).fold(own.clone(), |f, _| on.derivative(&f));
-        Some(self.known.derivatives.get((index.clone(), d, j, i, order), |_| {
+        Some(self.known.derivatives.get((weights.clone(), d, j, i, order), |_| {
             if order > 0 {
                 return derivative(order).into();
             }
-            let key = (index.clone(), d, j);
-            let over = self.known.over_one.get(key, |_| {
-                let one = OneDenominator::of(pieces.basis(), span);
-                (Arc::new(one.denominator()), one.numerators)
+            let key = (weights.clone(), d, j);
+            let over = self.known.over_one.get(key, |_| match weights {
+                Weighting::Index(index) => {
+                    let one = OneDenominator::of(&pieces.basis().with(index.clone()), span);
+                    (Arc::new(one.denominator()), one.numerators)
+                }
+                Weighting::Family(_) => {
+                    // Of 1 over the common denominator the numerator is that itself.
+                    let functions = [on.functions.values(), &[on.x.one()]].concat();
+                    let mut numerators = common_numerators(&functions);
+                    let denominator = numerators.pop().unwrap_or_else(|| on.x.one().numerator().clone());
+                    let scale = denominator.leading().recip();
+                    let monic = numerators.iter().map(|numerator| numerator.scaled(&scale)).collect();
+                    (Arc::new(denominator.scaled(&scale)), Active::new(on.functions.first(), monic))
+                }
             });
             match over.1.get(i) {
                 Some(numerator) => Fraction::shared(own.clone(), numerator, &over.0),
@@ -260,21 +380,23 @@ impl Instance {
     #[must_use]
     pub fn value(
         &self,
-        index: &Index,
+        weights: &Weighting,
         (i, d): (usize, usize),
         x: &BigRational,
         side: Side,
         order: usize,
     ) -> BigRational {
-        let key = (index.clone(), d, x.clone(), side == Side::Left, order, self.reference);
+        let key = (weights.clone(), d, x.clone(), side == Side::Left, order, self.reference);
         let jets = self.known.jets.get(key, |_| {
-            let basis = self.basis_of(index, d)?;
             if self.reference {
-                let span = basis.knots().span_at(x, side)?;
-                let table = by_definition(&basis, span, &Jet::variable(x.clone(), order)).ok()?.pop()?;
+                let span = self.knots()?.span_at(x, side)?;
+                let table = self.defined(weights, d, span, &Jet::variable(x.clone(), order))?.ok()?.pop()?;
                 return Some(Active::new(0, table));
             }
-            Evaluator::new(&basis).jets(x, side, order)
+            match self.basis_of(weights, d) {
+                Some(basis) => Evaluator::new(&basis).jets(x, side, order),
+                None => Some(Active::new(0, self.forms_of(weights, d)?.jets(x, side, order))),
+            }
         });
         let jet = (*jets).as_ref().and_then(|jets| jets.get(i));
         jet.and_then(|jet| jet.derivatives().pop()).unwrap_or_else(|| integer(0))

@@ -4,8 +4,10 @@
 //! a rational function of one coordinate. [`decide`] reads a sentence on an instance; words have deciders in `words`. No
 //! claim is known here.
 
+mod adjectives;
 mod cell;
 mod example;
+mod family;
 mod functions;
 mod instance;
 mod points;
@@ -17,12 +19,14 @@ mod truth;
 mod value;
 mod words;
 
+pub use adjectives::has;
 pub use cell::{Cell, Focus, Frame, Signs};
 pub use example::{Example, examples, examples_named, examples_of, row_faults};
+pub use family::{FamilyMember, MemberError, Values, Weighting, setting};
 pub use instance::Instance;
 pub use reading::{Bound, Found, Library, Look, Names, Reading};
 pub use reals::Part;
-pub use sentence::{Decided, Failure, Given, admits, concerns, decide, has, listed};
+pub use sentence::{Decided, Failure, Given, admits, concerns, decide, listed};
 pub use truth::{Stop, Truth};
 pub use value::{Fraction, Plain, Value};
 pub use words::tie;

@@ -147,7 +147,12 @@ fn walk<'t>(t: &'t Real, see: &mut dyn FnMut(&'t Name)) {
     match t {
         Real::Coefficient(name, _) | Real::Bound(name) | Real::Defined(name, _) => see(name),
         Real::Whole(i) => walk_int(i, see),
-        Real::Number(_) | Real::Index(_) | Real::Ratio | Real::Infinity | Real::Knot(_) => {}
+        Real::Number(_)
+        | Real::Index(_)
+        | Real::Ratio
+        | Real::Infinity
+        | Real::Knot(_)
+        | Real::Parameter(..) => {}
         Real::Plus(a, b)
         | Real::Minus(a, b)
         | Real::Times(a, b)

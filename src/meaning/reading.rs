@@ -10,6 +10,7 @@ use crate::scalar::BigRational;
 use crate::spline::{Index, KnotVector, Side};
 
 use super::cell::{Frame, sign_of_difference};
+use super::family::Weighting;
 use super::instance::Instance;
 use super::truth::{Stop, Truth};
 use super::value::{Plain, Value};
@@ -88,8 +89,8 @@ pub struct Look {
     pub x: BigRational,
     /// From which side the limit is taken.
     pub side: Side,
-    /// α.
-    pub index: Index,
+    /// α, or the parameters of another family.
+    pub weights: Weighting,
 }
 
 /// A supremum on the way, with nothing bound but integers.
@@ -109,8 +110,8 @@ pub struct Reading<'a> {
     pub on: &'a Instance,
     /// Whose names are known.
     pub names: Names<'a>,
-    /// The index of the moment: α, but in `(x; alpha = …)`.
-    pub index: Index,
+    /// The member of the moment: α, but in `(x; alpha = …)`.
+    pub weights: Weighting,
     /// What is bound.
     pub bound: Bound,
     /// The cell that the variable of the moment runs over, if it is an open one.
@@ -131,7 +132,7 @@ pub(super) type Graph = Vec<(Value, Value)>;
 /// seldom, control values and other indices: found out while they are computed, by how far out the names lie that they look at.
 #[derive(Default)]
 pub(super) struct Memo {
-    pub(super) known: HashMap<(Name, Vec<i64>, Index), Graph>,
+    pub(super) known: HashMap<(Name, Vec<i64>, Weighting), Graph>,
     /// The outermost integer and real looked at since it was set.
     pub(super) outermost: (usize, usize),
 }
@@ -154,11 +155,11 @@ impl<'a> Reading<'a> {
     /// With nothing bound.
     #[must_use]
     pub fn new(on: &'a Instance, names: Names<'a>) -> Self {
-        let (index, bound) = (on.index.clone(), Bound::default());
+        let (weights, bound) = (on.weights.clone(), Bound::default());
         Self {
             on,
             names,
-            index,
+            weights,
             bound,
             frame: None,
             looked: None,
@@ -239,7 +240,7 @@ impl<'a> Reading<'a> {
                 let alpha = self.index_named(name)?.alpha();
                 alpha.map(Value::from).ok_or_else(|| Stop::Undefined(format!("{name} is infinite")))
             }
-            Real::Ratio => Ok(self.index.ratio().clone().into()),
+            Real::Ratio => Ok(self.own_index()?.ratio().clone().into()),
             Real::Infinity => Err(Stop::Undefined("infinity is no number".into())),
             Real::Knot(i) => {
                 let (i, knots) = (self.int(i)?, self.knots()?);
@@ -247,6 +248,11 @@ impl<'a> Reading<'a> {
                 Ok(knots.t(at).clone().into())
             }
             Real::Coefficient(name, of) => self.coefficient(name, of),
+            Real::Parameter(name, of) => {
+                let of = of.iter().map(|i| self.int(i)).collect::<Result<Vec<_>, _>>()?;
+                let member = self.weights.member().ok_or_else(|| Stop::Unbound(name.to_string()))?;
+                member.parameter(name, &of).map(|value| value.clone().into()).map_err(Stop::Undefined)
+            }
             Real::Plus(a, b) => self.real(a)?.plus(&self.real(b)?),
             Real::Minus(a, b) => self.real(a)?.minus(&self.real(b)?),
             Real::Times(a, b) => self.real(a)?.times(&self.real(b)?),
@@ -305,9 +311,15 @@ impl<'a> Reading<'a> {
 
     pub(super) fn index_named(&mut self, name: &Name) -> Result<Index, Stop> {
         if &**name == "alpha" {
-            return Ok(self.index.clone());
+            return self.own_index().cloned();
         }
         find(&self.bound.indices, name).cloned()
+    }
+
+    /// The index of the moment.
+    pub(super) fn own_index(&self) -> Result<&Index, Stop> {
+        let none = || Stop::Unknown(format!("the family {} has no index", self.weights));
+        self.weights.index().ok_or_else(none)
     }
 
     fn coefficient(&mut self, name: &Name, of: &[Int]) -> Result<Value, Stop> {
@@ -359,8 +371,24 @@ impl<'a> Reading<'a> {
         Ok(if self.sign(&a.minus(&b)?)? == first { b } else { a })
     }
 
-    /// The index of another member of the family.
-    pub(super) fn member(&mut self, member: &Member) -> Result<Index, Stop> {
+    /// Another member of the family.
+    pub(super) fn member(&mut self, member: &Member) -> Result<Weighting, Stop> {
+        let weights = match member {
+            Member::Dual => match &self.weights {
+                Weighting::Index(index) => Weighting::Index(index.conjugate()),
+                Weighting::Family(member) => member.dual(self.knots()?.m(), self.degree()?)?,
+            },
+            Member::Parameter(name, term) => match self.real(term)?.number() {
+                Some(value) => self.weights.with(name, value.clone())?,
+                None => return Err(Stop::Unknown(format!("a {name} that is no rational number"))),
+            },
+            Member::Index(_) | Member::Ratio(_) => Weighting::Index(self.other_index(member)?),
+        };
+        self.on.table(&weights).map_err(|error| Stop::Undefined(error.to_string()))?;
+        Ok(weights)
+    }
+
+    fn other_index(&mut self, member: &Member) -> Result<Index, Stop> {
         let number = |value: Value| match value.number() {
             Some(q) => Ok(q.clone()),
             None => Err(Stop::Unknown("an index that is no rational number".into())),
@@ -378,15 +406,16 @@ impl<'a> Reading<'a> {
             }
             Member::Index(term) => Index::from_alpha(number(self.real(term)?)?),
             Member::Ratio(term) => Index::from_ratio(number(self.real(term)?)?),
+            Member::Parameter(..) | Member::Dual => return self.own_index().cloned(),
         };
         index.map_err(|error| Stop::Undefined(error.to_string()))
     }
 
-    /// With another index for a while.
-    pub(super) fn with_index<T>(&mut self, index: Index, read: impl FnOnce(&mut Self) -> T) -> T {
-        let before = std::mem::replace(&mut self.index, index);
+    /// With another member for a while.
+    pub(super) fn with_weights<T>(&mut self, weights: Weighting, read: impl FnOnce(&mut Self) -> T) -> T {
+        let before = std::mem::replace(&mut self.weights, weights);
         let result = read(self);
-        self.index = before;
+        self.weights = before;
         result
     }
 

@@ -3,10 +3,11 @@
 use num_traits::{One, Signed, Zero};
 
 use crate::analysis::IsolatedRoot;
-use crate::language::{Adjective, Binder, Formula, Gap, Int, Name, Range, Relation, Sentence};
+use crate::language::{Binder, Formula, Gap, Int, Name, Range, Relation, Sentence};
 use crate::scalar::{BigRational, integer, rational, rationals_between};
 use crate::spline::{Basis, Index, KnotVector};
 
+use super::adjectives::has;
 use super::cell::{Cell, Focus};
 use super::instance::Instance;
 use super::points;
@@ -144,25 +145,10 @@ pub fn admits(binder: &Binder, on: &Instance) -> bool {
             adjectives.iter().all(|adjective| has(*adjective, basis.knots(), basis.degree()))
         }),
         Binder::Instances(names) => on.name.as_ref().is_some_and(|name| names.contains(name)),
-        Binder::Indices(list) => list.iter().any(|alpha| on.index.alpha() == *alpha),
+        Binder::Indices(list) => {
+            on.weights.index().is_some_and(|index| list.iter().any(|alpha| index.alpha() == *alpha))
+        }
         _ => true,
-    }
-}
-
-/// Does the knot vector have the property, for degree k?
-#[must_use]
-pub fn has(adjective: Adjective, knots: &KnotVector, k: usize) -> bool {
-    let (t, m) = (knots.knots(), knots.m());
-    let open = || knots.is_open(k) && t[k] < t[m - k];
-    match adjective {
-        Adjective::Open => open(),
-        Adjective::Clamped => open() && t[k] < t[k + 1] && t[m - k - 1] < t[m - k],
-        Adjective::Symmetric => knots.is_symmetric(),
-        Adjective::Simple => t.windows(2).all(|pair| pair[0] < pair[1]),
-        Adjective::Equidistant => t.windows(3).all(|three| &three[1] - &three[0] == &three[2] - &three[1]),
-        Adjective::Bernstein => open() && m == 2 * k + 1,
-        Adjective::Inner => knots.inner_stop_knots().all(|(_, p)| p <= k),
-        Adjective::Interior => knots.interior(k).iter().all(|t| knots.multiplicity(t) <= k),
     }
 }
 
@@ -194,7 +180,7 @@ impl<'a> Reading<'a> {
         if own.depth > 8 {
             return Truth::Unknown("claims that name each other".into());
         }
-        own.index = self.index.clone();
+        own.weights = self.weights.clone();
         own.decide(sentence).into()
     }
 
@@ -294,11 +280,15 @@ impl<'a> Reading<'a> {
                 }
             }
             Binder::Points(name) => {
-                let Some(basis) = self.on.degree().and_then(|k| self.on.basis_of(&self.index, k)) else {
+                let Some(basis) = &self.on.basis else {
                     return walk.unknown("control values without a basis".into());
                 };
                 walk.decided.tried |= !walk.linear;
-                let more = if walk.linear { Vec::new() } else { tries::control_values(&basis) };
+                let more = if walk.linear {
+                    Vec::new()
+                } else {
+                    tries::control_values(self.on, &self.weights, basis)
+                };
                 for values in points::units(basis.n() + 1).chain(more) {
                     self.bound.points.push((name.clone(), values));
                     // Definitions may speak of them.
@@ -325,8 +315,9 @@ impl<'a> Reading<'a> {
             }
         }
         let knots = KnotVector::new(knots).map_err(|error| Stop::Undefined(error.to_string()))?;
-        let basis = Basis::new(knots, self.degree()?, self.index.clone());
-        basis.map(Instance::of).map_err(|error| Stop::Undefined(error.to_string()))
+        let basis = Basis::over(knots, self.degree()?, self.weights.clone());
+        let basis = basis.map_err(|error| Stop::Undefined(error.to_string()))?;
+        Instance::on(basis).map_err(|error| Stop::Undefined(error.to_string()))
     }
 
     /// What an index besides α runs over: the list of the sentence, or what the instance is shown for, or some indices.
@@ -335,7 +326,7 @@ impl<'a> Reading<'a> {
         let shown = Some(self.on.shown.clone()).filter(|shown| !shown.is_empty());
         let all = listed(sentence).or(shown);
         let mut all = all.unwrap_or_else(|| some().chain([Index::infinity()]).collect());
-        all.retain(|index| *index != self.index);
+        all.retain(|index| Some(index) != self.weights.index());
         all
     }
 

@@ -1,12 +1,19 @@
 //! What is tried where a sentence speaks of any numbers: control values, and numbers beside knots. It knows functions, and no
 //! sentence; what is tried can refute, and proves nothing.
 
-use crate::analysis::{NegativeMinor, determinant, negative_minor};
+use crate::analysis::{NegativeMinor, determinant, negative_minor, negative_minor_of};
 use crate::scalar::{BigRational, integer};
 use crate::spline::{Basis, KnotVector};
 
+use super::family::Weighting;
+use super::instance::Instance;
+
 /// Control values for a basis: constant, rising, of alternating signs, a step; and what a negative minor shows.
-pub(super) fn control_values(basis: &Basis) -> Vec<Vec<BigRational>> {
+pub(super) fn control_values<W>(
+    on: &Instance,
+    weights: &Weighting,
+    basis: &Basis<W>,
+) -> Vec<Vec<BigRational>> {
     let n = basis.n();
     let list = |value: &dyn Fn(usize) -> BigRational| (0..=n).map(value).collect();
     let mut all: Vec<Vec<_>> = vec![
@@ -16,7 +23,7 @@ pub(super) fn control_values(basis: &Basis) -> Vec<Vec<BigRational>> {
         list(&|i| integer(i * i)),
     ];
     all.extend((1..=n).map(|step| list(&|i| integer(usize::from(i >= step)))));
-    all.extend(from_negative_minor(basis));
+    all.extend(minor(on, weights, basis.degree()).and_then(|minor| from_negative_minor(basis.n(), minor)));
     all
 }
 
@@ -31,13 +38,24 @@ fn signed(i: usize, size: BigRational) -> BigRational {
     if i.is_multiple_of(2) { size } else { -size }
 }
 
+/// A negative minor of the functions of a degree, if one is found.
+pub(super) fn minor(on: &Instance, weights: &Weighting, degree: usize) -> Option<NegativeMinor> {
+    match on.basis_of(weights, degree) {
+        Some(basis) => negative_minor(&basis),
+        None => {
+            let basis = on.forms_of(weights, degree)?;
+            negative_minor_of(&basis, &|x, side, order| basis.jets(x, side, order))
+        }
+    }
+}
+
 /// From a negative minor: with f = Σ c_i G_i equal to 1, −1, 1 at its points, the c_i have the signs −, +, −, so f changes
 /// its sign there twice, and twice more where the outer functions, alone near the ends of their supports, make it
 /// negative. Whole numbers c_i change f by 1/2 at most.
-fn from_negative_minor(basis: &Basis) -> Option<Vec<BigRational>> {
-    let NegativeMinor { first, rows, value, .. } = negative_minor(basis)?;
+fn from_negative_minor(n: usize, minor: NegativeMinor) -> Option<Vec<BigRational>> {
+    let NegativeMinor { first, rows, value, .. } = minor;
     // All others −1: they add no change of sign to the polygon's, and no part of it lies in the line y = 0.
-    let mut c = vec![-integer(1); basis.n() + 1];
+    let mut c = vec![-integer(1); n + 1];
     for column in 0..3 {
         // Cramer's rule.
         let mut replaced = rows.clone();
@@ -61,7 +79,8 @@ mod tests {
     fn a_negative_minor_gives_control_values() {
         let basis = Basis::new(knots(&[0, 0, 0, 0, 1, 2, 3, 3, 3, 3]), 3, "-1".parse().unwrap()).unwrap();
         let expected = [-1, -371_664, 769_061, -3_162_035, -1, -1].map(|c| rational(c, 1));
-        assert_eq!(control_values(&basis).pop().unwrap(), expected);
+        let on = Instance::of(basis.clone());
+        assert_eq!(control_values(&on, &on.weights, &basis).pop().unwrap(), expected);
     }
 
     #[test]

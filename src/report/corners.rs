@@ -87,9 +87,9 @@ fn texts<S: Serializer>(values: &[BigRational], serializer: S) -> Result<S::Ok, 
 #[must_use]
 pub fn corners(paper: &Paper) -> Vec<Corner> {
     let mut corners = Vec::new();
-    for instance in examples_of(&paper.examples) {
+    for instance in examples_of(&paper.examples, &paper.about.family) {
         let Some(points) = &instance.points else { continue };
-        for index in &instance.indices {
+        for index in instance.indices() {
             let basis = Basis::new(instance.knots.clone(), instance.degree, index.clone());
             // A row that is no curve in the plane is complained of when it is read.
             let Some(curve) = basis.ok().and_then(|basis| Curve::new(basis, points.clone()).ok()) else {

@@ -110,7 +110,7 @@ impl<'a> Report<'a> {
         degrees: Option<&RangeInclusive<usize>>,
         progress: impl FnMut(&str),
     ) -> Result<Self, SettleError> {
-        let cases = Cases::of_paper(paper);
+        let cases = Cases::of_paper(paper)?;
         let (cases, proving) = match degrees {
             Some(degrees) => (cases.in_degrees(degrees), Proving::Nothing),
             None => (cases, Proving::Everything),
@@ -155,8 +155,8 @@ impl<'a> Report<'a> {
 /// One drift for each instance and index; a basis that occurs twice is run once.
 fn drifts(paper: &Paper) -> Vec<Drift> {
     let mut runs = Vec::new();
-    for example in examples_of(&paper.examples) {
-        for index in &example.indices {
+    for example in examples_of(&paper.examples, &paper.about.family) {
+        for index in example.indices() {
             if let Some(basis) = example.basis(index) {
                 runs.push((example.name.to_string(), basis));
             }

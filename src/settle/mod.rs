@@ -9,6 +9,7 @@ use thiserror::Error;
 use crate::certificate::{Certificate, CertificateError, certify, certify_for_degree};
 use crate::judge::{Cases, Fault, Verdict, judge, judge_by_degree};
 use crate::language::{Claim, Form, Said, text};
+use crate::meaning::MemberError;
 
 pub use grade::{Grade, grade};
 
@@ -58,6 +59,9 @@ pub enum SettleError {
     /// The engine, the prover and the checker.
     #[error(transparent)]
     Certificate(#[from] CertificateError),
+    /// The family of the paper.
+    #[error(transparent)]
+    Member(#[from] MemberError),
 }
 
 /// Settles a claim: as printed; where that is refuted, as amended and where that does not apply; degree by degree, if the

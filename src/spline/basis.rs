@@ -24,11 +24,13 @@ use super::weight::PointWeights;
 /// assert_eq!(values, [rational(4, 9), rational(4, 9), rational(1, 9)]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+///
+/// Other weights than those of an index are another `W`; only an index has the fast kernels.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Basis {
+pub struct Basis<W = Index> {
     knots: KnotVector,
     degree: usize,
-    index: Index,
+    weights: W,
 }
 
 /// Why a knot vector carries no basis of the degree.
@@ -49,12 +51,34 @@ impl Basis {
     /// # Errors
     /// [`BasisError`] with the number of knots that the degree needs.
     pub fn new(knots: KnotVector, degree: usize, index: Index) -> Result<Self, BasisError> {
+        Self::over(knots, degree, index)
+    }
+}
+
+impl<W> Basis<W> {
+    /// The same check for any weights.
+    ///
+    /// # Errors
+    /// [`BasisError`] with the number of knots that the degree needs.
+    pub fn over(knots: KnotVector, degree: usize, weights: W) -> Result<Self, BasisError> {
         let count = knots.m() + 1;
         let needed = degree.saturating_mul(2).max(degree.saturating_add(1)).saturating_add(1);
         if count < needed {
             return Err(BasisError { degree, needed, count });
         }
-        Ok(Self { knots, degree, index })
+        Ok(Self { knots, degree, weights })
+    }
+
+    /// What its weights are made from.
+    #[must_use]
+    pub fn weights(&self) -> &W {
+        &self.weights
+    }
+
+    /// The same knots and degree with other weights.
+    #[must_use]
+    pub fn with<V>(&self, weights: V) -> Basis<V> {
+        Basis { knots: self.knots.clone(), degree: self.degree, weights }
     }
 
     /// U.
@@ -69,22 +93,10 @@ impl Basis {
         self.degree
     }
 
-    /// α.
-    #[must_use]
-    pub fn index(&self) -> &Index {
-        &self.index
-    }
-
     /// n, the index of the last function: m − k − 1.
     #[must_use]
     pub fn n(&self) -> usize {
         self.knots.m() - self.degree - 1
-    }
-
-    /// The same knots and degree with another index.
-    #[must_use]
-    pub fn with_index(&self, index: Index) -> Self {
-        Self { index, ..self.clone() }
     }
 
     /// [t_i, t_{i+k+1}], outside of which G_i^k is 0.
@@ -94,6 +106,29 @@ impl Basis {
     #[must_use]
     pub fn support(&self, i: usize) -> (&BigRational, &BigRational) {
         (self.knots.t(i), self.knots.t(i + self.degree + 1))
+    }
+
+    /// The list of all functions, from those that live at a point.
+    pub(super) fn all<S: Clone>(&self, active: Option<Active<S>>, zero: &S) -> Vec<S> {
+        let mut all = vec![zero.clone(); self.n() + 1];
+        if let Some(active) = active {
+            all[active.first()..active.first() + active.values().len()].clone_from_slice(active.values());
+        }
+        all
+    }
+}
+
+impl Basis {
+    /// α.
+    #[must_use]
+    pub fn index(&self) -> &Index {
+        &self.weights
+    }
+
+    /// The same knots and degree with another index.
+    #[must_use]
+    pub fn with_index(&self, index: Index) -> Self {
+        self.with(index)
     }
 
     /// The functions that live on the span, at any scalar x of the closed span: a point, a jet, a variable.
@@ -108,7 +143,7 @@ impl Basis {
     /// [`SpanError`] for a span of another knot vector, and for a point outside of the closed span, NaN included.
     pub fn active<S: RationalAlgebra>(&self, span: Span, x: &S) -> Result<Active<S>, SpanError> {
         self.knots.ends_around(span, x)?;
-        let weights = PointWeights::new(&self.knots, x.embed(self.index.ratio()), x.clone());
+        let weights = PointWeights::new(&self.knots, x.embed(self.weights.ratio()), x.clone());
         Ok(triangle(&weights, span, self.degree, self.knots.m()))
     }
 
@@ -129,21 +164,12 @@ impl Basis {
         let values = Evaluator::new(self).values(x, side);
         self.all(values, &integer(0))
     }
-
-    /// The list of all functions, from those that live at a point.
-    fn all<S: Clone>(&self, active: Option<Active<S>>, zero: &S) -> Vec<S> {
-        let mut all = vec![zero.clone(); self.n() + 1];
-        if let Some(active) = active {
-            all[active.first()..active.first() + active.values().len()].clone_from_slice(active.values());
-        }
-        all
-    }
 }
 
 impl Evaluator {
     /// Brings the knots of a basis to a common denominator.
     #[must_use]
     pub fn new(basis: &Basis) -> Self {
-        Self::of(basis.knots.knots(), basis.index.ratio(), basis.degree)
+        Self::of(basis.knots.knots(), basis.weights.ratio(), basis.degree)
     }
 }

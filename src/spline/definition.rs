@@ -17,20 +17,34 @@ use super::weight::weight;
 /// # Errors
 /// [`SpanError`] as for [`Basis::active`].
 pub fn by_definition<S: RationalAlgebra>(basis: &Basis, span: Span, x: &S) -> Result<Vec<Vec<S>>, SpanError> {
+    let (knots, ratio) = (basis.knots(), x.embed(basis.index().ratio()));
+    by_weights(basis, span, x, |i, d| {
+        let w = weight(&ratio, x, knots.t(i), knots.t(i + d)).0;
+        let complement = x.one().minus(&w);
+        (w, complement)
+    })
+}
+
+/// The same with any weights: `shares` gives w_i^d and what stands for 1 − w_i^d where [t_i, t_{i+d}) contains the span.
+///
+/// # Errors
+/// [`SpanError`] as for [`Basis::active`].
+pub fn by_weights<W, S: RationalAlgebra>(
+    basis: &Basis<W>,
+    span: Span,
+    x: &S,
+    shares: impl Fn(usize, usize) -> (S, S),
+) -> Result<Vec<Vec<S>>, SpanError> {
     let (knots, j) = (basis.knots(), span.index());
     knots.ends_around(span, x)?;
-    let ratio = x.embed(basis.index().ratio());
-    let w = |i: usize, d: usize| {
+    let pair = |i: usize, d: usize| {
         let inside = i <= j && j < i + d;
-        if inside { weight(&ratio, x, knots.t(i), knots.t(i + d)).0 } else { x.zero() }
+        if inside { shares(i, d) } else { (x.zero(), x.one()) }
     };
     let mut table = vec![(0..knots.m()).map(|i| if i == j { x.one() } else { x.zero() }).collect::<Vec<_>>()];
     for d in 1..=basis.degree() {
         let lower = &table[d - 1];
-        let function = |i: usize| {
-            let complement = x.one().minus(&w(i + 1, d));
-            w(i, d).times(&lower[i]).plus(&complement.times(&lower[i + 1]))
-        };
+        let function = |i: usize| pair(i, d).0.times(&lower[i]).plus(&pair(i + 1, d).1.times(&lower[i + 1]));
         table.push((0..knots.m() - d).map(function).collect());
     }
     Ok(table)

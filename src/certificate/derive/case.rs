@@ -672,6 +672,7 @@ impl Case<'_> {
             },
             Real::Ratio => self.own_ratio()?,
             Real::Index(_) | Real::Infinity => return undecided("an index α as a number"),
+            Real::Parameter(..) => return undecided("a parameter of a family"),
             Real::Knot(i) => {
                 let i = self.int(i)?;
                 self.knot(&i)?

@@ -452,7 +452,9 @@ impl<'f> Found<'f> {
                 self.int(i);
             }
             Real::Number(_) | Real::Index(_) | Real::Ratio | Real::Infinity => {}
-            Real::Coefficient(_, of) | Real::Defined(_, of) => of.iter().for_each(|i| self.int(i)),
+            Real::Coefficient(_, of) | Real::Parameter(_, of) | Real::Defined(_, of) => {
+                of.iter().for_each(|i| self.int(i))
+            }
             Real::Plus(a, b)
             | Real::Minus(a, b)
             | Real::Times(a, b)

@@ -14,13 +14,14 @@ use num_rational::BigRational;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::meaning::{Instance, Weighting};
 use crate::scalar::parse_rational;
 use crate::spline::{Curve, Evaluator, Side};
 
 use super::error::CliError;
 use super::exact::Exact;
 use super::exit::Exit;
-use super::instance::FunctionArgs;
+use super::instance::{FunctionArgs, Resolved};
 use super::notation::NotationArgs;
 use super::on_knots::exact;
 use super::output::Output;
@@ -28,7 +29,7 @@ use super::progress::Progress;
 use super::whole_number::whole_number;
 
 pub(super) use point::PointValues;
-use point::Request;
+use point::{Request, Source};
 pub(super) use stream::Head;
 
 /// Exact values and derivatives of the basis functions at a point, and of the curve by de Boor; or at all points of a
@@ -65,6 +66,7 @@ pub(super) struct Args {
 const EXAMPLE: &str = r#"Examples:
   knotproof eval --instance U4 --alpha -1 --x 1 --side left --derivatives 2
   knotproof eval --degree 2 --knots "0 0 0 1 2 2 2" --alpha 5 --x 1/2 --points "0,0 1,2 2,2 3,0"
+  knotproof eval --degree 2 --knots "0 0 0 1 2 2 2" --family lupas --set q=1/2 --x 1/3
   knotproof eval --instance U4 --alpha -1 --points-file points.csv > values.csv
   seq 0 1/64 3 | knotproof eval --instance U4 --alpha -1 --points-file - --format json
 
@@ -81,7 +83,7 @@ The answer has a line for each point, in the same order:
       CSV with a header: x, side, G_0, ..., G_n, and G_0^(d), ..., G_n^(d) for each derivative d;
       with control points then the coordinates of the curve, curve_0, ... and curve_0^(d), ...
   --format json
-      JSON lines. The first has what all points share: schema, degree, knots, alpha, index. Each
+      JSON lines. The first has what all points share: schema, degree, knots, alpha (or family), index. Each
       other is a point: x, side, values, derivatives, curve, curve_derivatives.
 A line that is no point ends the run with exit code 2; the answers before it are written."#;
 
@@ -147,28 +149,47 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     }
     let notation = args.notation.notation()?;
     let output = output.in_notation(notation);
-    let subject = args.function.instance.resolve()?;
-    let label = subject.label.clone();
-    let case = subject.only_case()?;
-    let index = args.function.chosen(&case.basis)?;
-    let request = Request { basis: &case.basis, curve: case.curve.as_ref(), index, order: args.derivatives };
+    let (label, basis, curve, mut source) = match args.function.instance.resolve_any()? {
+        Resolved::Indices(subjects) => {
+            let label = subjects.label.clone();
+            let case = subjects.only_case()?;
+            let weights = Weighting::Index(case.basis.index().clone());
+            let source = Source::Index(Box::new(Evaluator::new(&case.basis)));
+            (label, case.basis.with(weights), case.curve, source)
+        }
+        Resolved::Member(subject) => {
+            let on = Instance::on(subject.basis.clone());
+            let on = on.map_err(|error| CliError::Member { argument: "--family", error })?;
+            let forms = on.forms_of(&on.weights, subject.basis.degree());
+            let missing = CliError::OnlyIndices { what: "eval has", family: subject.family() };
+            (subject.label, subject.basis, None, Source::Forms(forms.ok_or(missing)?))
+        }
+    };
+    let index = args.function.chosen(&basis)?;
+    let request = Request { basis: &basis, curve: curve.as_ref(), index, order: args.derivatives };
     if let Some(x) = &args.x {
         let progress = Progress::new(1);
         progress.step(&format!("at {x}"));
-        let evaluation = evaluate(&request, x, args.side, label);
+        let evaluation = evaluate(&request, &mut source, x, args.side, label);
         drop(progress);
         output.result(&evaluation)?;
     }
     if let Some(path) = &args.points_file {
-        stream::evaluate_file(path, &request, args.side, notation, &output)?;
+        stream::evaluate_file(path, &request, &mut source, args.side, notation, &output)?;
     }
     Ok(Exit::Holds)
 }
 
-fn evaluate(request: &Request<'_>, x: &BigRational, side: OneSide, label: Option<String>) -> Evaluation {
+fn evaluate(
+    request: &Request<'_>,
+    source: &mut Source,
+    x: &BigRational,
+    side: OneSide,
+    label: Option<String>,
+) -> Evaluation {
     Evaluation {
         head: Head::of(request, label),
-        at: request.at(&mut Evaluator::new(request.basis), x.clone(), side),
+        at: request.at(source, x.clone(), side),
         de_boor: request.curve.and_then(|curve| levels(curve, x, side.into())),
     }
 }

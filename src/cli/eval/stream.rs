@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::spline::Evaluator;
+use crate::judge::OfFamily;
 
 use super::super::error::CliError;
 use super::super::notation::Notation;
@@ -15,7 +15,7 @@ use super::super::on_knots::OnKnots;
 use super::super::output::{Format, Output, Stamped};
 use super::super::progress::Progress;
 use super::input::PointFile;
-use super::point::{PointValues, Request};
+use super::point::{PointValues, Request, Source};
 use super::{OneSide, SCHEMA};
 
 /// The time between two steps of the progress bar.
@@ -29,8 +29,14 @@ pub(in super::super) struct Head {
     schema: &'static str,
     #[serde(flatten)]
     pub(super) on: OnKnots,
-    /// α: `inf`, or an exact number.
-    pub(super) alpha: String,
+    /// α: `inf`, or an exact number; nothing for another family.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) alpha: Option<String>,
+    /// The member of another family.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    family: Option<OfFamily>,
+    #[serde(skip)]
+    pub(super) weights: String,
     /// i, where one function only was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) index: Option<usize>,
@@ -39,8 +45,18 @@ pub(in super::super) struct Head {
 impl Head {
     pub(super) fn of(request: &Request<'_>, label: Option<String>) -> Self {
         let basis = request.basis;
-        let (on, alpha) = (OnKnots::of(basis, label), basis.index().to_string());
-        Self { schema: SCHEMA, on, alpha, index: request.index }
+        let weights = basis.weights();
+        let alpha = weights.index().map(ToString::to_string);
+        let shown =
+            alpha.as_ref().map_or_else(|| format!("family {weights}"), |alpha| format!("α = {alpha}"));
+        Self {
+            schema: SCHEMA,
+            on: OnKnots::of(basis, label),
+            alpha,
+            family: OfFamily::of(weights),
+            weights: shown,
+            index: request.index,
+        }
     }
 }
 
@@ -52,18 +68,18 @@ impl Head {
 pub(super) fn evaluate_file(
     path: &Path,
     request: &Request<'_>,
+    source: &mut Source,
     side: OneSide,
     notation: Notation,
     output: &Output,
 ) -> Result<(), CliError> {
     let mut file = PointFile::open(path)?;
-    let mut evaluator = Evaluator::new(request.basis);
     // On one terminal the bar and the results would be in each other's way.
     let progress = (!io::stdout().is_terminal()).then(|| Progress::of_bytes(file.length()));
     let mut shown = Instant::now();
     let write = |to: &mut dyn Write| {
         while let Some(point) = file.next()? {
-            let values = request.at(&mut evaluator, point.x, point.side.unwrap_or(side));
+            let values = request.at(source, point.x, point.side.unwrap_or(side));
             // Not before: an error in the first line leaves nothing on standard output.
             let first = file.points() == 1;
             match output.format() {

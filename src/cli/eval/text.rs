@@ -12,7 +12,7 @@ use super::{Evaluation, Level, OneSide};
 
 impl fmt::Display for Evaluation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "{}, α = {}", self.head.on, self.head.alpha)?;
+        writeln!(f, "{}, {}", self.head.on, self.head.weights)?;
         writeln!(f, "x = {}, {}", self.at.x, self.limit())?;
         if let Some(note) = self.note() {
             writeln!(f, "Note: {note}")?;

@@ -1,5 +1,6 @@
 //! The command `new`: a folder for the claims of a paper, to start from.
 
+use std::ffi::OsString;
 use std::fmt;
 use std::fs;
 use std::io;
@@ -8,11 +9,15 @@ use std::path::{Path, PathBuf};
 use schemars::JsonSchema;
 use serde::Serialize;
 
+use crate::judge::simplest_member;
 use crate::language::Family;
 
 use super::atomic::Folder;
 use super::error::CliError;
 use super::exit::Exit;
+use super::family::find;
+use super::file::read;
+use super::offered::family_name;
 use super::output::Output;
 use super::visible::visible_path;
 
@@ -26,15 +31,15 @@ pub(super) struct Args {
     /// The title of the paper.
     #[arg(long, value_name = "TITLE", default_value = "My paper")]
     title: String,
-    /// The family of weights: mobius, with an index α, or classical, for polynomial B-splines.
-    #[arg(long, value_name = "NAME", default_value = "mobius")]
-    family: String,
+    /// The family of weights: a name (`knotproof families` lists them), or a file, which is copied into the folder.
+    #[arg(long, value_name = "NAME|FILE", default_value = "mobius", value_parser = family_name(), hide_possible_values = true)]
+    family: OsString,
 }
 
 const EXAMPLE: &str = "\
 Examples:
   knotproof new my-paper
-  knotproof new splines --title \"On splines\" --family classical
+  knotproof new splines --title \"On splines\" --family knot-weights
 Then `knotproof judge my-paper` judges it; one of the four claims is false as printed, on purpose.";
 
 /// The files, by their names below the folder.
@@ -43,6 +48,9 @@ const FILES: [(&str, &str); 3] = [
     ("claims/01-basis.toml", include_str!("claims.toml")),
     ("instances.toml", include_str!("instances.toml")),
 ];
+
+/// The family of the folder's own.
+const OWN: &str = "family.toml";
 
 /// The result: its fields are the JSON.
 #[derive(Debug, Serialize, JsonSchema)]
@@ -56,26 +64,52 @@ pub(super) struct Written {
 
 /// Writes the folder.
 pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
-    let family = Family::named(&args.family).ok_or_else(|| CliError::UnknownFamily {
-        name: args.family.clone(),
-        names: Family::ALL.map(|(name, _)| name).to_vec(),
-    })?;
+    let family = find(&args.family)?;
     refuse_to_overwrite(&args.folder)?;
-    let alpha = match family {
-        Family::Mobius => "-1 2 inf",
-        Family::Classical => "inf",
+    let own = Path::new(&args.family);
+    let copied = own.is_file().then(|| read("--family", own)).transpose()?;
+    let (knots, points) = match family.knots.is_empty() {
+        true => ("0 0 0 1 2 2 2", "0,0 1,2 3,2 4,0"),
+        false => ("0 0 0 1 1 1", "0,0 1,2 3,0"),
     };
     // TOML takes the escapes of JSON, and wants one more.
     let title = serde_json::Value::from(args.title.as_str()).to_string().replace('\u{7f}', "\\u007f");
     let folder = Folder::beside("FOLDER", &args.folder)?;
     let mut files = Vec::new();
+    let named = if copied.is_some() { OWN } else { &family.name };
+    let given = [
+        ("{family}", named),
+        ("{knots}", knots),
+        ("{points}", points),
+        ("{weights}", &weights(&family, knots)),
+        ("{title}", &title),
+    ];
     for (name, text) in FILES {
-        let text = text.replace("{family}", family.name()).replace("{alpha}", alpha);
-        files.push(folder.write(name, text.replace("{title}", &title))?);
+        let text = given.iter().fold(text.to_owned(), |text, (key, value)| text.replace(key, value));
+        files.push(folder.write(name, text)?);
+    }
+    if let Some(text) = copied {
+        files.push(folder.write(OWN, text)?);
     }
     folder.put_in_place()?;
     output.result(&Written { schema: "knotproof.new/1", files })?;
     Ok(Exit::Holds)
+}
+
+/// What the instance says of its weights.
+fn weights(family: &Family, knots: &str) -> String {
+    match family.moebius() {
+        Some(Some(_)) => {
+            "# The indices alpha that are shown, by spaces; inf is the classical one.\nalpha = \"-1 2 inf\""
+                .to_owned()
+        }
+        Some(None) => "alpha = \"inf\"".to_owned(),
+        None => {
+            let set = simplest_member(family, knots.split(' ').count() - 1, 2);
+            let set: Vec<_> = set.iter().map(|(name, values)| format!("{name} = \"{values}\"")).collect();
+            format!("# The parameters of the family, as behind --set.\nset = {{ {} }}", set.join(", "))
+        }
+    }
 }
 
 /// A folder with anything in it is somebody's.

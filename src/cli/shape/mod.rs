@@ -12,14 +12,17 @@ use serde::Serialize;
 
 use crate::analysis::{
     Extremum, ExtremumKind, Jump, KnotSlopes, Location, Pieces, Shape as FunctionShape, knot_slopes,
+    knot_slopes_of,
 };
+use crate::judge::OfFamily;
+use crate::meaning::{Instance, Weighting};
 use crate::scalar::parse_rational;
 use crate::spline::Basis;
 
 use super::error::CliError;
 use super::exact::{Exact, as_given};
 use super::exit::Exit;
-use super::instance::FunctionArgs;
+use super::instance::{FunctionArgs, MemberSubject, Resolved};
 use super::notation::{Decimal, Notation, NotationArgs};
 use super::on_knots::OnKnots;
 use super::output::Output;
@@ -59,6 +62,7 @@ Examples:
   knotproof shape --instance U4 --alpha -1
   knotproof shape --degree 3 --knots "0 0 0 0 1 2 4 4" --alpha 5/2 --index 2 --width 1e-12
   knotproof shape --degree 4 --knots "0 1 2 3 4 5 5 5 5" --index 0 --alpha all
+  knotproof shape --degree 2 --knots "0 0 0 1 2 2 2" --family lupas --set q=1/2
   knotproof shape --degree 3 --knots "0 0 0 0 1 2 4 4" --alpha 5/2 --index 2 --free-knot 5"#;
 
 /// The result: its fields are the JSON.
@@ -78,8 +82,14 @@ pub(super) struct Shapes {
 struct FunctionRecord {
     /// i of G_i^k.
     index: usize,
-    /// α: `inf`, or an exact number.
-    alpha: String,
+    /// α: `inf`, or an exact number; nothing for another family.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    alpha: Option<String>,
+    /// The member of another family.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    family: Option<OfFamily>,
+    #[serde(skip)]
+    weights: String,
     /// The closed interval outside of which the function is 0.
     support: [Exact; 2],
     /// How many local maxima there are; a plateau is one.
@@ -157,7 +167,14 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
             Some(_) => Err(CliError::TwoParameters),
         };
     }
-    let subject = args.function.instance.resolve()?;
+    let subject = match args.function.instance.resolve_any()? {
+        Resolved::Indices(subjects) => subjects,
+        Resolved::Member(subject) if args.free_knot.is_some() => {
+            let family = subject.family();
+            return Err(CliError::OnlyIndices { what: "--free-knot knows", family });
+        }
+        Resolved::Member(subject) => return of_member(args, subject, notation, output),
+    };
     if let Some(knot) = args.free_knot {
         return partition::by_knot(args, subject, knot, notation, output);
     }
@@ -173,13 +190,47 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     }
     drop(progress);
     let Some(first) = bases.first() else { unreachable!("an instance has an index") };
+    told(OnKnots::of(first, subject.label), functions, output)
+}
+
+fn told(on: OnKnots, functions: Vec<FunctionRecord>, output: &Output) -> Result<Exit, CliError> {
     let all_strong = functions.iter().all(|function| function.strong);
-    output.result(&Shapes {
-        schema: "knotproof.shape/1",
-        on: OnKnots::of(first, subject.label),
-        functions,
-    })?;
+    output.result(&Shapes { schema: "knotproof.shape/1", on, functions })?;
     Ok(if all_strong { Exit::Holds } else { Exit::Refuted })
+}
+
+/// The shapes for a member of another family than that of an index.
+fn of_member(
+    args: &Args,
+    subject: MemberSubject,
+    notation: Notation,
+    output: &Output,
+) -> Result<Exit, CliError> {
+    let weights = subject.basis.weights().clone();
+    let (chosen, k) = (args.function.range(&subject.basis)?, subject.basis.degree());
+    let wrong = |error| CliError::Member { argument: "--family", error };
+    let on = Instance::on(subject.basis).map_err(wrong)?;
+    let missing = || CliError::OnlyIndices { what: "shape has", family: weights.to_string() };
+    let basis = on.forms_of(&weights, k).ok_or_else(missing)?;
+    let pieces = on.pieces(&weights, k).ok_or_else(missing)?;
+    let progress = Progress::new(chosen.clone().count());
+    let mut functions = Vec::new();
+    for i in chosen {
+        progress.step(&format!("G_{i}"));
+        if on.is_nonnegative(&weights, (i, k)) != Some(true) {
+            let why = on
+                .obligation(&weights)
+                .map(|((j, i, d), why)| format!("w[{i},{d}] on [t_{j}, t_{}]: {why}", j + 1));
+            let family = weights.to_string();
+            return Err(CliError::Negative { index: i, family, why: why.unwrap_or_default() });
+        }
+        let mut shape = FunctionShape::of(&pieces, i);
+        shape.refine_to(&args.width);
+        let slopes = knot_slopes_of(&basis, i, &|x, side, order| basis.jets(x, side, order));
+        functions.push(FunctionRecord::new((&basis, &weights), i, &shape, slopes, notation));
+    }
+    drop(progress);
+    told(OnKnots::of(&basis, subject.label), functions, output)
 }
 
 /// The shapes of the functions asked for.
@@ -196,17 +247,29 @@ fn shapes(
             progress.step(&format!("G_{i}, α = {}", basis.index()));
             let mut shape = FunctionShape::of(&pieces, i);
             shape.refine_to(width);
-            FunctionRecord::new(basis, i, &shape, notation)
+            let weights = Weighting::Index(basis.index().clone());
+            FunctionRecord::new((basis, &weights), i, &shape, knot_slopes(basis, i), notation)
         })
         .collect()
 }
 
 impl FunctionRecord {
-    fn new(basis: &Basis, index: usize, shape: &FunctionShape, notation: Notation) -> Self {
+    fn new<W>(
+        (basis, weights): (&Basis<W>, &Weighting),
+        index: usize,
+        shape: &FunctionShape,
+        slopes: Vec<KnotSlopes>,
+        notation: Notation,
+    ) -> Self {
         let (from, to) = basis.support(index);
+        let alpha = weights.index().map(ToString::to_string);
+        let shown =
+            alpha.as_ref().map_or_else(|| format!("family {weights}"), |alpha| format!("α = {alpha}"));
         Self {
             index,
-            alpha: basis.index().to_string(),
+            alpha,
+            family: OfFamily::of(weights),
+            weights: shown,
             support: [from, to].map(|end| Exact(end.clone())),
             local_maxima: shape.local_maxima().count(),
             local_minima: shape.local_minima().count(),
@@ -214,7 +277,7 @@ impl FunctionRecord {
             weak: shape.weak(),
             extrema: Turn::all(shape, notation),
             jumps: shape.jumps().iter().map(Step::from).collect(),
-            slopes: knot_slopes(basis, index).into_iter().map(Slopes::from).collect(),
+            slopes: slopes.into_iter().map(Slopes::from).collect(),
         }
     }
 }

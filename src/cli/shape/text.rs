@@ -16,7 +16,7 @@ impl fmt::Display for Shapes {
 impl fmt::Display for FunctionRecord {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [from, to] = &self.support;
-        writeln!(f, "\n{HEADING}G_{}, α = {}, on [{from}, {to}]{HEADING:#}", self.index, self.alpha)?;
+        writeln!(f, "\n{HEADING}G_{}, {}, on [{from}, {to}]{HEADING:#}", self.index, self.weights)?;
         let weak = match self.weak {
             Some(true) => "the supremum is attained at exactly one point",
             Some(false) => "the supremum is not attained at exactly one point",

@@ -233,6 +233,7 @@ impl<'a> Walk<'_, 'a> {
             Real::Infinity => Ok("infinity".to_owned()),
             Real::Knot(i) => self.ints("t", [i]),
             Real::Coefficient(name, indices) => self.indexed("coefficient", name, indices),
+            Real::Parameter(name, _) => Err(Name::clone(name)),
             Real::Plus(a, b) => self.reals("+", [a, b]),
             Real::Minus(a, b) => self.reals("-", [a, b]),
             Real::Times(a, b) => self.reals("*", [a, b]),
@@ -294,6 +295,8 @@ impl<'a> Walk<'_, 'a> {
         match of {
             Member::Index(alpha) => self.reals("alpha", [alpha]),
             Member::Ratio(ratio) => self.reals("ratio", [ratio]),
+            Member::Parameter(name, _) => Err(Name::clone(name)),
+            Member::Dual => Err("dual".into()),
         }
     }
 

@@ -57,7 +57,7 @@ impl Walk {
             Real::Ratio => Form::atom("r"),
             Real::Infinity => Form::atom(if self.source { "infinity" } else { "∞" }),
             Real::Knot(i) => self.indexed("t", &[i]),
-            Real::Coefficient(name, by) | Real::Defined(name, by) => {
+            Real::Coefficient(name, by) | Real::Parameter(name, by) | Real::Defined(name, by) => {
                 self.indexed(name, &by.iter().collect::<Vec<_>>())
             }
             Real::Plus(a, b) => self.infix(self.real(a, SUM), PLUS, self.real(b, TERM), SUM, least),
@@ -186,10 +186,12 @@ impl Walk {
     }
 
     /// `; alpha = …`.
-    fn member(self, member: &Member) -> [Form; 2] {
+    fn member(self, member: &Member) -> Vec<Form> {
         match member {
-            Member::Index(of) => [Form::words("; alpha = "), self.real(of, SUM)],
-            Member::Ratio(of) => [Form::words("; r = "), self.real(of, SUM)],
+            Member::Index(of) => vec![Form::words("; alpha = "), self.real(of, SUM)],
+            Member::Ratio(of) => vec![Form::words("; r = "), self.real(of, SUM)],
+            Member::Parameter(name, of) => vec![Form::words(format!("; {name} = ")), self.real(of, SUM)],
+            Member::Dual => vec![Form::words("; dual")],
         }
     }
 
@@ -198,6 +200,8 @@ impl Walk {
         match member {
             Member::Index(of) => self.real(of, SUM),
             Member::Ratio(of) => Form::joined([Form::atom("r"), self.real(of, SUM)], EQUAL),
+            Member::Parameter(name, of) => Form::joined([self.name(name), self.real(of, SUM)], EQUAL),
+            Member::Dual => Form::atom("dual"),
         }
     }
 

@@ -8,6 +8,7 @@ use crate::scalar::{BigRational, RationalAlgebra, Ring, integer, rational};
 use crate::spline::Index;
 
 use super::super::cell::Cell;
+use super::super::family::Weighting;
 use super::super::reading::Reading;
 use super::super::truth::Stop;
 use super::super::value::Value;
@@ -44,9 +45,11 @@ pub(super) fn strays(own: &mut Reading<'_>, curve: [OfMember<'_>; 2], distance: 
     let square = distance.map(|distance| distance * distance);
     let square = square.ok_or_else(|| Stop::Unknown("a distance is a rational number ≥ 0".into()))?;
     let own_points = everywhere(own, curve)?;
-    let classical = own.with_index(Index::infinity(), |own| everywhere(own, curve))?;
-    let r = own.index.ratio();
-    let same = |(one, other): (&Plane, &Plane)| (0..2).all(|c| one[c] == other[c].scaled_argument(r));
+    let classical = own.with_weights(Weighting::Index(Index::infinity()), |own| everywhere(own, curve))?;
+    let same = |(one, other): (&Plane, &Plane)| {
+        let r = own.weights.index().map(Index::ratio);
+        r.is_some_and(|r| (0..2).all(|c| one[c] == other[c].scaled_argument(r)))
+    };
     if own_points.iter().zip(&classical).all(same) {
         return Ok(false);
     }

@@ -17,7 +17,7 @@ fn functions(
 ) -> Result<Vec<(usize, Vec<Piece>)>, Stop> {
     let (d, k, m) = (own.int(d)?, own.degree()?, own.knots()?.m());
     let d = place(d, k + 1, || format!("there are no functions of degree {d}"))?;
-    let pieces = own.on.pieces(&own.index, d).ok_or_else(|| Stop::Unknown("too few knots".into()))?;
+    let pieces = own.on.pieces(&own.weights, d).ok_or_else(|| Stop::Unknown("too few knots".into()))?;
     let spans = pieces.spans().iter().filter(|on| wanted(on.span.index()));
     Ok(spans.map(|on| (on.span.index(), (0..m - d).map(|i| on.function(i)).collect())).collect())
 }

@@ -37,24 +37,34 @@ fn of_basis<T>(
         return Err(Stop::Unknown("the shape of what is no basis function".into()));
     };
     let id = own.existing(i, degree.as_ref())?;
-    let index = match member {
-        None => own.index.clone(),
+    let weights = match member {
+        None => own.weights.clone(),
         Some(member) => own.member(member)?,
     };
     let unknown = || Stop::Unknown("a degree that has too few knots".into());
-    own.with_index(index, |own| read(own, id)).ok_or_else(unknown)
+    own.with_weights(weights, |own| read(own, id)).ok_or_else(unknown)
 }
 
-fn shape(own: &mut Reading<'_>, (f, member): OfMember<'_>) -> Result<Shape, Stop> {
-    of_basis(own, (f, member), |own, (i, d)| Some(Shape::of(&*own.on.pieces(&own.index, d)?, i)))
+fn shape(own: &mut Reading<'_>, of: OfMember<'_>) -> Result<Shape, Stop> {
+    nonnegative(own, of)?;
+    of_basis(own, of, |own, (i, d)| Some(Shape::of(&*own.on.pieces(&own.weights, d)?, i)))
+}
+
+/// A shape is that of a function ≥ 0, which begins and ends at 0: of another one it can't be told.
+fn nonnegative(own: &mut Reading<'_>, of: OfMember<'_>) -> Result<(), Stop> {
+    if of_basis(own, of, |own, id| own.on.is_nonnegative(&own.weights, id))? {
+        return Ok(());
+    }
+    Err(Stop::Unknown("the shape of a function that is negative somewhere".into()))
 }
 
 /// Local maxima; an interval of constancy counts once.
-pub(super) fn maxima(own: &mut Reading<'_>, (f, member): OfMember<'_>) -> Result<usize, Stop> {
-    of_basis(own, (f, member), |own, (i, d)| {
-        let continuous = LocalKnots::of(&own.on.basis_of(&own.index, d)?, i);
+pub(super) fn maxima(own: &mut Reading<'_>, of: OfMember<'_>) -> Result<usize, Stop> {
+    nonnegative(own, of)?;
+    of_basis(own, of, |own, (i, d)| {
+        let continuous = own.on.basis_of(&own.weights, d).and_then(|basis| LocalKnots::of(&basis, i));
         let fast = continuous.and_then(|knots| Monotonicity::of(&knots).local_maxima());
-        fast.or_else(|| Some(Shape::of(&*own.on.pieces(&own.index, d)?, i).local_maxima().count()))
+        fast.or_else(|| Some(Shape::of(&*own.on.pieces(&own.weights, d)?, i).local_maxima().count()))
     })
 }
 
@@ -77,8 +87,8 @@ pub(super) fn maximisers(own: &mut Reading<'_>, of: OfMember<'_>) -> Result<usiz
 }
 
 fn one_peak(own: &Reading<'_>, (i, d): (usize, usize)) -> Option<bool> {
-    let one = Monotonicity::of(&LocalKnots::of(&own.on.basis_of(&own.index, d)?, i)?).local_maxima()? == 1;
-    let pieces = own.on.pieces(&own.index, d)?;
+    let one = Monotonicity::of(&LocalKnots::of(&own.on.basis_of(&own.weights, d)?, i)?).local_maxima()? == 1;
+    let pieces = own.on.pieces(&own.weights, d)?;
     let constant = |g: &Piece| g.numerator().degree() == 0 && g.denominator().degree() == 0 && !g.is_zero();
     Some(one && !pieces.spans().iter().any(|on| on.functions.get(i).is_some_and(constant)))
 }
@@ -88,7 +98,7 @@ pub(super) fn tie(own: &mut Reading<'_>, of: OfMember<'_>) -> Result<Option<Tie>
     if maxima(own, of)? < 2 {
         return Ok(None);
     }
-    let tie = of_basis(own, of, |own, id| Some(own.on.tie(&own.index, id)))?;
+    let tie = of_basis(own, of, |own, id| Some(own.on.tie(&own.weights, id)))?;
     let unknown =
         || Stop::Unknown("two local maxima of which none overtakes the other for an index close by".into());
     tie.map(Some).ok_or_else(unknown)
@@ -97,7 +107,7 @@ pub(super) fn tie(own: &mut Reading<'_>, of: OfMember<'_>) -> Result<Option<Tie>
 /// Value and limit from the left agree at every knot inside (t_0, t_m).
 pub(super) fn continuous(own: &mut Reading<'_>, (f, member): OfMember<'_>) -> Result<bool, Stop> {
     of_basis(own, (f, member), |own, id| {
-        let at = |t: &BigRational, side| own.on.value(&own.index, id, t, side, 0);
+        let at = |t: &BigRational, side| own.on.value(&own.weights, id, t, side, 0);
         Some(own.on.knots()?.inner_stop_knots().all(|(t, _)| at(t, Side::Left) == at(t, Side::Right)))
     })
 }

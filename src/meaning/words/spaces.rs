@@ -2,30 +2,33 @@
 
 use num_traits::Signed;
 
-use crate::analysis::{
-    NegativeMinor, Pieces, SpanPieces, coefficient_rows, common_numerators, negative_minor, rank,
-};
+use crate::analysis::{NegativeMinor, Pieces, SpanPieces, coefficient_rows, common_numerators, rank};
 use crate::language::{Int, Real};
 use crate::scalar::{Polynomial, Ring, integer};
 use crate::spline::{Basis, KnotVector, Side};
 
 use super::super::reading::{Reading, place};
+use super::super::tries::minor;
 use super::super::truth::Stop;
 
 /// The basis of a degree.
 fn basis(own: &mut Reading<'_>, degree: &Int) -> Result<Basis, Stop> {
     let (d, k) = (own.int(degree)?, own.degree()?);
     let d = place(d, k + 1, || format!("there are no functions of degree {d}"))?;
-    own.on.basis_of(&own.index, d).ok_or_else(|| Stop::Unknown("too few knots".into()))
+    if own.weights.index().is_none() {
+        return Err(Stop::Unknown("the parameters of a family on other knots are not known".into()));
+    }
+    own.on.basis_of(&own.weights, d).ok_or_else(|| Stop::Unknown("too few knots".into()))
 }
 
 /// Is no minor negative? Looked for close to the knots: where none is found there, it can't be told.
 pub(super) fn totally_positive(own: &mut Reading<'_>, degree: &Int) -> Result<bool, Stop> {
-    let basis = basis(own, degree)?;
+    let (d, k) = (own.int(degree)?, own.degree()?);
+    let d = place(d, k + 1, || format!("there are no functions of degree {d}"))?;
     let unknown = || Stop::Unknown("no negative minor of order 3 was found near any knot".into());
-    let NegativeMinor { first, points, .. } = negative_minor(&basis).ok_or_else(unknown)?;
+    let NegativeMinor { first, points, .. } = minor(own.on, &own.weights, d).ok_or_else(unknown)?;
     for (x, i) in points.iter().flat_map(|x| (first..first + 3).map(move |i| (x, i))) {
-        own.look((i, basis.degree()), x, Side::Right, 0);
+        own.look((i, d), x, Side::Right, 0);
     }
     Ok(false)
 }
@@ -67,7 +70,7 @@ pub(super) fn nurbs_degree(own: &mut Reading<'_>, j: &Int) -> Result<usize, Stop
     let (j, knots, k) = (own.int(j)?, own.knots()?, own.degree()?);
     let empty = || Stop::Undefined(format!("[t[{j}], t[{}]] is no span", j + 1));
     let span = usize::try_from(j).ok().and_then(|j| knots.span(j)).ok_or_else(empty)?;
-    let pieces = own.on.pieces(&own.index, k).ok_or_else(|| Stop::Unknown("too few knots".into()))?;
+    let pieces = own.on.pieces(&own.weights, k).ok_or_else(|| Stop::Unknown("too few knots".into()))?;
     let degree = pieces.on(span).and_then(bezier_degree);
     degree.ok_or_else(|| Stop::Unknown("a degree far above that of the denominator".into()))
 }

@@ -60,7 +60,7 @@ fn number(own: &mut Reading<'_>, term: &Real) -> Result<Greatest, Stop> {
     };
     // What depends on nothing but integers is found once, and told.
     let bound = &own.bound;
-    let home = own.index == own.on.index
+    let home = own.weights == own.on.weights
         && bound.reals.is_empty()
         && bound.indices.is_empty()
         && bound.points.is_empty();

@@ -20,10 +20,10 @@ const NOTE: &str = "Below the axis: knots, and how often they occur. ● value (
 /// [`PictureError`].
 pub(super) fn svg(title: &str, instance: &Example) -> Result<String, PictureError> {
     let subtitle = format!("Basis functions of degree {} on U = {}", instance.degree, knots(&instance.knots));
-    let sheet =
-        Sheet { title, subtitle: &subtitle, notes: &[NOTE], cells: instance.indices.len(), panel: 190 };
+    let indices: Vec<_> = instance.indices().collect();
+    let sheet = Sheet { title, subtitle: &subtitle, notes: &[NOTE], cells: indices.len(), panel: 190 };
     sheet.svg(|canvas, number, cell| {
-        let basis = Basis::new(instance.knots.clone(), instance.degree, instance.indices[number].clone())
+        let basis = Basis::new(instance.knots.clone(), instance.degree, indices[number].clone())
             .map_err(super::canvas::failed)?;
         panel(canvas, cell, &basis)
     })

@@ -41,7 +41,7 @@ pub(super) fn svg(
     hull: bool,
 ) -> Result<String, PictureError> {
     let first = instances.first().ok_or_else(|| failed("there is no such instance"))?;
-    let mut all = panels.of(&first.indices);
+    let mut all = panels.of(&first.indices().cloned().collect::<Vec<_>>());
     if !matches!(panels, Panels::Together | Panels::Own) {
         // The free cell beside α = ∞, or at the end, says which line is which.
         let place = if panels == Panels::Conjugates { 1 } else { all.len() };
@@ -303,7 +303,7 @@ mod tests {
 
     #[test]
     fn conjugates_stand_side_by_side() {
-        let indices = &examples_named("C5")[0].indices;
+        let indices = &examples_named("C5")[0].indices().cloned().collect::<Vec<_>>();
         let panels = Panels::Conjugates.of(indices);
         assert_eq!(panels.len(), 9);
         assert!(panels[1..].chunks(2).all(|pair| pair[0][0].conjugate() == pair[1][0]));

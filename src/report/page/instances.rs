@@ -8,11 +8,11 @@ use crate::meaning::examples_of;
 
 /// A JSON list that may stand in a `script` element: numbers of knots as they are written, points in `f64`.
 pub(super) fn json(paper: &Paper) -> String {
-    let list: Vec<_> = examples_of(&paper.examples)
+    let list: Vec<_> = examples_of(&paper.examples, &paper.about.family)
         .iter()
         .map(|instance| {
             let knots: Vec<_> = instance.knots.knots().iter().map(ToString::to_string).collect();
-            let indices: Vec<_> = instance.indices.iter().map(ToString::to_string).collect();
+            let indices: Vec<_> = instance.indices().map(ToString::to_string).collect();
             let points = instance.points.iter().flatten();
             let points: Vec<Vec<_>> =
                 points.map(|point| point.iter().map(|c| c.to_f64()).collect()).collect();
