@@ -63,6 +63,8 @@ pub(super) struct Explanation {
     id: &'static str,
     /// Where the paper makes it.
     locator: &'static str,
+    /// A short name.
+    title: &'static str,
     /// Of a refutation: how bad it is.
     #[serde(skip_serializing_if = "Option::is_none")]
     severity: Option<Severity>,
@@ -102,6 +104,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         schema: "knotproof.explain/1",
         id: claim.id(),
         locator: &claim.stanza.at,
+        title: &claim.stanza.title,
         severity: record.severity,
         cause: record.cause,
         printed: styled_as_printed(&record),
@@ -130,7 +133,7 @@ fn part(claim: Claim<'_>, of: Form, finding: &Finding, goals: bool) -> Result<Pa
 
 impl fmt::Display for Explanation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "{} ({})", self.id, self.locator)?;
+        writeln!(f, "{} ({}): {}", self.id, self.locator, self.title)?;
         let mut said = "";
         for part in &self.parts {
             let finding = &part.finding;

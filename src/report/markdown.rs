@@ -79,7 +79,7 @@ fn decided(grounds: &Grounds) -> String {
 }
 
 fn section(record: &Record, of: &Place<'_>) -> String {
-    let mut text = format!("### {} ({})\n\n", record.id, record.locator);
+    let mut text = format!("### {} ({}): {}\n\n", record.id, record.locator, plain(&record.title));
     let amended = record.amended.as_ref().map(|stated| ("As amended", stated.finding.words(), stated));
     let fails = record.fails.as_ref().map(|stated| ("Elsewhere", stated.finding.words(), stated));
     // Writing to a string cannot fail.

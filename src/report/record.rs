@@ -167,6 +167,8 @@ pub struct Record {
     pub id: String,
     /// Where the paper makes the claim.
     pub locator: String,
+    /// A short name.
+    pub title: String,
     /// Who says it.
     pub source: Source,
     /// The statement as printed.
@@ -291,6 +293,7 @@ impl Record {
         Self {
             id: claim.id().to_owned(),
             locator: claim.stanza.at.clone(),
+            title: claim.stanza.title.clone(),
             source: claim.source(),
             statement: as_printed.statement.clone(),
             cause: witness.and(claim.stanza.cause),

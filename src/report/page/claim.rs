@@ -15,6 +15,7 @@ use crate::language::{Paper, Severity};
 pub(super) struct Row<'a> {
     pub(super) id: &'a str,
     pub(super) locator: &'a str,
+    pub(super) title: &'a str,
     /// The sentence, in HTML.
     pub(super) statement: String,
     pub(super) status: &'a str,
@@ -42,11 +43,12 @@ pub(super) fn row(record: &Record) -> Row<'_> {
     let amended = record.amended.as_ref().map(|stated| &stated.finding);
     let standing = amended.unwrap_or(printed);
     let amended_text = record.amended.as_ref().map_or("", |stated| stated.statement.as_str());
-    let text =
-        [&record.id, &record.locator, &record.statement, amended_text, record.note.as_deref().unwrap_or("")];
+    let note = record.note.as_deref().unwrap_or("");
+    let text = [&record.id, &record.locator, &record.title, &record.statement, amended_text, note];
     Row {
         id: &record.id,
         locator: &record.locator,
+        title: &record.title,
         statement: formula::html(&record.statement),
         status: &printed.status,
         severity: record.severity.map_or("", Severity::name),
