@@ -313,7 +313,7 @@ fn a_formal_proof_reaches_every_knot_vector() {
     let certified = [
         (&support["amended"], "T3.5.1.amended"),
         (positive, "T3.5.2.printed"),
-        (weak, "Conj3.1.weak.continuous.degree-2"),
+        (weak, "Conj3.1.weak.continuous.degrees"),
     ];
     for (finding, certificate) in certified {
         assert_eq!((&finding["status"], &finding["scope"]), (&json!("proved"), &json!("knots")));

@@ -172,7 +172,7 @@ fn a_folder_that_cannot_be_written_is_refused_at_once() {
 
 // verify
 
-const SOME: [&str; 3] = ["P3.3.2.amended", "T3.5.1.printed", "X.nurbs.degree-2"];
+const SOME: [&str; 3] = ["P3.3.2.amended", "T3.5.1.printed", "X.G1.degrees"];
 
 #[test]
 fn a_folder_of_certificates_is_checked_in_the_order_of_the_names() {
@@ -186,13 +186,13 @@ fn a_folder_of_certificates_is_checked_in_the_order_of_the_names() {
             "degrees": [0, 1, 2, 3, 4, 5, 6, 7, 8], "sections": 18, "steps": 90, "shown": "derived"},
         {"claim": "T3.5.1", "form": "printed", "verdict": "refuted", "scope": "instance", "degrees": [1],
             "sections": 0, "steps": 0, "shown": "point"},
-        {"claim": "X.nurbs", "form": "degree 2", "verdict": "proved", "scope": "knots", "degrees": [2],
-            "sections": 2, "steps": 12, "shown": "argued"},
+        {"claim": "X.G1", "form": "degrees", "verdict": "proved", "scope": "knots", "degrees": [2],
+            "sections": 1, "steps": 5, "shown": "argued"},
     ]);
     assert_eq!(found["checked"], expected);
     let (code, found) = text(&["verify", "--foreign", path]);
     assert_eq!(code, 0);
-    assert!(found.lines().any(|row| words(row) == "X.nurbs degree 2 proved knots 2 argued 12"), "{found}");
+    assert!(found.lines().any(|row| words(row) == "X.G1 degrees proved knots 2 argued 5"), "{found}");
     assert!(found.ends_with("Accepted: 3 (derived 1, point 1, argued 1); rejected: 0\n"), "{found}");
 }
 
@@ -316,9 +316,9 @@ fn a_statement_that_is_true_and_not_the_program_s_is_an_error_unless_it_is_allow
         ("P3.3.2.amended", "(claim \"P3.3.2\")", "(claim \"P3.3.1\")"),
         ("P3.3.2.amended", "(form amended)", "(form printed)"),
         ("P3.3.2.amended", "(degree 0)", "(degree 0 8)"),
-        ("X.nurbs.degree-2", "(verdict proved)", "(verdict refuted)"),
-        ("X.nurbs.degree-2", "(scope knots)", "(scope alpha)"),
-        ("X.nurbs.degree-2", "(because\n    \"", "(because\n    \"Trust me. "),
+        ("X.G1.degrees", "(verdict proved)", "(verdict refuted)"),
+        ("X.G1.degrees", "(scope knots)", "(scope alpha)"),
+        ("X.G1.degrees", "(because\n    \"", "(because\n    \"Trust me. "),
     ];
     for (number, (name, part, instead)) in changes.iter().enumerate() {
         for extension in ["statement", "proof"] {
@@ -346,7 +346,7 @@ fn a_statement_that_is_true_and_not_the_program_s_is_an_error_unless_it_is_allow
 #[test]
 fn a_statement_laid_out_in_another_way_is_known() {
     let folder = copies(&SOME);
-    let path = folder.path().join("X.nurbs.degree-2.statement");
+    let path = folder.path().join("X.G1.degrees.statement");
     let old = fs::read_to_string(&path).unwrap();
     fs::write(&path, old.replace("\n", "\r\n\t")).unwrap();
     let (code, found) = run(&["verify", path.to_str().unwrap()]);
@@ -503,8 +503,8 @@ fn what_is_no_certificate_is_refused() {
     assert!(refusal(&at("none.statement")).contains("cannot read"));
     let empty = tempfile::tempdir().unwrap();
     assert!(refusal(empty.path().to_str().unwrap()).contains("is no certificate"));
-    fs::write(at("X.nurbs.degree-2.proof"), b"(proof \xff").unwrap();
-    assert!(refusal(&at("X.nurbs.degree-2.statement")).contains("byte 7 is not UTF-8"));
+    fs::write(at("X.G1.degrees.proof"), b"(proof \xff").unwrap();
+    assert!(refusal(&at("X.G1.degrees.statement")).contains("byte 7 is not UTF-8"));
 }
 
 /// Nothing of what stands in a file breaks the program.
@@ -602,12 +602,12 @@ fn a_refuted_claim_is_explained_with_witness_and_amendment() {
 fn a_question_is_explained_degree_by_degree() {
     let (_, found) = text(&["explain", "X.totalpositivity"]);
     for part in [
-        "X.totalpositivity (not in the paper)\n",
+        "X.totalpositivity (not in the paper): ",
         "As printed: refuted (serious)\n",
         "Degree 1: proved (knots, for k = 1)\n",
         "Degree 2: proved (knots, for k = 2)\n",
         "Degree 3: refuted\n",
-        "proofs/certs/X.totalpositivity.degree-3.statement",
+        "proofs/certs/X.totalpositivity.printed.statement",
     ] {
         assert!(found.contains(part), "{part} in {found}");
     }
@@ -622,7 +622,7 @@ fn a_question_is_explained_degree_by_degree() {
 fn an_illustration_is_explained() {
     let (_, found) = text(&["explain", "Ill5.1.fig7"]);
     for part in [
-        "Ill5.1.fig7 (Illustration 5.1, Fig. 7)\n",
+        "Ill5.1.fig7 (Illustration 5.1, Fig. 7): ",
         "  witness: instance = U0, k = 3, ",
         "As amended: proved (alpha, for k = 3)\n",
         "  why: At x = t_{i+1} the value of G_i rises strictly with r",

@@ -202,7 +202,7 @@ impl Reader {
 /// Does a form say something, where the printed one does or does not, and what the amendment excludes is met or not?
 fn said(form: Form, printed: bool, excluded: bool) -> bool {
     match form {
-        Form::Printed | Form::Degree(_) => printed,
+        Form::Printed | Form::Degree(_) | Form::Degrees => printed,
         Form::Amended => printed && !excluded,
         Form::Fails => excluded,
     }

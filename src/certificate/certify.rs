@@ -129,27 +129,33 @@ pub fn statement_text(
 
 fn stated(
     claim: Claim<'_>,
-    form: Form,
+    mut form: Form,
     witness: Option<&Witness>,
     proved: impl Fn(Claim<'_>, Form, &Sentence, &[usize]) -> Result<Statement, CertificateError>,
 ) -> Result<Option<Statement>, CertificateError> {
     let id = claim.id();
-    let failed = |error: Uncertified| failed(id, form, error);
+    let failed = move |error: Uncertified| failed(id, form, error);
     let Some(sentence) = claim.sentence(form) else { return Ok(None) };
     let found = windows(claim, form, witness).map_err(|error| failed(error.into()))?;
     let parse = |text: &str| {
         Sexp::parse_all(text).map_err(|error| failed(ProofError::Statement(error.into()).into()))
     };
     let (scope, degrees, shown) = match (found, witness) {
-        (Some(Windows { scope, degrees, argued: Some(argued), refutes, own, .. }), _) => {
+        (Some(Windows { form: of, scope, degrees, argued: Some(argued), refutes, own, .. }), _) => {
             let Argued { because, sections } = argued;
-            let because = match refutes.filter(|_| own) {
-                Some(given) => format!("By a counterexample of its own, {}. {because}", listed(&given)),
-                None => because,
+            let given = degrees.iter().zip(refutes.iter().flatten()).filter(|(k, _)| own.contains(k));
+            let given: Vec<_> = given.map(|(_, given)| listed(given)).collect();
+            let because = match given.as_slice() {
+                [] => because,
+                [one] => format!("By a counterexample of its own, {one}. {because}"),
+                all => format!("By counterexamples of its own: {}. {because}", all.join("; ")),
             };
+            form = of;
             (scope, degrees, Shown::Argued { because, sections: parse(&sections)? })
         }
-        (Some(Windows { degrees, .. }), _) => return proved(claim, form, sentence, &degrees).map(Some),
+        (Some(Windows { form: of, degrees, .. }), _) => {
+            return proved(claim, of, sentence, &degrees).map(Some);
+        }
         (None, Some(witness)) => match (point(witness), witness.k) {
             (Some(point), Some(k)) => (Scope::Instance, vec![k], Shown::Point(point)),
             _ => return Ok(None),
@@ -211,6 +217,20 @@ fn in_brackets(claim: Claim<'_>, form: Form, sentence: &Sentence) -> Result<Vec<
     });
     let text = text.map_err(|name| failed(claim.id(), form, Uncertified::Unprintable(name.to_string())))?;
     Sexp::parse_all(&text).map_err(|error| failed(claim.id(), form, ProofError::Statement(error.into())))
+}
+
+/// Under which form the certificate of a sentence is found, that it is true, or, with a witness, that it is false; `None` where that
+/// is not stated in the file of windows.
+///
+/// # Errors
+/// [`CertificateError`], if the windows are no text of the language, or are about another witness.
+pub fn stated_form(
+    claim: Claim<'_>,
+    form: Form,
+    witness: Option<&Witness>,
+) -> Result<Option<Form>, CertificateError> {
+    let found = windows(claim, form, witness).map_err(|error| failed(claim.id(), form, error))?;
+    Ok(found.map(|windows| windows.form))
 }
 
 /// The certificate of a sentence: that it is true, or, with a witness, that it is false. `None` if it is not stated formally.

@@ -18,7 +18,7 @@ mod term;
 mod windows;
 
 pub use certify::{
-    Certificate, CertificateError, Uncertified, certify, certify_for_degree, derived, statement,
+    Certificate, CertificateError, Uncertified, certify, certify_for_degree, derived, stated_form, statement,
     statement_text,
 };
 pub use derive::{NoWindow, derive};
@@ -29,4 +29,4 @@ pub use prove::{GoalError, ProofError, prove};
 pub use sexp::{Sexp, SyntaxError};
 pub use statement::{Class, Gap, Hint, Section, Shown, Statement, Window};
 pub use term::{Formula, OfWeight, Place, Term, Where};
-pub use windows::{Windows, WindowsError, window_fault, windows};
+pub use windows::{Given, Windows, WindowsError, window_fault, windows};

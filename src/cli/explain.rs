@@ -6,9 +6,9 @@ use std::path::Path;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::certificate::statement;
+use crate::certificate::{Sexp, statement};
 use crate::language::{Cause, Claim, Form, Severity, claims, paper};
-use crate::report::{Baseline, DegreeFinding, Finding};
+use crate::report::{Baseline, Finding};
 
 use super::error::CliError;
 use super::exit::Exit;
@@ -92,12 +92,13 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     let Some(entry) = recorded.claims.iter().find(|entry| entry.id == claim.id()) else {
         return Err(CliError::NotRecorded(claim.id()));
     };
-    let mut parts = vec![part(claim, Form::Printed, &entry.as_printed, args.goals)?];
-    if let Some(finding) = &entry.amended {
-        parts.push(part(claim, Form::Amended, finding, args.goals)?);
-    }
-    for DegreeFinding { degree, finding, .. } in &entry.by_degree {
-        parts.push(part(claim, Form::Degree(*degree), finding, args.goals)?);
+    let mut findings = vec![(Form::Printed, &entry.as_printed)];
+    findings.extend(entry.amended.iter().map(|finding| (Form::Amended, finding)));
+    findings.extend(entry.by_degree.iter().map(|of| (Form::Degree(of.degree), &of.finding)));
+    let mut parts: Vec<Part> = Vec::new();
+    for (form, finding) in findings {
+        let part = part(claim, form, finding, args.goals, &parts)?;
+        parts.push(part);
     }
     let record = entry.record(claim);
     let explanation = Explanation {
@@ -115,26 +116,41 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     Ok(Exit::Holds)
 }
 
-fn part(claim: Claim<'_>, of: Form, finding: &Finding, goals: bool) -> Result<Part, CliError> {
-    let certified = finding.certificate.is_some();
-    let stated = statement(claim, of, finding.witness.as_ref())?.filter(|_| certified);
-    let shown = stated.map(|stated| stated.in_brackets());
-    let (idea, sections) = shown.unzip();
+/// One certificate can be of several of the parts.
+fn part(
+    claim: Claim<'_>,
+    of: Form,
+    finding: &Finding,
+    goals: bool,
+    before: &[Part],
+) -> Result<Part, CliError> {
+    let certificate = finding.certificate.as_ref();
+    let same =
+        before.iter().find(|part| certificate.is_some() && part.finding.certificate.as_ref() == certificate);
+    let (idea, goals) = match (same, certificate) {
+        (Some(same), _) => (same.idea.clone(), same.goals.clone()),
+        (None, Some(_)) => {
+            let shown = statement(claim, of, finding.witness.as_ref())?.map(|stated| stated.in_brackets());
+            let (idea, sections) = shown.unzip();
+            let listed = |sections: Vec<Sexp>| sections.iter().map(ToString::to_string).collect::<Vec<_>>();
+            (idea, sections.filter(|_| goals).map(|sections| listed(sections).join("\n")))
+        }
+        (None, None) => (None, None),
+    };
     Ok(Part {
         of: if let Form::Degree(_) = of { of.to_string() } else { format!("as {of}") },
         statement: claim.text(of),
         finding: finding.clone(),
         idea,
-        goals: sections
-            .filter(|_| goals)
-            .map(|sections| sections.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")),
+        goals,
     })
 }
 
 impl fmt::Display for Explanation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "{} ({}): {}", self.id, self.locator, self.title)?;
-        let mut said = "";
+        // What several degrees have in common is said once.
+        let (mut said, mut why, mut shown) = ("", "", "");
         for part in &self.parts {
             let finding = &part.finding;
             let verdict = if part.of == AS_PRINTED { self.printed.clone() } else { styled(finding) };
@@ -150,13 +166,15 @@ impl fmt::Display for Explanation {
             if let Some(reason) = &finding.reason {
                 writeln!(f, "  {reason}")?;
             }
-            if let Some(idea) = &part.idea {
+            if let Some(idea) = part.idea.as_ref().filter(|idea| *idea != why) {
                 writeln!(f, "  why: {idea}")?;
+                why = idea;
             }
             for remark in &finding.remarks {
                 writeln!(f, "  {remark}")?;
             }
-            if let Some(goals) = &part.goals {
+            if let Some(goals) = part.goals.as_ref().filter(|goals| *goals != shown) {
+                shown = goals;
                 writeln!(f, "  goals: {}", goals.replace('\n', "\n         "))?;
             }
             if let Some(certificate) = &finding.certificate {

@@ -230,6 +230,10 @@ fn own_statements() -> Result<Vec<Own>, CliError> {
         findings.extend(entry.by_degree.iter().map(|of| (Form::Degree(of.degree), &of.finding)));
         for (form, finding) in findings {
             let Some(certificate) = finding.certificate.clone() else { continue };
+            // One can be of several degrees.
+            if all.iter().rev().any(|own: &Own| own.certificate == certificate) {
+                continue;
+            }
             let statement = statement_text(claim, form, finding.witness.as_ref())?;
             all.push(Own { claim: claim.id(), certificate, statement });
         }

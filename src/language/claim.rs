@@ -19,10 +19,12 @@ pub enum Form {
     Fails,
     /// The printed one, for one degree only.
     Degree(usize),
+    /// The printed one, for those degrees in which it is true.
+    Degrees,
 }
 
 impl Form {
-    /// The name in those of certificates and windows: `printed`, `amended`, `degree-3`.
+    /// The name in those of certificates and windows: `printed`, `amended`, `degree-3`, `degrees`.
     #[must_use]
     pub fn name(self) -> String {
         self.to_string().replace(' ', "-")
@@ -36,6 +38,7 @@ impl fmt::Display for Form {
             Self::Amended => f.write_str("amended"),
             Self::Fails => f.write_str("fails"),
             Self::Degree(k) => write!(f, "degree {k}"),
+            Self::Degrees => f.write_str("degrees"),
         }
     }
 }
@@ -69,11 +72,11 @@ impl<'a> Claim<'a> {
         if self.id().starts_with("X.") { Source::Question } else { Source::Paper }
     }
 
-    /// One of its sentences; those for single degrees are the printed one.
+    /// One of its sentences; those for some degrees are the printed one.
     #[must_use]
     pub fn said(&self, form: Form) -> Option<&'a Said> {
         match form {
-            Form::Printed | Form::Degree(_) => Some(&self.stanza.printed),
+            Form::Printed | Form::Degree(_) | Form::Degrees => Some(&self.stanza.printed),
             Form::Amended => self.stanza.amended.as_ref(),
             Form::Fails => self.stanza.fails.as_ref(),
         }

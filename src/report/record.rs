@@ -245,7 +245,14 @@ impl From<&Verdict> for Finding {
 
 impl From<&Settled> for Finding {
     fn from(settled: &Settled) -> Self {
-        Self::from(&settled.verdict).certified(settled.certificate.as_ref())
+        let finding = Self::from(&settled.verdict).certified(settled.certificate.as_ref());
+        match settled.form {
+            // Its certificate may be one for other degrees, too.
+            Form::Degree(k) => {
+                Self { degrees: finding.degrees.iter().copied().filter(|of| *of == k).collect(), ..finding }
+            }
+            _ => finding,
+        }
     }
 }
 

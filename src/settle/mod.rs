@@ -6,8 +6,8 @@ mod grade;
 use knotproof_checker::Checked;
 use thiserror::Error;
 
-use crate::certificate::{Certificate, CertificateError, certify, certify_for_degree};
-use crate::judge::{Cases, Fault, Verdict, judge, judge_by_degree};
+use crate::certificate::{Certificate, CertificateError, certify, certify_for_degree, stated_form};
+use crate::judge::{Cases, Fault, Verdict, Witness, judge, judge_by_degree};
 use crate::language::{Claim, Form, Said, text};
 use crate::meaning::MemberError;
 
@@ -76,17 +76,20 @@ pub fn settle(claim: Claim<'_>, cases: &Cases, proving: Proving) -> Result<Outco
         }
         _ => (verdict(claim, Form::Printed, cases)?, Vec::new()),
     };
-    let refuted = matches!(printed, Verdict::Refuted(_));
-    let other = |form| match claim.said(form).filter(|_| refuted) {
-        Some(_) => Ok::<_, SettleError>(Some(certified(claim, form, verdict(claim, form, cases)?, proving)?)),
-        None => Ok(None),
+    let mut proofs = Proofs { claim, proving, known: Vec::new() };
+    let printed = proofs.settled(Form::Printed, printed)?;
+    let mut other = |form| match claim.said(form) {
+        Some(_) if matches!(printed.verdict, Verdict::Refuted(_)) => {
+            proofs.settled(form, verdict(claim, form, cases)?).map(Some)
+        }
+        _ => Ok::<_, SettleError>(None),
     };
     let (amended, fails) = (other(Form::Amended)?, other(Form::Fails)?);
     // A degree in which there is nothing to judge is left out.
     let said = by_degree.into_iter().filter(|(_, verdict)| !matches!(verdict, Verdict::NotApplicable(_)));
-    let by_degree = said.map(|(k, verdict)| certified(claim, Form::Degree(k), verdict, proving));
-    let by_degree = by_degree.collect::<Result<_, _>>()?;
-    Ok(Outcome { printed: certified(claim, Form::Printed, printed, proving)?, amended, fails, by_degree })
+    let by_degree =
+        said.map(|(k, verdict)| proofs.settled(Form::Degree(k), verdict)).collect::<Result<_, _>>()?;
+    Ok(Outcome { printed, amended, fails, by_degree })
 }
 
 /// Settles one sentence of a claim; `None` if there is none.
@@ -100,7 +103,10 @@ pub fn settle_form(
     proving: Proving,
 ) -> Result<Option<Settled>, SettleError> {
     match claim.said(form) {
-        Some(_) => Ok(Some(certified(claim, form, verdict(claim, form, cases)?, proving)?)),
+        Some(_) => {
+            let mut proofs = Proofs { claim, proving, known: Vec::new() };
+            proofs.settled(form, verdict(claim, form, cases)?).map(Some)
+        }
         None => Ok(None),
     }
 }
@@ -123,27 +129,59 @@ fn verdict(claim: Claim<'_>, form: Form, cases: &Cases) -> Result<Verdict, Fault
     }
 }
 
-/// With the certificate, if there are windows for it, that the checker has accepted.
-fn certified(
-    claim: Claim<'_>,
-    form: Form,
-    verdict: Verdict,
+/// The certificates of one claim.
+struct Proofs<'a> {
+    claim: Claim<'a>,
     proving: Proving,
-) -> Result<Settled, SettleError> {
-    let witness = if let Verdict::Refuted(witness) = &verdict { Some(&**witness) } else { None };
-    let open = match (&verdict, form) {
-        (Verdict::Proved { .. } | Verdict::Refuted(_), _) => true,
-        // What no finite number of cases decides may have a proof all the same.
-        (Verdict::Undecided(_), _) => proving != Proving::Everything || matches!(form, Form::Degree(_)),
-        _ => false,
-    };
-    let certificate = match proving {
-        Proving::Everything if open => certify(claim, form, witness)?,
-        Proving::ForDegree(k) if open && witness.is_none() => certify_for_degree(claim, form, k)?,
-        _ => None,
-    };
-    let checked = certificate.as_ref().map(Certificate::check).transpose()?;
-    Ok(Settled { form, verdict, certificate, checked })
+    /// What was proved and checked: of several degrees it is said once.
+    known: Vec<(Certificate, Checked)>,
+}
+
+impl Proofs<'_> {
+    /// A verdict with its certificate, if there is one that the checker has accepted.
+    fn settled(&mut self, form: Form, verdict: Verdict) -> Result<Settled, SettleError> {
+        let witness = if let Verdict::Refuted(witness) = &verdict { Some(&**witness) } else { None };
+        let open = match (&verdict, form) {
+            (Verdict::Proved { .. } | Verdict::Refuted(_), _) => true,
+            // What no finite number of cases decides may have a proof all the same.
+            (Verdict::Undecided(_), _) => {
+                self.proving != Proving::Everything || matches!(form, Form::Degree(_))
+            }
+            _ => false,
+        };
+        let certified = match self.proving {
+            Proving::Everything if open => self.certified(form, witness)?,
+            Proving::ForDegree(k) if open && witness.is_none() => {
+                checked(certify_for_degree(self.claim, form, k)?)?
+            }
+            _ => None,
+        };
+        let (certificate, checked) = certified.unzip();
+        Ok(Settled { form, verdict, certificate, checked })
+    }
+
+    fn certified(
+        &mut self,
+        form: Form,
+        witness: Option<&Witness>,
+    ) -> Result<Option<(Certificate, Checked)>, SettleError> {
+        let stated = stated_form(self.claim, form, witness)?;
+        let is_it = |(certificate, _): &&(Certificate, Checked)| {
+            (Some(certificate.statement.form), certificate.statement.refuted) == (stated, witness.is_some())
+        };
+        if let Some(known) = self.known.iter().find(is_it) {
+            return Ok(Some(known.clone()));
+        }
+        let certified = checked(certify(self.claim, form, witness)?)?;
+        self.known.extend(certified.clone());
+        Ok(certified)
+    }
+}
+
+fn checked(certificate: Option<Certificate>) -> Result<Option<(Certificate, Checked)>, SettleError> {
+    let Some(certificate) = certificate else { return Ok(None) };
+    let checked = certificate.check()?;
+    Ok(Some((certificate, checked)))
 }
 
 impl Outcome {

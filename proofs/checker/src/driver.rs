@@ -22,7 +22,7 @@ pub const WORK: usize = 1_200_000_000;
 pub struct Checked {
     /// The paper's number of the claim.
     pub claim: String,
-    /// `printed`, `amended`, `fails` or `degree K`.
+    /// `printed`, `amended`, `fails`, `degrees` or `degree K`.
     pub form: String,
     /// `proved` or `refuted`.
     pub verdict: String,
@@ -124,10 +124,7 @@ fn header<'n, 't>(node: &'n Node<'t>) -> Result<(Checked, Body<'n, 't>)> {
     let [version, claim, form, verdict, scope, degrees, rest @ ..] = node.fields("statement")? else {
         return node.wrong("the parts of a statement");
     };
-    let first = version.whole()? == 1;
-    if !first {
-        is_number(version, "format", 2)?;
-    }
+    is_number(version, "format", 2)?;
     let (claim, form) = (claim.part::<1>("claim")?, form.part::<1>("form")?);
     let (verdict, scope) = (verdict.part::<1>("verdict")?, scope.part::<1>("scope")?);
     let ([claim], [form], [verdict], [scope]) = (claim, form, verdict, scope);
@@ -135,42 +132,37 @@ fn header<'n, 't>(node: &'n Node<'t>) -> Result<(Checked, Body<'n, 't>)> {
     if !list.is_sorted_by(|a, b| a < b) {
         return degrees.wrong("rising degrees");
     }
-    let body = match (first, rest) {
-        (true, [text, because, sections @ ..]) => {
-            let [text] = text.part("text")?;
-            text.text().and(argued(because, sections))?
-        }
-        (true, _) => return node.wrong("the parts of a statement"),
-        (false, _) => {
-            let (definitions, rest) = rest.split_at(rest.iter().take_while(|part| part.is("define")).count());
-            let Some((sentence, rest)) = rest.split_first() else { return node.wrong("a sentence") };
-            read(definitions, sentence)?;
-            match rest {
-                [] if verdict.is_word("proved") && scope.is_word("knots") => {
-                    Body::Derived(definitions, sentence)
-                }
-                [] => return node.wrong("proved, scope knots, for what is derived"),
-                [point] if point.is("point") => {
-                    if !verdict.is_word("refuted") || !scope.is_word("instance") {
-                        return point.wrong("refuted, scope instance, for a point");
-                    }
-                    let numbers = Numbered::new(point)?;
-                    if list.iter().map(|degree| i64::from(*degree)).ne([numbers.degree()]) {
-                        return degrees.wrong("the degree of the point");
-                    }
-                    numbers.refutes(definitions, sentence)?;
-                    Body::Refuted
-                }
-                [because, sections @ ..] => argued(because, sections)?,
+    let (definitions, rest) = rest.split_at(rest.iter().take_while(|part| part.is("define")).count());
+    let Some((sentence, rest)) = rest.split_first() else { return node.wrong("a sentence") };
+    read(definitions, sentence)?;
+    let body = match rest {
+        [] if verdict.is_word("proved") && scope.is_word("knots") => Body::Derived(definitions, sentence),
+        [] => return node.wrong("proved, scope knots, for what is derived"),
+        [point] if point.is("point") => {
+            if !verdict.is_word("refuted") || !scope.is_word("instance") {
+                return point.wrong("refuted, scope instance, for a point");
             }
+            let numbers = Numbered::new(point)?;
+            if list.iter().map(|degree| i64::from(*degree)).ne([numbers.degree()]) {
+                return degrees.wrong("the degree of the point");
+            }
+            numbers.refutes(definitions, sentence)?;
+            Body::Refuted
+        }
+        [because, sections @ ..] => {
+            let [because] = because.part("because")?;
+            because.text()?;
+            // Those that no degree reads are looked at here.
+            sections.iter().try_for_each(|section| parts(section).map(|_| ()))?;
+            Body::Sections(sections)
         }
     };
     let form = match form.part("degree") {
         Ok([degree]) if list == [degree.degree()?] => format!("degree {}", degree.degree()?),
         Ok(_) => return form.wrong("the only degree of the statement"),
-        Err(_) if first => form.word(&["printed", "amended"], "printed, amended or (degree K)")?.to_owned(),
         Err(_) => {
-            form.word(&["printed", "amended", "fails"], "printed, amended, fails or (degree K)")?.to_owned()
+            let known = ["printed", "amended", "fails", "degrees"];
+            form.word(&known, "printed, amended, fails, degrees or (degree K)")?.to_owned()
         }
     };
     let checked = Checked {
@@ -189,15 +181,6 @@ fn header<'n, 't>(node: &'n Node<'t>) -> Result<(Checked, Body<'n, 't>)> {
         },
     };
     Ok((checked, body))
-}
-
-/// Sections with the reason why they are the claim.
-fn argued<'n, 't>(because: &Node<'t>, sections: &'n [Node<'t>]) -> Result<Body<'n, 't>> {
-    let [because] = because.part("because")?;
-    because.text()?;
-    // Those that no degree reads are looked at here.
-    sections.iter().try_for_each(|section| parts(section).map(|_| ()))?;
-    Ok(Body::Sections(sections))
 }
 
 /// The ranges of a section, its declarations, and its goals.

@@ -5,8 +5,9 @@
 //! that writes certificates, not even the big integers.
 //!
 //! ```
-//! let statement = r#"(statement 1 (claim "example") (form printed) (verdict proved) (scope knots) (degrees 1 3)
-//!     (text "The functions of degree k add up to 1 on every span.")
+//! let statement = r#"(statement 2 (claim "example") (form printed) (verdict proved) (scope knots) (degrees 1 3)
+//!     (sentence (for (degree 1) (knots) (integer j k n) (real x)) (if (chain (t j) (<= (var x)) (< (t (+ j 1)))))
+//!         (then (chain (sum i 0 n (of (G i) (at (var x)))) (= (int 1)))))
 //!     (because "The goal says so, on every knot vector.")
 //!     (section
 //!         (window W (- 1 k) (each i (- 1 k) -1 any) some (each i 1 (- k 1) any))

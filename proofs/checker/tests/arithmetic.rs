@@ -5,8 +5,8 @@ use knotproof_checker::check;
 /// Whether `(by)` or another rule proves the goal.
 fn holds(declarations: &str, goal: &str, rule: &str) -> bool {
     let statement = format!(
-        r#"(statement 1 (claim "test") (form printed) (verdict proved) (scope knots) (degrees 1)
-            (text "A test.") (because "It says so.") (section {declarations} (goals {goal})))"#
+        r#"(statement 2 (claim "test") (form printed) (verdict proved) (scope knots) (degrees 1)
+            (sentence (for (degree 1) (knots)) (if) (then (chain (int 0) (= (int 0))))) (because "It says so.") (section {declarations} (goals {goal})))"#
     );
     let result = check(&statement, &format!("(proof 1 (section 1 (goal 1 {rule})))"));
     if let Err(rejected) = &result {

@@ -84,7 +84,7 @@ fn forgeries_of_all_certificates() {
             "expected proved, scope knots",
         );
         of_statement("a smaller scope", "(scope knots)", "(scope alpha)", "expected proved, scope knots");
-        of_statement("a format of old", "(statement 2", "(statement 1", "expected");
+        of_statement("a format of old", "(statement 2", "(statement 1", "format 2 is missing");
         of_statement("no such format", "(statement 2", "(statement 3", "format 2 is missing");
         of_statement("a sentence that is none", "(sentence", "(sentences", "expected");
         of_statement("a range one longer", "(integer i 0 n)", "(integer i 0 (+ n 1))", "");
