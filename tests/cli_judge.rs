@@ -129,7 +129,7 @@ fn a_folder_is_written_once_and_in_a_family_that_is_known() {
     assert!(stderr.contains("FOLDER") && stderr.contains("not empty; name a folder"), "{stderr}");
     assert_eq!(files(&place.path().join("mine")), before);
     let (code, _, stderr) = run(place.path(), &["new", "other", "--family", "mobus"]);
-    assert!(code == 2 && stderr.contains("there are mobius, classical"), "{stderr}");
+    assert!(code == 2 && stderr.contains("there are classical, free-ratios, "), "{stderr}");
     assert!(!place.path().join("other").exists());
     fs::create_dir(place.path().join("empty")).unwrap();
     assert_eq!(run(place.path(), &["new", "empty", "--family", "classical"]).0, 0);
@@ -194,7 +194,7 @@ const FAULTS: &[Fault] = &[
         12,
         "\"bezier\"",
         "no family is called `bezier`",
-        "write one of mobius, classical",
+        "write one of classical, free-ratios",
     ),
     (
         Text(PAPER, "\"mobius\"\n", "\"classical\"\n"),

@@ -29,4 +29,4 @@ pub use prove::{GoalError, ProofError, prove};
 pub use sexp::{Sexp, SyntaxError};
 pub use statement::{Class, Gap, Hint, Section, Shown, Statement, Window};
 pub use term::{Formula, OfWeight, Place, Term, Where};
-pub use windows::{Given, Windows, WindowsError, window_fault, windows};
+pub use windows::{Numbers, Windows, WindowsError, window_fault, windows};

@@ -134,6 +134,16 @@ impl Statement {
         Sexp::form("statement", all)
     }
 
+    /// Does its sentence speak of a degree, and not of weights alone?
+    #[must_use]
+    pub fn has_degree(&self) -> bool {
+        let binders = self.sentence.iter().filter_map(Sexp::as_form).find(|(head, _)| *head == "sentence");
+        let given =
+            binders.and_then(|(_, parts)| parts.first()?.as_form()).map_or(&[][..], |(_, given)| given);
+        let about = |binder: &Sexp| binder.as_form().is_some_and(|(head, _)| OF_KNOTS.contains(&head));
+        given.iter().any(about)
+    }
+
     /// The sections that are given, and why they are the sentence; `None` if nothing is argued.
     #[must_use]
     pub fn argued(&self) -> Option<(&str, &[Sexp])> {
@@ -201,6 +211,9 @@ impl Statement {
         Ok(all)
     }
 }
+
+/// What begins the binders of a sentence on knots.
+const OF_KNOTS: [&str; 4] = ["degree", "knots", "instances", "gaps"];
 
 /// The section as it stands in a certificate.
 fn without_hints(section: &Sexp) -> Sexp {

@@ -28,13 +28,13 @@ pub struct Windows {
     /// What can't be derived from the sentence.
     pub argued: Option<Argued>,
     /// Of a refutation: for each degree [`Witness::given`] of the witness that the goals are about.
-    pub refutes: Option<Vec<Given>>,
+    pub refutes: Option<Vec<Numbers>>,
     /// The degrees in which that is a counterexample of its own, and not the one that the engine finds.
     pub own: Vec<usize>,
 }
 
 /// What is given for a witness, by names.
-pub type Given = Vec<(String, String)>;
+pub type Numbers = Vec<(String, String)>;
 
 /// As it is written.
 #[derive(Deserialize)]
@@ -46,7 +46,7 @@ struct Entry {
     degrees: Vec<usize>,
     because: Option<String>,
     sections: Option<String>,
-    refutes: Option<Vec<Given>>,
+    refutes: Option<Vec<Numbers>>,
     #[serde(default)]
     own: Vec<usize>,
 }
@@ -96,9 +96,9 @@ pub enum WindowsError {
     )]
     OtherWitness {
         /// What is given in the file.
-        stated: Given,
+        stated: Numbers,
         /// What the engine gives.
-        found: Given,
+        found: Numbers,
     },
 }
 
@@ -307,7 +307,7 @@ mod tests {
             assert!(error.contains(part), "{part} in {error}");
         }
         // What is not stated formally is none.
-        assert_eq!(windows(claim, Form::Degree(1), Some(&witness)), Ok(None));
+        assert_eq!(windows(claim, Form::Degree(2), Some(&witness)), Ok(None));
         assert_eq!(windows(claim, Form::Printed, None), Ok(None));
     }
 }

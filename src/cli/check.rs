@@ -177,22 +177,24 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         all.push((None, None, Cases::of_paper(&paper).map_err(member)?));
     } else {
         let examples = examples_of(&paper.examples, &paper.about.family);
+        // Own sentences may be about any weights, and the claims that are there if no paper is named.
+        let any = args.paper.is_none();
         let subjects = match args.instance.resolve_among(&examples)? {
             Resolved::Indices(subjects) => subjects,
-            Resolved::Member(MemberSubject { label, basis }) => {
-                native(&paper, library.is_some(), basis.weights())?;
+            Resolved::Member(MemberSubject { label, basis, points }) => {
+                native(&paper, any, basis.weights())?;
                 check.degree = Some(basis.degree());
                 check.family = OfFamily::of(basis.weights());
                 check.of = Some(basis.weights().to_string());
                 check.knots = basis.knots().knots().iter().map(ToString::to_string).collect();
                 check.label = label;
-                let on = Instance::on(basis).map_err(member)?;
+                let on = Instance::on(basis).map_err(member)?.with_points(points);
                 all.push((on.degree(), None, Cases::only(on)));
                 Subjects { label: None, cases: Vec::new() }
             }
         };
         for subject in &subjects.cases {
-            native(&paper, library.is_some(), &Weighting::Index(subject.basis.index().clone()))?;
+            native(&paper, any, &Weighting::Index(subject.basis.index().clone()))?;
         }
         if let Some(first) = subjects.cases.first() {
             check.degree = Some(first.basis.degree());
@@ -224,8 +226,8 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     Ok(counted.exit())
 }
 
-/// The paper's claims are about its own family; own sentences are about any.
-fn native(paper: &Paper, own: bool, weights: &Weighting) -> Result<(), CliError> {
+/// Claims about a paper's family are judged on its members; unless they may be about `any`.
+fn native(paper: &Paper, any: bool, weights: &Weighting) -> Result<(), CliError> {
     let family: &Family = &paper.about.family;
     let is_native = match weights {
         Weighting::Index(index) => family.has_index(index.alpha().as_ref()),
@@ -234,8 +236,7 @@ fn native(paper: &Paper, own: bool, weights: &Weighting) -> Result<(), CliError>
             (&other.name, &other.rise, &other.fall) == (&family.name, &family.rise, &family.fall)
         }
     };
-    // The family of an index is every paper's that names no other.
-    if is_native || own && family.moebius().is_none_or(|parameter| parameter.is_some()) {
+    if is_native || any {
         return Ok(());
     }
     let (argument, shown) = match weights {

@@ -104,6 +104,8 @@ pub(super) struct MemberSubject {
     pub(super) label: Option<String>,
     /// Its knots and weights.
     pub(super) basis: Basis<Weighting>,
+    /// Control points, as many as there are functions.
+    pub(super) points: Option<Vec<Point>>,
 }
 
 impl MemberSubject {
@@ -188,11 +190,13 @@ impl InstanceArgs {
         if let Some(weights @ Weighting::Family(_)) = weights.first() {
             let basis = Basis::over(knots, degree, weights.clone())
                 .map_err(|error| CliError::Basis { place: place.clone(), error })?;
-            let subject = MemberSubject { label, basis };
-            if points.is_some() {
-                return Err(CliError::OnlyIndices { what: "curves have", family: subject.family() });
+            if let Some((points, place)) = &points {
+                let same = Basis::new(basis.knots().clone(), degree, Index::infinity());
+                let same = same.map_err(|error| CliError::Basis { place: place.clone(), error })?;
+                curve(&same, points, place)?;
             }
-            return Ok(Resolved::Member(subject));
+            let points = points.map(|(points, _)| points);
+            return Ok(Resolved::Member(MemberSubject { label, basis, points }));
         }
         let mut indices: Vec<_> = weights.iter().filter_map(Weighting::index).cloned().collect();
         let mut seen = HashSet::new();

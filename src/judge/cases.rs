@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, HashSet};
 use std::ops::RangeInclusive;
 use std::sync::Arc;
 
-use crate::language::{Binder, Family, Name, Paper, Parameter, Sentence};
+use crate::language::{Adjective, Binder, Family, Name, Paper, Parameter, Sentence};
 use crate::meaning::{
     Example, Instance, MemberError, Values, Weighting, admits, concerns, examples_of, has, listed,
 };
@@ -282,8 +282,29 @@ impl Sizes {
     }
 }
 
-/// Bases in order of size: by degree, by the number of knots, by length, by knots; then by index.
+/// Bases in order of size: by degree, by the number of knots, by length, by knots; then by index. All of them begin at 0, which
+/// is no knot of the last few: these are of the same shapes as smaller ones.
 fn small_bases() -> Vec<Basis> {
+    let mut all = bases_from_zero();
+    let moved = |basis: &Basis, origin: BigRational| {
+        let knots = basis.knots().knots().iter().map(|t| t + &origin).collect();
+        Basis::new(KnotVector::new(knots).ok()?, basis.degree(), basis.index().clone()).ok()
+    };
+    for degree in 1..=HIGHEST_MOVED {
+        let clamped =
+            |basis: &&Basis| has(Adjective::Clamped, basis.knots(), degree) && basis.degree() == degree;
+        let some: Vec<_> = all.iter().filter(clamped).take(8).cloned().collect();
+        for origin in [integer(1), rational(-5, 2)] {
+            all.extend(some.iter().filter_map(|basis| moved(basis, origin.clone())));
+        }
+    }
+    all
+}
+
+/// The highest degree in which bases are moved away from 0.
+const HIGHEST_MOVED: usize = 3;
+
+fn bases_from_zero() -> Vec<Basis> {
     let mut keys = Vec::new();
     for sizes in &SIZES {
         for m in sizes.sizes.clone() {
@@ -327,11 +348,21 @@ fn family_knots() -> Vec<(usize, KnotVector)> {
     }
     keys.sort_unstable();
     keys.dedup();
-    let knots = |(degree, _, _, knots): (usize, usize, usize, Vec<usize>)| {
-        let knots = KnotVector::new(knots.into_iter().map(integer).collect());
-        Some((degree, knots.ok()?))
+    // Again the last few begin elsewhere.
+    let open = |(degree, _, _, knots): &&(usize, usize, usize, Vec<usize>)| {
+        *degree <= HIGHEST_MOVED
+            && knots[0] == knots[*degree]
+            && knots[knots.len() - 1 - degree] == knots[knots.len() - 1]
     };
-    keys.into_iter().filter_map(knots).collect()
+    let moved: Vec<_> = (1..=HIGHEST_MOVED)
+        .flat_map(|degree| keys.iter().filter(open).filter(move |key| key.0 == degree).take(2).cloned())
+        .collect();
+    let knots = |key: (usize, usize, usize, Vec<usize>), origin: BigRational| {
+        let knots = KnotVector::new(key.3.into_iter().map(|t| integer(t) + &origin).collect());
+        Some((key.0, knots.ok()?))
+    };
+    let moved = moved.into_iter().filter_map(|key| knots(key, rational(-5, 2)));
+    keys.into_iter().filter_map(|key| knots(key, integer(0))).chain(moved).collect()
 }
 
 /// Numbers for parameters, simplest first.
@@ -399,7 +430,10 @@ fn choices(parameter: &Parameter, numbers: &[BigRational], m: usize, k: usize) -
             );
         }
         all.push(made(&|row, i| if (row + i) % 2 == 0 { first.clone() } else { second.clone() }));
-        all.push(made(&|row, i| numbers[(2 * row + i * i) % numbers.len()].clone()));
+        // Triangular numbers, 0, 1, 3, 6, …, leave every remainder that there is for 4, and no period below 8.
+        all.extend((0..2).map(|step| {
+            made(&|row, i| numbers[((2 * row + i) * (2 * row + i + 1) / 2 + step) % numbers.len()].clone())
+        }));
         all
     };
     match parameter.indices.as_slice() {
@@ -427,11 +461,15 @@ fn small_instances() -> Vec<Instance> {
 
 #[cfg(test)]
 mod tests {
+    use num_traits::Signed;
+
     use super::*;
 
     #[test]
     fn small_bases_come_by_size_and_once() {
         let bases = small_bases();
+        assert!(bases.iter().any(|basis| basis.knots().first().is_negative()));
+        let bases = bases_from_zero();
         let distinct: HashSet<_> = bases.iter().collect();
         assert_eq!(distinct.len(), bases.len());
         assert!(bases.iter().map(|basis| (basis.degree(), basis.knots().m())).is_sorted());

@@ -55,7 +55,7 @@ fn outcome(sentence: &Sentence, names: Names<'_>, case: &Case, decided: Decided)
         Decided { facts: 0, .. } => Outcome::Nothing,
         // What was tried is not proved.
         Decided { tried: true, facts, .. } => {
-            Outcome::Undecided(format!("no counterexample among {facts} tries of control values"))
+            Outcome::Undecided(format!("no counterexample among {facts} tries of numbers or control values"))
         }
         Decided { facts, found, .. } => Outcome::Holds(facts, suprema(found, names, &case.on)),
     })

@@ -8,6 +8,7 @@ mod adjectives;
 mod cell;
 mod example;
 mod family;
+mod frame;
 mod functions;
 mod instance;
 mod points;

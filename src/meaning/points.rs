@@ -1,7 +1,10 @@
 //! Control values: all of them where a conclusion is linear in them, and some otherwise.
 
+use std::cell::Cell;
+
 use crate::language::{
-    Argument, Binder, Definition, Formula, Function, Int, Interval, Item, Name, Real, Relation, Sentence, Use,
+    Argument, Binder, Definition, Fold, Formula, Function, Int, Interval, Item, Member, Name, Range, Real,
+    Relation, Sentence, Use,
 };
 use crate::scalar::{BigRational, integer};
 
@@ -13,37 +16,53 @@ pub(super) fn decided_by_units(sentence: &Sentence, definitions: &[Definition]) 
         .iter()
         .filter_map(|binder| if let Binder::Points(name) = binder { Some(name.clone()) } else { None })
         .collect();
-    affine_in(&names, sentence, definitions)
+    order_of(&Order { names: &names, definitions, size: None }, sentence).is_some_and(|order| order <= 1)
 }
 
-/// Is it for one name of a number decided by 0 and 1? No interval may depend on that.
-pub(super) fn decided_by_two(name: &Name, sentence: &Sentence, definitions: &[Definition]) -> bool {
-    let names = std::slice::from_ref(name);
-    let order = Order { names, definitions };
+/// The degree of the sentence as polynomials in a number: so many different values, and one more, decide it. `None` where it is not
+/// made of equalities of such, or where a hypothesis or an interval depends on the number. `size` is k and m.
+pub(super) fn degree_in(
+    name: &Name,
+    sentence: &Sentence,
+    definitions: &[Definition],
+    size: Option<(i64, i64)>,
+) -> Option<usize> {
+    let order = Order { names: std::slice::from_ref(name), definitions, size };
     let free = sentence.given.iter().all(|binder| match binder {
         Binder::Point(_, Interval { from, to, .. }) => order.free(from) && order.free(to),
         Binder::Gaps(_) => false,
         _ => true,
     });
-    free && affine_in(names, sentence, definitions)
+    order_of(&order, sentence).filter(|degree| free && *degree <= MOST)
 }
 
-fn affine_in(names: &[Name], sentence: &Sentence, definitions: &[Definition]) -> bool {
-    let order = Order { names, definitions };
-    let bodies = || definitions.iter().filter(|definition| order.mentions(&definition.name));
-    bodies().all(|definition| order.real(&definition.body) <= 1)
-        && sentence.assume.iter().all(|f| order.formula(f, &|_, order| order == 0))
-        && sentence.then.iter().all(|f| order.formula(f, &|equal, order| order == 0 || (equal && order == 1)))
+/// More values would take long.
+const MOST: usize = 24;
+
+/// The greatest order of a conclusion, if all are fit to be decided by it.
+fn order_of(order: &Order<'_>, sentence: &Sentence) -> Option<usize> {
+    let bodies = || order.definitions.iter().filter(|definition| order.mentions(&definition.name));
+    let greatest = Cell::new(0);
+    let conclusion = |equal: bool, of: usize| {
+        greatest.set(greatest.get().max(of));
+        of == 0 || equal && of < Order::BEYOND
+    };
+    let fits = bodies().all(|definition| order.real(&definition.body) <= 1)
+        && sentence.assume.iter().all(|f| order.formula(f, &|_, of| of == 0))
+        && sentence.then.iter().all(|f| order.formula(f, &conclusion));
+    fits.then(|| greatest.get())
 }
 
-/// The order of a term as a polynomial in the control values; [`Order::BEYOND`], if it is none.
+/// The order of a term as a polynomial in numbers or control values; [`Order::BEYOND`], if it is none.
 struct Order<'a> {
     names: &'a [Name],
     definitions: &'a [Definition],
+    /// k and m, for exponents and ranges.
+    size: Option<(i64, i64)>,
 }
 
 impl Order<'_> {
-    const BEYOND: usize = 9;
+    const BEYOND: usize = 1000;
 
     /// Does a definition speak of control values, itself or by others?
     fn mentions(&self, name: &Name) -> bool {
@@ -77,9 +96,18 @@ impl Order<'_> {
             Real::Times(a, b) => (self.real(a) + self.real(b)).min(Self::BEYOND),
             Real::Over(a, b) if self.real(b) == 0 => self.real(a),
             Real::Negated(a) => self.real(a),
-            Real::Fold(crate::language::Fold::Sum, _, body) => self.real(body),
+            Real::Fold(Fold::Sum, _, body) => self.real(body),
             // A derivative is as linear as its function, which may stand for control values.
-            Real::Value(f, argument) if self.real(&argument.at) == 0 => usize::from(self.function(f)),
+            Real::Value(f, argument) if self.real(&argument.at) == 0 && self.free_of_member(argument) => {
+                usize::from(self.function(f))
+            }
+            Real::Power(base, exponent) if !self.free(base) => {
+                let exponent = self.linear(exponent).filter(|of| of.names.is_empty()).map(|of| of.constant);
+                self.times(base, exponent)
+            }
+            Real::Fold(Fold::Product, range, body) if !self.free(body) => {
+                self.times(body, self.length(range))
+            }
             _ => {
                 if self.free(t) {
                     0
@@ -87,6 +115,39 @@ impl Order<'_> {
                     Self::BEYOND
                 }
             }
+        }
+    }
+
+    fn times(&self, body: &Real, count: Option<i64>) -> usize {
+        let count = count.and_then(|count| usize::try_from(count).ok());
+        count.map_or(Self::BEYOND, |count| (self.real(body) * count).min(Self::BEYOND))
+    }
+
+    /// How many steps a range has, if that is the same for all of what else is bound.
+    fn length(&self, range: &Range) -> Option<i64> {
+        let length = self.linear(&range.to)?.minus(self.linear(&range.from)?);
+        length.names.is_empty().then(|| (length.constant + 1).max(0))
+    }
+
+    /// An integer as a sum of names and a number.
+    fn linear<'t>(&self, i: &'t Int) -> Option<Linear<'t>> {
+        let of = |a, b| Some((self.linear(a)?, self.linear(b)?));
+        Some(match i {
+            Int::Number(value) => Linear::number(*value),
+            Int::Degree => Linear::number(self.size?.0),
+            Int::M => Linear::number(self.size?.1),
+            Int::Last => Linear::number(self.size?.1 - self.size?.0 - 1),
+            Int::Bound(name) => Linear { names: vec![(name, 1)], constant: 0 },
+            Int::Plus(a, b) => of(a, b).map(|(a, b)| a.minus(Linear::number(0).minus(b)))?,
+            Int::Minus(a, b) => of(a, b).map(|(a, b)| a.minus(b))?,
+            _ => return None,
+        })
+    }
+
+    fn free_of_member(&self, argument: &Argument) -> bool {
+        match &argument.member {
+            None | Some(Member::Dual) => true,
+            Some(Member::Index(t) | Member::Ratio(t) | Member::Parameter(_, t)) => self.free(t),
         }
     }
 
@@ -142,6 +203,30 @@ impl Order<'_> {
     }
 }
 
+/// A sum of names, each with how often, and a number.
+struct Linear<'t> {
+    names: Vec<(&'t Name, i64)>,
+    constant: i64,
+}
+
+impl<'t> Linear<'t> {
+    fn number(constant: i64) -> Self {
+        Self { names: Vec::new(), constant }
+    }
+
+    fn minus(mut self, other: Self) -> Self {
+        self.constant -= other.constant;
+        for (name, count) in other.names {
+            match self.names.iter_mut().find(|(own, _)| *own == name) {
+                Some((_, own)) => *own -= count,
+                None => self.names.push((name, -count)),
+            }
+        }
+        self.names.retain(|(_, count)| *count != 0);
+        self
+    }
+}
+
 /// Every name of a coefficient, a real or a definition in a term.
 fn walk<'t>(t: &'t Real, see: &mut dyn FnMut(&'t Name)) {
     match t {
@@ -166,8 +251,11 @@ fn walk<'t>(t: &'t Real, see: &mut dyn FnMut(&'t Name)) {
             walk(a, see)
         }
         Real::Value(f, argument) => {
-            let Argument { at, .. } = &**argument;
+            let Argument { at, member, .. } = &**argument;
             walk(at, see);
+            if let Some(Member::Index(t) | Member::Ratio(t) | Member::Parameter(_, t)) = member {
+                walk(t, see);
+            }
             walk_function(f, see);
         }
         Real::Word(of) => walk_word(of, see),
@@ -226,15 +314,23 @@ mod tests {
     use crate::language::one_line;
 
     #[test]
-    fn two_numbers_decide_what_is_affine_in_one() {
+    fn so_many_numbers_decide_a_polynomial() {
         for (text, expected) in [
-            ("k; U; d points; c; x in [t[0], t[m]] : sum(i in 0..n: (d[i]+c)*G[i](x)) = c", true),
-            ("k; U; c; x in [t[0], t[m]] : sum(i in 0..n: c^2*G[i](x)) = c", false),
-            ("k; U; c; x in [t[0], t[m]] : c*G[0](x) >= 0", false),
-            ("k; U; c; x in [t[0], c] : G[0](x) = c", false),
-            ("k; U; c | c > 0 : G[0](t[0]) = c", false),
+            ("k; U; d points; c; x in [t[0], t[m]] : sum(i in 0..n: (d[i]+c)*G[i](x)) = c", Some(1)),
+            ("k; U; c; x in [t[0], t[m]] : sum(i in 0..n: c^2*G[i](x)) = c", Some(2)),
+            (
+                "k; U; c; x in [t[0], t[m]] : (c - x)^k = sum(i in 0..n: prod(l in i+1..i+k: c - t[l])*G[i](x))",
+                Some(3),
+            ),
+            ("k; U; c; x in [t[0], t[m]] : sum(i in 0..n: prod(l in 1..i: c - t[l])*G[i](x)) = 0", None),
+            ("k; U; c; x in [t[0], t[m]] : c*G[0](x) >= 0", None),
+            ("k; U; c; x in [t[0], c] : G[0](x) = c", None),
+            ("k; U; c | c > 0 : G[0](t[0]) = c", None),
+            ("k; U; s > 0; x in [t[0], t[m]] : G[0](x; r = s) = G[0](x)", None),
         ] {
-            assert_eq!(decided_by_two(&"c".into(), &one_line(text).unwrap(), &[]), expected, "{text}");
+            let name = if text.contains("; c") { "c" } else { "s" };
+            let found = degree_in(&name.into(), &one_line(text).unwrap(), &[], Some((3, 9)));
+            assert_eq!(found, expected, "{text}");
         }
     }
 }

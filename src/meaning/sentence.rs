@@ -9,6 +9,7 @@ use crate::spline::{Basis, Index, KnotVector};
 
 use super::adjectives::has;
 use super::cell::{Cell, Focus};
+use super::frame;
 use super::instance::Instance;
 use super::points;
 use super::reading::{Found, Names, Reading};
@@ -54,7 +55,7 @@ pub struct Decided {
     pub failure: Option<Failure>,
     /// What could not be told.
     pub unknown: Option<String>,
-    /// Were control values only tried, not decided for all?
+    /// Were numbers or control values only tried, not decided for all?
     pub tried: bool,
     /// The suprema that were compared.
     pub found: Vec<Found>,
@@ -66,7 +67,7 @@ impl From<Decided> for Truth {
             Decided { failure: Some(Failure { undefined: Some(what), .. }), .. } => Self::Undefined(what),
             Decided { failure: Some(_), .. } => Self::False,
             Decided { unknown: Some(why), .. } => Self::Unknown(why),
-            Decided { tried: true, .. } => Self::Unknown("control values that were only tried".into()),
+            Decided { tried: true, .. } => Self::Unknown("numbers that were only tried".into()),
             Decided { .. } => Self::True,
         }
     }
@@ -252,17 +253,8 @@ impl<'a> Reading<'a> {
             Binder::Real { .. } => {
                 let free: Vec<_> = rest.iter().map_while(free).collect();
                 let others = &rest[free.len()..];
-                let two = |(name, sign): &(&Name, Option<Relation>)| {
-                    sign.is_none() && points::decided_by_two(name, walk.sentence, self.names.definitions)
-                };
-                if let ([of], true) = (free.as_slice(), free.iter().all(two)) {
-                    for value in [0, 1] {
-                        self.bound.reals.push((of.0.clone(), value.into(), 0));
-                        self.binders(others, &pending, walk);
-                        self.bound.reals.pop();
-                    }
-                    return;
-                }
+                let decisive = self.decisive(&free, walk.sentence);
+                walk.decided.tried |= decisive.is_none();
                 // One number beside knots: first those that have to do with them.
                 let beside = match (free.as_slice(), self.on.knots()) {
                     ([(_, None)], Some(knots)) => {
@@ -270,7 +262,8 @@ impl<'a> Reading<'a> {
                     }
                     _ => Vec::new(),
                 };
-                for values in beside.into_iter().chain(by_size(&free, self.on.basis.is_some())) {
+                let tries = || beside.into_iter().chain(by_size(&free, self.on.basis.is_some())).collect();
+                for values in decisive.unwrap_or_else(tries) {
                     let before = self.bound.reals.len();
                     let named =
                         free.iter().zip(values).map(|((name, _), value)| ((*name).clone(), value.into(), 0));
@@ -297,6 +290,31 @@ impl<'a> Reading<'a> {
                     self.memo.known.clear();
                 }
             }
+        }
+    }
+
+    /// Values of free numbers that decide the sentence for all of them, where a reason for that is known.
+    fn decisive(
+        &self,
+        free: &[(&Name, Option<Relation>)],
+        sentence: &Sentence,
+    ) -> Option<Vec<Vec<BigRational>>> {
+        let size = self.on.knots().zip(self.on.degree());
+        let size = size.and_then(|(knots, k)| Some((i64::try_from(k).ok()?, i64::try_from(knots.m()).ok()?)));
+        match free {
+            [(name, sign)] => {
+                let degree = points::degree_in(name, sentence, self.names.definitions, size)?;
+                let signs = match sign {
+                    None | Some(Relation::AtLeast) => 0..=degree,
+                    Some(Relation::Greater | Relation::Unequal) => 1..=degree + 1,
+                    Some(_) => return None,
+                };
+                Some(signs.map(|value| vec![integer(value)]).collect())
+            }
+            [(_, None), (_, None)] if self.on.basis.is_none() && frame::is_decided_by_order(sentence) => {
+                Some([[0, 0], [0, 1], [1, 0]].map(|ends| ends.map(|end: i64| integer(end)).to_vec()).to_vec())
+            }
+            _ => None,
         }
     }
 

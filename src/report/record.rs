@@ -87,8 +87,7 @@ impl Finding {
             self.status = PROVED.to_owned();
             self.scope = Some(scope.name().to_owned());
             self.reason = None;
-            // A claim about the weight has no degree.
-            if !self.degrees.is_empty() || self.checked_by.len() == CERTIFIED.len() {
+            if certificate.statement.has_degree() {
                 self.degrees.clone_from(degrees);
             }
         }

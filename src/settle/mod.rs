@@ -141,14 +141,8 @@ impl Proofs<'_> {
     /// A verdict with its certificate, if there is one that the checker has accepted.
     fn settled(&mut self, form: Form, verdict: Verdict) -> Result<Settled, SettleError> {
         let witness = if let Verdict::Refuted(witness) = &verdict { Some(&**witness) } else { None };
-        let open = match (&verdict, form) {
-            (Verdict::Proved { .. } | Verdict::Refuted(_), _) => true,
-            // What no finite number of cases decides may have a proof all the same.
-            (Verdict::Undecided(_), _) => {
-                self.proving != Proving::Everything || matches!(form, Form::Degree(_))
-            }
-            _ => false,
-        };
+        // What no finite number of cases decides may have a proof all the same.
+        let open = matches!(verdict, Verdict::Proved { .. } | Verdict::Refuted(_) | Verdict::Undecided(_));
         let certified = match self.proving {
             Proving::Everything if open => self.certified(form, witness)?,
             Proving::ForDegree(k) if open && witness.is_none() => {

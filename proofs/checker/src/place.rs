@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 
 use crate::env::small;
-use crate::error::Result;
+use crate::error::{Reason, Result};
 use crate::work::spend;
 
 /// How often a knot occurs.
@@ -141,7 +141,10 @@ impl Form {
 
     /// This form and a multiple of another.
     pub(crate) fn plus(&self, factor: i64, other: &Self) -> Result<Self> {
-        let add = |a: i64, b: i64| small(a + small(factor * b)?);
+        let add = |a: i64, b: i64| {
+            let sum = factor.checked_mul(b).and_then(|times| a.checked_add(times));
+            small(sum.ok_or(Reason::Limits("an integer"))?)
+        };
         let mut far = self.far.clone();
         for (index, value) in &other.far {
             let sum = far.entry(*index).or_insert(0);

@@ -216,7 +216,7 @@ fn no_text_stops_the_checker() {
         if statement.len() + proof.len() > 10_000 {
             continue;
         }
-        for _ in 0..12 {
+        for _ in 0..20 {
             tried += 1;
             let in_proof = dice.roll(3) == 0;
             let mutant = dice.mutant(if in_proof { &proof } else { &statement });

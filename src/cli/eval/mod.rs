@@ -158,6 +158,9 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
             (label, case.basis.with(weights), case.curve, source)
         }
         Resolved::Member(subject) => {
+            if subject.points.is_some() {
+                return Err(CliError::OnlyIndices { what: "curves of eval have", family: subject.family() });
+            }
             let on = Instance::on(subject.basis.clone());
             let on = on.map_err(|error| CliError::Member { argument: "--family", error })?;
             let forms = on.forms_of(&on.weights, subject.basis.degree());

@@ -37,7 +37,8 @@ pub fn pictures(of: &Example) -> Result<Vec<Picture>, PictureError> {
     };
     let mut pictures =
         vec![Picture { file: format!("{name}-{k}.svg"), svg: basis::svg(&title, of)?, title: title.clone() }];
-    if of.points.is_some() {
+    // Curves have the weights of an index.
+    if of.points.is_some() && of.indices().next().is_some() {
         let svg = curve::svg(&title, std::slice::from_ref(of), Panels::Own, true)?;
         pictures.push(Picture { file: format!("{name}-{k}-curve.svg"), svg, title });
     }
