@@ -8,8 +8,9 @@ use std::path::{Path, PathBuf};
 
 use siphasher::sip::SipHasher24;
 
-/// Numbers, splines, decisions, and the search itself.
-const DECIDING: [&str; 4] = ["src/scalar", "src/spline", "src/analysis", "src/search"];
+/// Numbers, splines, decisions, families and the weights that they give, and the search itself.
+const DECIDING: [&str; 6] =
+    ["src/scalar", "src/spline", "src/analysis", "src/language", "src/meaning", "src/search"];
 
 fn main() -> io::Result<()> {
     let mut files = Vec::new();

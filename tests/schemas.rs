@@ -266,6 +266,8 @@ fn examples() -> Vec<(&'static str, Vec<Vec<&'static str>>)> {
                 ],
                 vec!["search", "--degree", "3", "--find", "equal", "--limit", "9"],
                 vec!["search", "--degree", "2", "--count", "20", "--find", "most"],
+                vec!["search", "--degree", "3", "--family", "lupas", "--set", "q=1/3", "--limit", "8"],
+                vec!["search", "--degree", "2", "--family", "knot-weights", "--count", "20"],
                 vec!["search", "--degree", "3", "--count", "200", "--find", "deepest", "--alpha", "-4"],
             ],
         ),

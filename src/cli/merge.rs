@@ -17,7 +17,7 @@ use super::error::CliError;
 use super::exit::Exit;
 use super::output::Output;
 use super::progress::Progress;
-use super::search::{Summary, number, read_portion};
+use super::search::{Summary, exit, number, read_portion};
 use super::whole_number::WholeNumberError;
 
 /// Puts the shards of a search together, and proves that they cover it: every position once, and as many cases as there are.
@@ -46,8 +46,8 @@ Example:
   knotproof search --degree 3 --shard 0/2 --checkpoint shard-0.jsonl  # exit code 0: nothing in this half
   knotproof search --degree 3 --shard 1/2 --checkpoint shard-1.jsonl  # exit code 1: something was found
   knotproof merge shard-0.jsonl shard-1.jsonl --audit 3 --out all.jsonl  # exit code 1
-Exit code 1: something was found, or an audit found something else than the shards say: then nothing is written; 0: nothing;
-2: a shard is missing, given twice, unfinished, damaged, of another search or written by a program that may decide otherwise.";
+Exit code 1: something was found, or an audit found something else than the shards say: then nothing is written; 0: nothing; 3: nothing, but
+some case is not decided; 2: a shard is missing, given twice, unfinished, damaged, of another search or written by a program that may decide otherwise.";
 
 /// How many blocks.
 #[derive(Debug, Clone, Copy)]
@@ -138,7 +138,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
             files: args.files.len(),
         },
     )?;
-    Ok(if part.findings().is_empty() && holds { Exit::Holds } else { Exit::Refuted })
+    Ok(if holds { exit(&part) } else { Exit::Refuted })
 }
 
 /// The same result may be written again; nothing else is lost.

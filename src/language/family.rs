@@ -25,6 +25,8 @@ pub struct Family {
     pub name: String,
     /// What names it on a command line: its name, or its file.
     pub given: String,
+    /// What stands in its file.
+    pub text: String,
     /// What it is.
     pub title: String,
     /// Where it comes from.
@@ -228,7 +230,7 @@ impl Family {
         let mut reading = Reading::new(file_name, text);
         let found = reading.toml::<RawFamily>().and_then(|raw| Self::of(&mut reading, &raw));
         match found {
-            Some(family) if reading.complaints.is_empty() => Ok(family),
+            Some(family) if reading.complaints.is_empty() => Ok(Self { text: text.to_owned(), ..family }),
             _ => Err(reading.complaints),
         }
     }
@@ -384,6 +386,7 @@ impl Family {
         let family = Self {
             name: name.clone(),
             given: reading.name().to_owned(),
+            text: String::new(),
             title: raw.title.clone(),
             source: raw.source.clone(),
             knots,

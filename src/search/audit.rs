@@ -105,6 +105,9 @@ pub fn audit<E: From<AuditError>>(
         if found.digest != recorded.digest {
             faults.push(Mismatch::Digest { recorded: recorded.digest, again: found.digest });
         }
+        if !part.undecided.agrees(&again.undecided, &range) {
+            faults.push(Mismatch::Undecided);
+        }
         faults.extend(part.findings.faults(&again.findings, part.search.find, &range));
         let difference = |fault| Discrepancy { positions: range.clone(), fault };
         audit.differences.extend(faults.into_iter().map(difference));

@@ -8,8 +8,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use siphasher::sip::SipHasher24;
 
-use super::candidate::Candidate;
 use super::decide::{Count, Decided, Means};
+use super::subject::Subject;
 
 /// The fewest positions of a block, and the most blocks of a space.
 const SMALLEST: u64 = 256;
@@ -48,22 +48,33 @@ pub struct BlockRecord {
     pub exactly: u64,
     /// Cases with more than one local maximum.
     pub several: u64,
+    /// Cases that are not decided; left out, if all are.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub undecided: u64,
     /// The digest, in 16 hexadecimal digits.
     pub digest: String,
 }
 
+/// A number that is left out.
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "what serde asks for")]
+pub(super) fn is_zero(number: &u64) -> bool {
+    *number == 0
+}
+
 impl Block {
-    /// Adds a case.
-    pub(super) fn count(&mut self, position: u64, candidate: &Candidate, count: Count) {
-        match count.by {
-            Means::Intervals => self.decided.by_intervals += 1,
-            Means::Exact => self.decided.exactly += 1,
+    /// Adds a case; `None`, if it is not decided.
+    pub(super) fn count(&mut self, position: u64, subject: &Subject, count: Option<Count>) {
+        match count.map(|count| count.by) {
+            Some(Means::Intervals) => self.decided.by_intervals += 1,
+            Some(Means::Exact) => self.decided.exactly += 1,
+            None => self.decided.undecided += 1,
         }
-        self.decided.several += u64::from(count.maxima > 1);
+        self.decided.several += u64::from(count.is_some_and(|count| count.maxima > 1));
         let mut hasher = SipHasher24::new();
-        let (p, q) = candidate.ratio();
-        let about = [position, p, q, count.maxima as u64, u64::from(count.by == Means::Exact)];
-        about.iter().chain(candidate.gaps()).for_each(|number| hasher.write(&number.to_le_bytes()));
+        // No function that is decided has so many maxima.
+        let maxima = count.map_or(u64::MAX, |count| count.maxima as u64);
+        let exactly = count.is_some_and(|count| count.by == Means::Exact);
+        subject.digest(position, maxima, exactly, &mut hasher);
         self.digest = self.digest.wrapping_add(hasher.finish());
     }
 
@@ -128,6 +139,7 @@ impl Blocks {
                 by_intervals: decided.by_intervals,
                 exactly: decided.exactly,
                 several: decided.several,
+                undecided: decided.undecided,
                 digest: format!("{digest:016x}"),
             }
         };
@@ -148,9 +160,9 @@ impl Blocks {
         }
         let mut sum = Decided::default();
         for record in records {
-            let &BlockRecord { from, to, by_intervals, exactly, several, ref digest } = record;
-            let decided = Decided { by_intervals, exactly, several };
-            let cases = by_intervals.checked_add(exactly).filter(|&cases| cases <= to - from);
+            let &BlockRecord { from, to, by_intervals, exactly, several, undecided, ref digest } = record;
+            let decided = Decided { by_intervals, exactly, several, undecided };
+            let cases = decided.checked_cases().filter(|&cases| cases <= to - from);
             if cases.is_none_or(|cases| several > cases) {
                 return Err("a block has more cases than positions, or more with several maxima than cases");
             }
@@ -165,6 +177,7 @@ impl Blocks {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::search::Candidate;
 
     #[test]
     fn blocks_are_few_and_pieces_stay_within_them() {
@@ -181,10 +194,10 @@ mod tests {
 
     #[test]
     fn a_digest_is_of_all_that_was_decided() {
-        let candidate = |gaps: &[u64], ratio| Candidate::new(gaps.to_vec(), ratio).unwrap();
-        let digest = |position, candidate: &Candidate, maxima, by| {
+        let candidate = |gaps: &[u64], ratio| Subject::Index(Candidate::new(gaps.to_vec(), ratio).unwrap());
+        let digest = |position, subject: &Subject, maxima, by| {
             let mut block = Block::default();
-            block.count(position, candidate, Count { maxima, by });
+            block.count(position, subject, Some(Count { maxima, by }));
             block.digest
         };
         let function = candidate(&[2, 1, 1, 0], (3, 5));

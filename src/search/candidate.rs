@@ -167,31 +167,13 @@ impl Candidate {
     /// The knots t_i, …, t_{i+k+1} for t_i = 0.
     #[must_use]
     pub fn own_knots(&self) -> Vec<u64> {
-        let mut knots = vec![0];
-        let mut last = 0;
-        for gap in &self.gaps {
-            last += gap;
-            knots.push(last);
-        }
-        knots
+        own_knots(&self.gaps)
     }
 
-    /// The smallest knot vector with the paper's hypotheses (m = n + k + 1, n ≥ k, t_k < t_{m−k}; D3.2–3.3) on which
-    /// the function is one of the basis: m = 2k + 1, its own knots and k copies of its end knots.
-    ///
-    /// t_k and t_{k+1} are the ends of a span of its own. It is the first one, which makes the left end open (k + 1
-    /// equal knots), unless only the right end knot is repeated: then the last one, which makes that end open.
+    /// The full knot vector on which it is G_i^k.
     #[must_use]
     pub fn full_knots(&self) -> FullKnots {
-        let k = self.degree();
-        let filled = |s: &usize| self.gaps[*s] > 0;
-        let right = self.gaps[0] > 0 && self.gaps[k] == 0;
-        let span = if right { (0..=k).rev().find(filled) } else { (0..=k).find(filled) }.unwrap_or(0);
-        let own = self.own_knots();
-        let (first, last) = (own[0], own[k + 1]);
-        let index = k - span;
-        let knots = std::iter::repeat_n(first, index).chain(own).chain(std::iter::repeat_n(last, span));
-        FullKnots { knots: knots.collect(), index }
+        FullKnots::of(&self.gaps)
     }
 
     /// The function over the integers.
@@ -230,7 +212,35 @@ impl PartialOrd for Candidate {
     }
 }
 
+/// 0 and the sums of the gaps.
+fn own_knots(gaps: &[u64]) -> Vec<u64> {
+    let mut knots = vec![0];
+    let mut last = 0;
+    for gap in gaps {
+        last += gap;
+        knots.push(last);
+    }
+    knots
+}
+
 impl FullKnots {
+    /// The smallest knot vector with the paper's hypotheses (m = n + k + 1, n ≥ k, t_k < t_{m−k}; D3.2–3.3) on which
+    /// the function with these gaps is one of the basis: m = 2k + 1, its own knots and k copies of its end knots.
+    ///
+    /// t_k and t_{k+1} are the ends of a span of its own. It is the first one, which makes the left end open (k + 1
+    /// equal knots), unless only the right end knot is repeated: then the last one, which makes that end open.
+    pub(super) fn of(gaps: &[u64]) -> Self {
+        let k = gaps.len().saturating_sub(1);
+        let filled = |s: &usize| gaps[*s] > 0;
+        let right = gaps[0] > 0 && gaps[k] == 0;
+        let span = if right { (0..=k).rev().find(filled) } else { (0..=k).find(filled) }.unwrap_or(0);
+        let own = own_knots(gaps);
+        let (first, last) = (own[0], own[k + 1]);
+        let index = k - span;
+        let knots = std::iter::repeat_n(first, index).chain(own).chain(std::iter::repeat_n(last, span));
+        Self { knots: knots.collect(), index }
+    }
+
     /// The knots as rational numbers.
     #[must_use]
     pub fn rational(&self) -> Vec<BigRational> {

@@ -32,19 +32,27 @@ pub struct Decided {
     pub exactly: u64,
     /// Those with more than one local maximum.
     pub several: u64,
+    /// Those that are not decided: of an index none is.
+    pub undecided: u64,
 }
 
 impl Decided {
     /// All of them.
     #[must_use]
     pub fn cases(&self) -> u64 {
-        self.by_intervals + self.exactly
+        self.by_intervals + self.exactly + self.undecided
+    }
+
+    /// The same of numbers that may be any.
+    pub(super) fn checked_cases(&self) -> Option<u64> {
+        self.by_intervals.checked_add(self.exactly)?.checked_add(self.undecided)
     }
 
     pub(super) fn add(&mut self, other: Self) {
         self.by_intervals += other.by_intervals;
         self.exactly += other.exactly;
         self.several += other.several;
+        self.undecided += other.undecided;
     }
 }
 

@@ -41,17 +41,17 @@ impl Dip {
     /// That of a function; `None` if it has one maximum only.
     #[must_use]
     pub fn of(candidate: &Candidate) -> Option<Self> {
-        Self::of_turns(extrema(candidate))
+        Self::of_turns(Shape::of_local(&candidate.local_knots()).into_extrema())
     }
 
-    /// That of a function, unless the places of its extrema show already that it is less than `least`.
-    pub(super) fn at_least(candidate: &Candidate, least: Option<&BigRational>) -> Option<Self> {
-        let turns = extrema(candidate);
+    /// That of the function with these extrema, unless their places show already that it is less than `least`.
+    pub(super) fn at_least(turns: Vec<Extremum>, least: Option<&BigRational>) -> Option<Self> {
         let (_, hi) = Fall { turns: turns.clone() }.bounds();
         if least.is_some_and(|least| hi < *least) { None } else { Self::of_turns(turns) }
     }
 
-    fn of_turns(turns: Vec<Extremum>) -> Option<Self> {
+    /// That of the function with these extrema.
+    pub(super) fn of_turns(turns: Vec<Extremum>) -> Option<Self> {
         let minimum = turns.iter().any(|turn| turn.kind == ExtremumKind::Minimum);
         let (lo, hi) = minimum.then(|| decimals_around(&mut Fall { turns }, DIGITS))?;
         Some(Self { lo, hi })
@@ -63,10 +63,6 @@ impl Dip {
         let Self { lo, hi } = self;
         crate::analysis::settled(&mut crate::analysis::Algebraic::between(lo.clone(), hi.clone()), digits)
     }
-}
-
-fn extrema(candidate: &Candidate) -> Vec<Extremum> {
-    Shape::of_local(&candidate.local_knots()).into_extrema()
 }
 
 impl Enclosed for Fall {
@@ -142,8 +138,12 @@ mod tests {
     fn what_is_less_deep_is_left_out() {
         let candidate = Candidate::new(vec![2, 1, 1, 0], (3, 5)).unwrap();
         let dip = Dip::of(&candidate).unwrap();
-        assert_eq!(Dip::at_least(&candidate, Some(&dip.lo)), Some(dip.clone()));
-        assert_eq!(Dip::at_least(&candidate, None), Some(dip));
-        assert_eq!(Dip::at_least(&candidate, Some(&rational(1, 100))), None);
+        let at_least = |least: Option<&BigRational>| {
+            let turns = Shape::of_local(&candidate.local_knots()).into_extrema();
+            Dip::at_least(turns, least)
+        };
+        assert_eq!(at_least(Some(&dip.lo)), Some(dip.clone()));
+        assert_eq!(at_least(None), Some(dip));
+        assert_eq!(at_least(Some(&rational(1, 100))), None);
     }
 }

@@ -1,11 +1,15 @@
 //! The cases of a search, each at a position.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use super::candidate::Candidate;
 use super::exhaustive::Exhaustive;
+use super::member_cases::MemberCases;
+use super::members::Members;
 use super::random::Random;
-use super::space::{HIGHEST_DEGREE, Search, Space, SpaceError};
+use super::space::{Goal, HIGHEST_DEGREE, Search, Space, SpaceError};
+use super::subject::Subject;
 
 /// The cases of a search, in their order. Each stands at a position; shards are ranges of positions.
 #[derive(Debug, Clone)]
@@ -14,13 +18,15 @@ pub enum Enumeration {
     Exhaustive(Exhaustive),
     /// In the order of their numbers.
     Random(Random),
+    /// Those of a family that has no index.
+    Members(MemberCases),
 }
 
 impl Enumeration {
     /// The cases of the search.
     ///
     /// # Errors
-    /// [`SpaceError`], if there is none, or if there are too many.
+    /// [`SpaceError`], if there is none, or if there are too many; of a family also if it can't be searched.
     ///
     /// ```
     /// use knotproof::search::{Enumeration, Goal, Limits, Search, Space};
@@ -41,6 +47,8 @@ impl Enumeration {
             Space::Exhaustive(limits) => Self::Exhaustive(Exhaustive::new(degree, limits)?),
             Space::Random(sample) => Self::Random(Random::new(degree, sample)?),
             Space::Indices(sample) => Self::Random(Random::with_indices(degree, sample)?),
+            Space::Family(_) if search.find == Goal::Equal => return Err(SpaceError::EqualOfFamily),
+            Space::Family(space) => Self::Members(MemberCases::new(degree, space)?),
         })
     }
 
@@ -50,6 +58,7 @@ impl Enumeration {
         match self {
             Self::Exhaustive(cases) => cases.positions(),
             Self::Random(cases) => cases.cases(),
+            Self::Members(cases) => cases.positions(),
         }
     }
 
@@ -59,14 +68,35 @@ impl Enumeration {
         match self {
             Self::Exhaustive(cases) => cases.cases(),
             Self::Random(cases) => cases.cases(),
+            Self::Members(cases) => cases.cases(),
         }
     }
 
-    /// The cases at positions in a range, with their positions.
+    /// The candidates at positions in a range, with their positions; none, if the cases are of a family that has no index.
     pub fn between(&self, range: Range<u64>) -> Box<dyn Iterator<Item = (u64, Candidate)> + '_> {
         match self {
             Self::Exhaustive(cases) => Box::new(cases.between(range)),
             Self::Random(cases) => Box::new(cases.between(range)),
+            Self::Members(_) => Box::new(std::iter::empty()),
+        }
+    }
+
+    /// The cases at positions in a range, with their positions.
+    pub fn subjects(&self, range: Range<u64>) -> Box<dyn Iterator<Item = (u64, Subject)> + '_> {
+        match self {
+            Self::Members(cases) => {
+                Box::new(cases.between(range).map(|(at, function)| (at, Subject::Member(function))))
+            }
+            _ => Box::new(self.between(range).map(|(at, candidate)| (at, Subject::Index(candidate)))),
+        }
+    }
+
+    /// What is set and what is free, if the cases are of a family that has no index.
+    #[must_use]
+    pub fn members(&self) -> Option<&Arc<Members>> {
+        match self {
+            Self::Members(cases) => Some(cases.members()),
+            Self::Exhaustive(_) | Self::Random(_) => None,
         }
     }
 }

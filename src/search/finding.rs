@@ -3,30 +3,34 @@
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 use std::ops::Range;
+use std::sync::Arc;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use crate::analysis::{Crossing, ExtremumKind, Flank, Shape};
+use crate::analysis::{Crossing, ExtremumKind, Flank};
+use crate::judge::OfFamily;
 use crate::scalar::{BigRational, parse_rational};
 use crate::spline::Index;
 
 use super::candidate::Candidate;
 use super::decide::local_maxima;
 use super::dip::Dip;
+use super::members::{MemberFunction, Members};
 use super::mismatch::Mismatch;
-use super::shrink::{shrink, smaller_gaps};
+use super::shrink::smaller_gaps;
 use super::space::Goal;
+use super::subject::Subject;
 
 /// The schema of every line of a result, and what a line of it is.
 pub(super) const SCHEMA: &str = "knotproof.search/1";
 const FINDING: &str = "finding";
 
-/// A function that was looked for, in normal form.
+/// A function that was looked for; of an index in normal form.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Finding {
-    candidate: Candidate,
+    subject: Subject,
     maxima: usize,
     crossing: Option<Crossing>,
     /// Where findings are in the order of their dips, that.
@@ -38,7 +42,7 @@ pub struct Finding {
 struct Key {
     /// The deepest dip comes first.
     depth: Reverse<Option<BigRational>>,
-    candidate: Candidate,
+    subject: Subject,
 }
 
 /// What a case has to reach to be of interest beside the findings that are there.
@@ -81,8 +85,12 @@ pub struct FindingRecord {
     pub gaps: Vec<String>,
     /// A full knot vector with the function on it.
     pub knots: Vec<String>,
-    /// α; for equal maxima the lower end of the interval of indices.
-    pub alpha: String,
+    /// α; for equal maxima the lower end of the interval of indices; nothing for another family.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub alpha: Option<String>,
+    /// The member of another family, with its parameters on these knots.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub family: Option<OfFamily>,
     /// i.
     pub index: usize,
     /// What shows it.
@@ -143,7 +151,7 @@ pub struct EqualRecord {
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum FindingError {
     /// The numbers cannot be read, or are no candidate.
-    #[error("its gaps and α are no candidate in normal form")]
+    #[error("its gaps and its α, or parameters, are no function of the search in normal form")]
     Candidate,
     /// Computed again, it is not what the search looks for.
     #[error("computed again, the function does not have what was found")]
@@ -166,38 +174,39 @@ impl Finding {
     /// What a case leads to, if it has what is looked for, and reaches the bar: shrunk as far as it goes, but for the
     /// deepest dips, where it is the case itself. It depends on the goal and the case only.
     #[must_use]
-    pub(super) fn from_case(goal: Goal, candidate: &Candidate, maxima: usize, bar: &Bar) -> Option<Self> {
+    pub(super) fn from_case(goal: Goal, subject: &Subject, maxima: usize, bar: &Bar) -> Option<Self> {
         if maxima < bar.maxima.max(2) {
             return None;
         }
         match goal {
-            Goal::Several => Some(Self::of(shrink(candidate.clone(), |c| local_maxima(c).maxima > 1))),
-            Goal::Most => Some(Self::of(shrink(candidate.clone(), |c| local_maxima(c).maxima == maxima))),
+            Goal::Several => Some(Self::of(subject.clone().shrunk(|maxima| maxima > 1))),
+            Goal::Most => Some(Self::of(subject.clone().shrunk(|near| near == maxima))),
             Goal::Equal => {
+                let candidate = subject.candidate()?;
                 let near = Crossing::near(candidate.gaps(), candidate.ratio())?;
                 Self::of_crossing(shrunk_crossing(near))
             }
             Goal::Deepest => {
-                let dip = Dip::at_least(candidate, bar.depth.as_ref())?;
-                Some(Self { candidate: candidate.clone(), maxima, crossing: None, dip: Some(dip) })
+                let dip = Dip::at_least(subject.extrema(), bar.depth.as_ref())?;
+                Some(Self { subject: subject.clone(), maxima, crossing: None, dip: Some(dip) })
             }
         }
     }
 
-    fn of(candidate: Candidate) -> Self {
-        let maxima = local_maxima(&candidate).maxima;
-        Self { candidate, maxima, crossing: None, dip: None }
+    fn of(subject: Subject) -> Self {
+        let maxima = subject.maxima().unwrap_or(0);
+        Self { subject, maxima, crossing: None, dip: None }
     }
 
     fn of_crossing(crossing: Crossing) -> Option<Self> {
         let candidate = Candidate::new(crossing.gaps().to_vec(), crossing.ends()[1]).ok()?;
-        Some(Self { crossing: Some(crossing), ..Self::of(candidate) })
+        Some(Self { crossing: Some(crossing), ..Self::of(Subject::Index(candidate)) })
     }
 
     /// The function; for equal maxima at the lower end of the interval of indices.
     #[must_use]
-    pub fn candidate(&self) -> &Candidate {
-        &self.candidate
+    pub fn subject(&self) -> &Subject {
+        &self.subject
     }
 
     /// How many local maxima it has there.
@@ -209,18 +218,18 @@ impl Finding {
     /// Equal maxima are the same finding if the gaps are: any α leads to the same place. Dips with the same ten digits
     /// count as equally deep.
     fn key(&self) -> Key {
-        let candidate = match &self.crossing {
-            None => self.candidate.clone(),
-            Some(_) => Candidate::assumed(self.candidate.gaps().to_vec(), (1, 1)),
+        let subject = match &self.crossing {
+            None => self.subject.clone(),
+            Some(_) => Subject::Index(Candidate::assumed(self.subject.gaps().to_vec(), (1, 1))),
         };
-        Key { depth: Reverse(self.dip.as_ref().map(|dip| dip.lo.clone())), candidate }
+        Key { depth: Reverse(self.dip.as_ref().map(|dip| dip.lo.clone())), subject }
     }
 
     fn record(&self, found_at: u64, cases: u64) -> FindingRecord {
-        let (candidate, full) = (&self.candidate, self.candidate.full_knots());
+        let (subject, full) = (&self.subject, self.subject.full_knots());
         let knots: Vec<_> = full.knots.iter().map(ToString::to_string).collect();
-        let shape = Shape::of_local(&candidate.local_knots());
-        let extrema = shape.extrema().iter().map(|turn| ExtremumRecord {
+        let turns = subject.extrema();
+        let extrema = turns.iter().map(|turn| ExtremumRecord {
             kind: match turn.kind {
                 ExtremumKind::Maximum => "maximum".to_owned(),
                 ExtremumKind::Minimum => "minimum".to_owned(),
@@ -228,29 +237,32 @@ impl Finding {
             interval: <[_; 2]>::from(turn.place.interval()).map(ToString::to_string),
             at_knot: turn.at_knot,
         });
-        let dip = self.dip.clone().or_else(|| Dip::of(candidate));
+        let extrema = extrema.collect();
+        let dip = self.dip.clone().or_else(|| Dip::of_turns(turns));
         let Some(Dip { lo, hi }) = dip else { unreachable!("between two maxima is a minimum") };
         let dip = [lo, hi].map(|bound| bound.to_string());
         let equal = self.crossing.as_ref().map(EqualRecord::of);
-        let indices = match &equal {
-            None => format!("--alpha {}", candidate.index()),
-            Some(equal) => format!("--alpha {} --alpha {}", equal.alpha[0], equal.alpha[1]),
+        let weights = match (&equal, subject) {
+            (Some(equal), _) => format!("--alpha {} --alpha {}", equal.alpha[0], equal.alpha[1]),
+            (None, Subject::Index(candidate)) => format!("--alpha {}", candidate.index()),
+            (None, Subject::Member(function)) => function.of_family().to_string(),
         };
+        let degree = subject.gaps().len().saturating_sub(1);
         FindingRecord {
             schema: SCHEMA.to_owned(),
             record: FINDING.to_owned(),
-            degree: candidate.degree(),
-            gaps: candidate.gaps().iter().map(ToString::to_string).collect(),
+            degree,
+            gaps: subject.gaps().iter().map(ToString::to_string).collect(),
             reproduce: format!(
-                "knotproof shape --degree {} --knots \"{}\" {indices} --index {}",
-                candidate.degree(),
+                "knotproof shape --degree {degree} --knots \"{}\" {weights} --index {}",
                 knots.join(" "),
                 full.index
             ),
             knots,
-            alpha: candidate.index().to_string(),
+            alpha: subject.candidate().map(|candidate| candidate.index().to_string()),
+            family: subject.member().map(MemberFunction::of_family),
             index: full.index,
-            witness: Evidence { local_maxima: self.maxima, extrema: extrema.collect(), dip, equal },
+            witness: Evidence { local_maxima: self.maxima, extrema, dip, equal },
             found_at,
             cases,
         }
@@ -282,9 +294,20 @@ fn shrunk_crossing(mut crossing: Crossing) -> Crossing {
 }
 
 impl FindingRecord {
-    /// The gaps and α, to name it by.
-    fn place(&self) -> (String, String) {
-        (format!("({})", self.gaps.join(", ")), self.alpha.clone())
+    /// The function of an index that it is about.
+    pub(super) fn candidate(&self) -> Option<Candidate> {
+        let index: Index = self.alpha.as_ref()?.parse().ok()?;
+        let (p, q) = (index.ratio().numer().try_into().ok()?, index.ratio().denom().try_into().ok()?);
+        Candidate::new(self.whole_gaps()?, (p, q)).ok().filter(Candidate::is_normal)
+    }
+
+    /// The function of a member of another family that it is about.
+    pub(super) fn member(&self, members: &Arc<Members>) -> Option<MemberFunction> {
+        members.read(self.whole_gaps()?, self.family.as_ref()?)
+    }
+
+    fn whole_gaps(&self) -> Option<Vec<u64>> {
+        self.gaps.iter().map(|gap| gap.parse().ok()).collect()
     }
 }
 
@@ -395,24 +418,19 @@ impl Findings {
         joined.keep(goal);
         let counts = again.entries.iter().filter(|(key, _)| joined.entries.contains_key(key));
         let missing = counts.filter_map(|(key, found)| match self.entries.get(key) {
-            None => {
-                let (gaps, alpha) = found.record.place();
-                Some(Mismatch::Missing { gaps, alpha })
-            }
+            None => Some(Mismatch::Missing { function: found.finding.subject.to_string() }),
             Some(own) => {
                 let earlier = found.record.found_at < own.record.found_at;
                 let more = found.record.cases > own.record.cases;
-                let (gaps, alpha) = own.record.place();
                 (earlier || more || found.finding.rank() < own.finding.rank())
-                    .then_some(Mismatch::Altered { gaps, alpha })
+                    .then(|| Mismatch::Altered { function: own.finding.subject.to_string() })
             }
         });
         let said = self.entries.iter().filter(|(_, own)| positions.contains(&own.record.found_at));
         let invented = said.filter_map(|(key, own)| {
             let at = own.record.found_at;
             let found = again.entries.get(key).is_some_and(|found| found.record.found_at == at);
-            let (gaps, alpha) = own.record.place();
-            (!found).then_some(Mismatch::Invented { gaps, alpha, at })
+            (!found).then(|| Mismatch::Invented { function: own.finding.subject.to_string(), at })
         });
         missing.chain(invented).collect()
     }
@@ -420,20 +438,18 @@ impl Findings {
     /// The records that are not the same in `all`, which has the same findings.
     pub(super) fn altered<'a>(&'a self, all: &'a Self) -> impl Iterator<Item = Mismatch> + 'a {
         let differs = |(key, own): &(&Key, &Entry)| all.entries.get(key).is_none_or(|found| found != *own);
-        self.entries.iter().filter(differs).map(|(_, own)| {
-            let (gaps, alpha) = own.record.place();
-            Mismatch::Altered { gaps, alpha }
-        })
+        let altered = |own: &Entry| Mismatch::Altered { function: own.finding.subject.to_string() };
+        self.entries.iter().filter(differs).map(move |(_, own)| altered(own))
     }
 
-    /// Adds a finding from a file, after computing all of it again.
+    /// Adds a finding about a function from a file, after computing all of it again.
     pub(super) fn add_record(
         &mut self,
         goal: Goal,
-        degree: usize,
+        subject: Subject,
         record: &FindingRecord,
     ) -> Result<(), FindingError> {
-        let finding = Finding::from_record(goal, degree, record)?;
+        let finding = Finding::from_record(goal, subject, record)?;
         let entry = Entry { record: finding.record(record.found_at, record.cases), finding };
         if entry.record != *record || self.entries.contains_key(&entry.finding.key()) {
             return Err(FindingError::Different);
@@ -448,44 +464,35 @@ impl Findings {
 }
 
 impl Finding {
-    fn from_record(goal: Goal, degree: usize, record: &FindingRecord) -> Result<Self, FindingError> {
-        let gaps: Option<Vec<u64>> = record.gaps.iter().map(|gap| gap.parse().ok()).collect();
-        let index: Option<Index> = record.alpha.parse().ok();
-        let candidate = gaps.zip(index).and_then(|(gaps, index)| {
-            let (p, q) = (index.ratio().numer().try_into().ok()?, index.ratio().denom().try_into().ok()?);
-            Candidate::new(gaps, (p, q)).ok()
-        });
-        let candidate = candidate.filter(|candidate| candidate.degree() == degree && candidate.is_normal());
-        let candidate = candidate.ok_or(FindingError::Candidate)?;
+    fn from_record(goal: Goal, subject: Subject, record: &FindingRecord) -> Result<Self, FindingError> {
         let finding = match (goal, &record.witness.equal) {
             (Goal::Equal, Some(equal)) => {
                 let points = [&equal.valley, &equal.above_valley].map(|x| parse_rational(x).ok());
                 let ratio = |alpha: &String| Crossing::ratio(&parse_rational(alpha).ok()?);
                 match (points, [ratio(&equal.alpha[1]), ratio(&equal.alpha[0])]) {
                     ([Some(c), Some(d)], [Some(low), Some(high)]) => {
-                        Crossing::new(candidate.gaps(), [low, high], [c, d]).and_then(Self::of_crossing)
+                        Crossing::new(subject.gaps(), [low, high], [c, d]).and_then(Self::of_crossing)
                     }
                     _ => None,
                 }
             }
             (Goal::Equal, None) => None,
-            (Goal::Several | Goal::Most, _) => Some(Self::of(candidate)),
-            (Goal::Deepest, _) => {
-                Dip::of(&candidate).map(|dip| Self { dip: Some(dip), ..Self::of(candidate) })
-            }
+            (Goal::Several | Goal::Most, _) => Some(Self::of(subject)),
+            (Goal::Deepest, _) => subject.dip().map(|dip| Self { dip: Some(dip), ..Self::of(subject) }),
         };
         finding.filter(|finding| finding.maxima > 1).ok_or(FindingError::Refuted)
     }
 
     /// Which of two findings about the same function is kept.
-    fn rank(&self) -> (&Candidate, Option<[BigRational; 2]>) {
-        (&self.candidate, self.crossing.as_ref().map(Crossing::indices))
+    fn rank(&self) -> (&Subject, Option<[BigRational; 2]>) {
+        (&self.subject, self.crossing.as_ref().map(Crossing::indices))
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::search::shrink;
 
     /// As after a change of the goal: two findings of degree 5 that do not have the same number of maxima.
     #[test]
@@ -493,21 +500,23 @@ mod tests {
         let gaps = vec![798_629, 50_969, 15_552_000, 72_327, 2_424_870, 9_185_290];
         let three = Candidate::new(gaps, (183_588, 1_000_000)).unwrap().normal_form();
         let two = shrink(three.clone(), |candidate| local_maxima(candidate).maxima == 2);
-        let records = [two, three].map(|candidate| Finding::of(candidate).record(0, 1));
+        let subjects = [two, three].map(Subject::Index);
+        let records = subjects.clone().map(|subject| Finding::of(subject).record(0, 1));
         assert_eq!(records.each_ref().map(|record| record.witness.local_maxima), [2, 3]);
         for order in [[0, 1], [1, 0]] {
             let mut findings = Findings::default();
-            let [first, second] = order.map(|at: usize| &records[at]);
-            findings.add_record(Goal::Most, 5, first).unwrap();
-            assert_eq!(findings.add_record(Goal::Most, 5, second), Err(FindingError::NotMost));
-            findings.add_record(Goal::Several, 5, second).unwrap();
+            let mut add = |goal, at: usize| findings.add_record(goal, subjects[at].clone(), &records[at]);
+            add(Goal::Most, order[0]).unwrap();
+            assert_eq!(add(Goal::Most, order[1]), Err(FindingError::NotMost));
+            add(Goal::Several, order[1]).unwrap();
         }
     }
 
     #[test]
     fn equal_maxima_need_their_proof() {
-        let record = Finding::of(Candidate::new(vec![2, 1, 1, 0], (3, 5)).unwrap()).record(0, 1);
-        let add = |goal| Findings::default().add_record(goal, 3, &record);
+        let subject = Subject::Index(Candidate::new(vec![2, 1, 1, 0], (3, 5)).unwrap());
+        let record = Finding::of(subject.clone()).record(0, 1);
+        let add = |goal| Findings::default().add_record(goal, subject.clone(), &record);
         assert_eq!((add(Goal::Several), add(Goal::Equal)), (Ok(()), Err(FindingError::Refuted)));
     }
 }

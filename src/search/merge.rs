@@ -9,6 +9,7 @@ use super::decide::Decided;
 use super::finding::Findings;
 use super::portion::Portion;
 use super::shard::Shard;
+use super::undecided::Undecided;
 
 /// Why parts do not make up a search. Parts are called by the names that were given.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -115,9 +116,10 @@ pub fn merge(parts: Vec<(String, Portion)>) -> Result<Portion, MergeError> {
     if decided.cases() != cases.count() {
         return Err(MergeError::Count { found: decided.cases(), expected: cases.count() });
     }
-    let mut findings = Findings::default();
+    let (mut findings, mut undecided) = (Findings::default(), Undecided::default());
     for (_, part) in parts {
         findings.merge(part.findings);
+        undecided.merge(part.undecided);
     }
     findings.keep(search.find);
     Ok(Portion {
@@ -129,6 +131,7 @@ pub fn merge(parts: Vec<(String, Portion)>) -> Result<Portion, MergeError> {
         decided,
         blocks,
         findings,
+        undecided,
     })
 }
 

@@ -1,4 +1,4 @@
-//! Floor 5: the search for counterexamples to Conjecture 3.1, over single functions in normal form.
+//! Floor 5: the search for counterexamples to Conjecture 3.1, over single functions: of an index in normal form, or of another family.
 //!
 //! A [`Search`] is data: a degree, a [`Goal`] and a [`Space`] of candidates, all within limits or a random sample. Its
 //! [`Enumeration`] stand at positions, so a [`Shard`] is a range of them; a [`Portion`] is how far such a shard has come. It
@@ -14,14 +14,20 @@ mod dip;
 mod enumeration;
 mod exhaustive;
 mod finding;
+mod member_cases;
+mod members;
 mod merge;
 mod mismatch;
+mod numbers;
 mod portion;
 mod random;
 mod record;
 mod shard;
 mod shrink;
 mod space;
+mod subject;
+mod sums;
+mod undecided;
 
 pub use audit::{Audit, AuditError, Discrepancy, Draw, audit};
 pub use block::{Block, BlockRecord};
@@ -34,6 +40,8 @@ pub use exhaustive::Exhaustive;
 pub use finding::{
     DEEPEST_KEPT, EqualRecord, Evidence, ExtremumRecord, Finding, FindingError, FindingRecord, Findings,
 };
+pub use member_cases::MemberCases;
+pub use members::{MemberFunction, Members};
 pub use merge::{MergeError, merge};
 pub use mismatch::Mismatch;
 pub use portion::{Portion, PortionError};
@@ -42,5 +50,8 @@ pub use record::{DecidedRecord, RecordError, SummaryRecord};
 pub use shard::{Shard, ShardError};
 pub use shrink::{shrink, smaller};
 pub use space::{
-    Goal, HIGHEST_DEGREE, IndexSample, LARGEST_SIZE, Limits, Sample, Search, Space, SpaceError, WIDEST_SPREAD,
+    FamilySpace, Goal, HIGHEST_DEGREE, IndexSample, LARGEST_SIZE, Limits, MemberSpace, Sample, Search, Space,
+    SpaceError, WIDEST_SPREAD,
 };
+pub use subject::Subject;
+pub use undecided::UndecidedRecord;

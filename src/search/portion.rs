@@ -6,11 +6,13 @@ use std::time::{Duration, Instant};
 use rayon::prelude::*;
 
 use super::block::{Block, Blocks};
-use super::decide::{Decided, local_maxima};
+use super::decide::Decided;
 use super::enumeration::Enumeration;
 use super::finding::{Bar, Finding, Findings};
 use super::shard::{Shard, ShardError};
 use super::space::{Search, SpaceError};
+use super::subject::Subject;
+use super::undecided::{Undecided, UndecidedRecord};
 
 /// A shard of a search, or the whole of it, up to some position.
 ///
@@ -27,6 +29,7 @@ pub struct Portion {
     pub(super) decided: Decided,
     pub(super) blocks: Blocks,
     pub(super) findings: Findings,
+    pub(super) undecided: Undecided,
 }
 
 /// The most positions between two looks at what has been done, and the units of work into which they are cut.
@@ -69,6 +72,7 @@ impl Portion {
             decided: Decided::default(),
             blocks,
             findings: Findings::default(),
+            undecided: Undecided::default(),
         }
     }
 
@@ -120,6 +124,11 @@ impl Portion {
         &self.findings
     }
 
+    /// The first cases that are not decided, with the reasons.
+    pub fn undecided(&self) -> impl Iterator<Item = &UndecidedRecord> {
+        self.undecided.records()
+    }
+
     /// Works on from where it is, and looks in after every few thousand positions, or sooner where they are slow.
     ///
     /// # Errors
@@ -151,6 +160,7 @@ impl Portion {
                 for (position, finding) in &unit.findings {
                     self.findings.add(finding, *position);
                 }
+                self.undecided.merge(unit.undecided);
             }
             self.findings.keep(self.search.find);
             self.done = end;
@@ -166,14 +176,24 @@ impl Portion {
     }
 
     fn unit(&self, range: Range<u64>, bar: &Bar) -> Unit {
-        let mut unit =
-            Unit { number: self.blocks.number(range.start), block: Block::default(), findings: Vec::new() };
-        for (position, candidate) in self.cases.between(range) {
-            let count = local_maxima(&candidate);
-            unit.block.count(position, &candidate, count);
-            if count.maxima > 1 {
-                let finding = Finding::from_case(self.search.find, &candidate, count.maxima, bar);
-                unit.findings.extend(finding.map(|finding| (position, finding)));
+        let mut unit = Unit {
+            number: self.blocks.number(range.start),
+            block: Block::default(),
+            findings: Vec::new(),
+            undecided: Undecided::default(),
+        };
+        for (position, subject) in self.cases.subjects(range) {
+            let count = subject.local_maxima();
+            unit.block.count(position, &subject, count.as_ref().ok().copied());
+            match (count, &subject) {
+                (Ok(count), _) if count.maxima > 1 => {
+                    let finding = Finding::from_case(self.search.find, &subject, count.maxima, bar);
+                    unit.findings.extend(finding.map(|finding| (position, finding)));
+                }
+                (Err(why), Subject::Member(function)) => {
+                    unit.undecided.add(UndecidedRecord::new(position, function, why));
+                }
+                _ => {}
             }
         }
         unit
@@ -186,6 +206,7 @@ struct Unit {
     number: u64,
     block: Block,
     findings: Vec<(u64, Finding)>,
+    undecided: Undecided,
 }
 
 #[cfg(test)]
@@ -214,6 +235,6 @@ mod tests {
         dips.sort_by(|(one, first), (other, second)| other.lo.cmp(&one.lo).then_with(|| first.cmp(second)));
         assert!(dips.len() > DEEPEST_KEPT);
         let expected = dips.iter().take(DEEPEST_KEPT).map(|(_, case)| case);
-        assert!(part.findings.iter().map(Finding::candidate).eq(expected));
+        assert!(part.findings.iter().filter_map(|finding| finding.subject().candidate()).eq(expected));
     }
 }

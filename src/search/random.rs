@@ -6,6 +6,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 
 use crate::analysis::is_continuous;
+use crate::scalar::BigRational;
 
 use super::candidate::Candidate;
 use super::space::{IndexSample, Sample, SpaceError, WIDEST_SPREAD};
@@ -68,9 +69,15 @@ impl Random {
         (range.start..range.end.min(self.sample.count)).map(|number| (number, self.case(number)))
     }
 
-    fn case(&self, number: u64) -> Candidate {
+    /// What case c is drawn from.
+    pub(super) fn source(&self, number: u64) -> ChaCha8Rng {
         let mut source = ChaCha8Rng::seed_from_u64(self.sample.seed);
         source.set_stream(number);
+        source
+    }
+
+    /// Gaps of a function that does not jump.
+    pub(super) fn gaps(&self, source: &mut ChaCha8Rng) -> Vec<u64> {
         let mut gaps = vec![0; self.degree + 1];
         while !is_continuous(&gaps) {
             for gap in &mut gaps {
@@ -78,15 +85,33 @@ impl Random {
                 *gap = if bits.is_multiple_of(8) { 0 } else { self.spread_number(bits >> 3) };
             }
         }
+        gaps
+    }
+
+    /// A number log-spread around 1, and a sign.
+    pub(super) fn ratio(&self, source: &mut ChaCha8Rng) -> (BigRational, bool) {
+        let bits = source.next_u64();
+        let (p, q) = (self.spread_number(bits >> 3), self.unit());
+        (BigRational::new(p.into(), q.into()), bits.is_multiple_of(2))
+    }
+
+    fn case(&self, number: u64) -> Candidate {
+        let mut source = self.source(number);
+        let gaps = self.gaps(&mut source);
         let bits = source.next_u64() >> 3;
         let ratio = match self.ratios.as_slice() {
-            [] => (self.spread_number(bits), 1 << (8 + self.sample.spread / 2)),
+            [] => (self.spread_number(bits), self.unit()),
             given => given[usize::try_from(bits % given.len() as u64).unwrap_or(0)],
         };
         match Candidate::new(gaps, ratio) {
             Ok(candidate) => candidate.normal_form(),
             Err(_) => unreachable!("at most 17 gaps and a ratio below 2^49"),
         }
+    }
+
+    /// 2^h.
+    fn unit(&self) -> u64 {
+        1 << (8 + self.sample.spread / 2)
     }
 
     /// (256 + m)·2^e by 61 random bits: m the lowest 8, e by the 32 above them, scaled to 0..spread.

@@ -7,12 +7,14 @@ use thiserror::Error;
 use crate::json::{self, JsonError};
 use crate::language::PaperNumber;
 
-use super::block::BlockRecord;
-use super::decide::{Decided, local_maxima};
+use super::block::{BlockRecord, is_zero};
+use super::decide::Decided;
 use super::finding::{DEEPEST_KEPT, FindingError, FindingRecord, SCHEMA};
 use super::portion::{Portion, PortionError};
 use super::shard::{Shard, ShardError};
 use super::space::{Goal, Search};
+use super::subject::Subject;
+use super::undecided::UndecidedRecord;
 
 /// The version that results carry: another one may draw or order cases differently.
 const VERSION: &str = env!("CARGO_PKG_VERSION");
@@ -51,7 +53,7 @@ pub struct SummaryRecord {
     pub to: u64,
     /// The position after the last one that is done.
     pub done: u64,
-    /// The number of cases that were decided.
+    /// The number of cases that were looked at.
     pub cases: u64,
     /// How.
     pub decided: DecidedRecord,
@@ -59,6 +61,9 @@ pub struct SummaryRecord {
     pub several: u64,
     /// The number of findings.
     pub findings: usize,
+    /// The first cases that are not decided, by position; left out, if all are decided.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub undecided: Vec<UndecidedRecord>,
     /// What came of each block of positions; only in a text.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub blocks: Vec<BlockRecord>,
@@ -75,6 +80,9 @@ pub struct DecidedRecord {
     pub by_intervals: u64,
     /// In exact arithmetic.
     pub exactly: u64,
+    /// Not at all; left out, if all are decided.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub undecided: u64,
 }
 
 /// Why a text is not the result of a search.
@@ -156,7 +164,7 @@ impl Portion {
     /// The last line, without its blocks and its checksum.
     #[must_use]
     pub fn summary(&self) -> SummaryRecord {
-        let Decided { by_intervals, exactly, several } = self.decided;
+        let Decided { by_intervals, exactly, several, undecided } = self.decided;
         SummaryRecord {
             schema: SCHEMA.to_owned(),
             record: SUMMARY.to_owned(),
@@ -171,9 +179,10 @@ impl Portion {
             to: self.range.end,
             done: self.done,
             cases: self.decided.cases(),
-            decided: DecidedRecord { by_intervals, exactly },
+            decided: DecidedRecord { by_intervals, exactly, undecided },
             several,
             findings: self.findings.len(),
+            undecided: self.undecided.records().cloned().collect(),
             blocks: Vec::new(),
             checksum: None,
         }
@@ -208,8 +217,8 @@ impl Portion {
             return Err(RecordError::Damaged("the position that is done lies outside of the part"));
         }
         part.done = summary.done;
-        let DecidedRecord { by_intervals, exactly } = summary.decided;
-        part.decided = Decided { by_intervals, exactly, several: summary.several };
+        let DecidedRecord { by_intervals, exactly, undecided } = summary.decided;
+        part.decided = Decided { by_intervals, exactly, several: summary.several, undecided };
         part.check_tally().map_err(RecordError::Damaged)?;
         let done = part.range.start..part.done;
         part.blocks.read(&summary.blocks, &done, part.decided).map_err(RecordError::Damaged)?;
@@ -219,6 +228,7 @@ impl Portion {
             part.add_record(&record).map_err(|error| RecordError::Finding { line, error })?;
         }
         part.check_findings().map_err(RecordError::Damaged)?;
+        part.add_undecided(summary.undecided).map_err(RecordError::Damaged)?;
         match part.to_text() {
             Ok(again) if again == text => Ok(part),
             _ if text.contains('\r') => Err(RecordError::Damaged(
@@ -230,10 +240,10 @@ impl Portion {
 
     /// Can there be such numbers of cases? No sum of them overflows then, in this part nor in a whole search.
     fn check_tally(&self) -> Result<(), &'static str> {
-        let Decided { by_intervals, exactly, several } = self.decided;
+        let (decided, several) = (self.decided, self.decided.several);
         let (positions, count) = (self.cases.positions(), self.cases.count());
         let most = self.done().min(count);
-        let cases = by_intervals.checked_add(exactly).filter(|&cases| cases <= most);
+        let cases = decided.checked_cases().filter(|&cases| cases <= most);
         let cases = cases.ok_or("there are more cases than the positions that are done can have")?;
         // At most one case stands at each of the other positions.
         if cases < count.saturating_sub(positions - self.done()) {
@@ -252,21 +262,48 @@ impl Portion {
         }
         let at = record.found_at;
         let case = (self.range.start..self.done).contains(&at);
-        let case = case.then(|| self.cases.between(at..at.saturating_add(1)).next()).flatten();
+        let case = case.then(|| self.cases.subjects(at..at.saturating_add(1)).next()).flatten();
         let Some((_, case)) = case else { return Err(FindingError::Place) };
-        let maxima = local_maxima(&case).maxima;
+        let maxima = case.maxima().unwrap_or(0);
+        let subject = match self.cases.members() {
+            None => record.candidate().map(Subject::Index),
+            Some(members) => record.member(members).map(Subject::Member),
+        };
+        let subject = subject.filter(|subject| subject.gaps().len() == self.search.degree + 1);
+        let subject = subject.ok_or(FindingError::Candidate)?;
         let leads = match self.search.find {
             Goal::Several | Goal::Equal => maxima > 1,
             Goal::Most => maxima == record.witness.local_maxima,
-            Goal::Deepest => {
-                let gaps = case.gaps().iter().map(ToString::to_string);
-                gaps.eq(record.gaps.iter().cloned()) && case.index().to_string() == record.alpha
-            }
+            Goal::Deepest => case == subject,
         };
         if !leads {
             return Err(FindingError::Place);
         }
-        self.findings.add_record(self.search.find, self.search.degree, record)
+        self.findings.add_record(self.search.find, subject, record)
+    }
+
+    /// Adds the first cases that are not decided, after looking at them again.
+    fn add_undecided(&mut self, records: Vec<UndecidedRecord>) -> Result<(), &'static str> {
+        for record in records {
+            let at = record.at;
+            let case = (self.range.start..self.done).contains(&at);
+            let case = case.then(|| self.cases.subjects(at..at.saturating_add(1)).next()).flatten();
+            let again = match &case {
+                Some((_, Subject::Member(function))) => {
+                    function.local_maxima().err().map(|why| UndecidedRecord::new(at, function, why))
+                }
+                _ => None,
+            };
+            if again.as_ref() != Some(&record) {
+                return Err("a case that is said not to be decided is, or for another reason");
+            }
+            self.undecided.add(record);
+        }
+        if self.undecided.are_first_of(self.decided.undecided) {
+            Ok(())
+        } else {
+            Err("the cases that are not decided are not as many as it says")
+        }
     }
 
     /// Can the cases with several maxima have led to the findings?

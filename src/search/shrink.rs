@@ -5,9 +5,15 @@ use std::cmp::Reverse;
 use num_integer::Integer;
 
 use crate::analysis::is_continuous;
+use crate::scalar::{BigRational, height};
 
 use super::candidate::Candidate;
 use super::exhaustive::ratios_of_height;
+use super::members::MemberFunction;
+use super::numbers::stern_brocot_path;
+
+/// All numbers of a function are rounded to those of this height at most.
+const TALLEST_OF_ALL: u64 = 4;
 
 /// Goes from a candidate to smaller ones for as long as one of its [`smaller`] neighbours has the property, to the first
 /// of them in order each time; the result has no such neighbour. It depends on the candidate and the property only.
@@ -21,14 +27,52 @@ use super::exhaustive::ratios_of_height;
 /// assert_eq!((smallest.gaps(), smallest.index().to_string()), (&[2, 1, 1, 0][..], "-3/2".to_owned()));
 /// # Ok::<(), knotproof::search::CandidateError>(())
 /// ```
-pub fn shrink(mut candidate: Candidate, has_property: impl Fn(&Candidate) -> bool) -> Candidate {
-    loop {
-        let next = smaller(&candidate).find(&has_property);
-        match next {
-            Some(next) => candidate = next,
-            None => return candidate,
-        }
+pub fn shrink(candidate: Candidate, has_property: impl Fn(&Candidate) -> bool) -> Candidate {
+    descend(candidate, smaller, has_property)
+}
+
+/// The same for a function of a member of another family, with its [`smaller_members`].
+pub(super) fn shrink_member(
+    function: MemberFunction,
+    has_property: impl Fn(&MemberFunction) -> bool,
+) -> MemberFunction {
+    descend(function, |function| smaller_members(function).into_iter(), has_property)
+}
+
+fn descend<T, I: Iterator<Item = T>>(
+    mut from: T,
+    smaller: impl Fn(&T) -> I,
+    has_property: impl Fn(&T) -> bool,
+) -> T {
+    while let Some(next) = smaller(&from).find(&has_property) {
+        from = next;
     }
+    from
+}
+
+/// The neighbours of a function that are smaller than it, in order: with [`smaller_gaps`], divided by their common divisor or not;
+/// with a simpler number in the place of one that is free; or with all of these numbers rounded to simple ones.
+fn smaller_members(function: &MemberFunction) -> Vec<MemberFunction> {
+    let own = function.gaps().to_vec();
+    let lists = smaller_gaps(&own).into_iter().chain([own]);
+    let lists = lists.flat_map(|gaps| [coprime(gaps.clone()), Some(gaps)]).flatten();
+    let mut all: Vec<_> = lists.filter_map(|gaps| function.with_gaps(gaps)).collect();
+    let simpler = function.simpler_numbers();
+    for (place, numbers) in simpler.iter().enumerate() {
+        all.extend(numbers.iter().filter_map(|number| function.with_number(place, number.clone())));
+    }
+    for tallest in 1..=TALLEST_OF_ALL {
+        let round = |rounded: MemberFunction, (place, numbers): (usize, &Vec<BigRational>)| {
+            let near =
+                numbers.iter().rev().find(|number| height(number) <= tallest.into()).or(numbers.first());
+            near.and_then(|near| rounded.with_number(place, near.clone())).unwrap_or(rounded)
+        };
+        all.push(simpler.iter().enumerate().fold(function.clone(), round));
+    }
+    all.retain(|near| near < function);
+    all.sort();
+    all.dedup();
+    all
 }
 
 /// The neighbours of a candidate in normal form that are smaller than it in the order of candidates, in that order, and in
@@ -104,30 +148,10 @@ fn scales() -> impl Iterator<Item = u64> {
     (1..=12).chain((4..62).flat_map(|bits| [1 << bits, 3 << (bits - 1)]))
 }
 
-/// Ratios p/q < 1 on the Stern–Brocot path from 0/1, 1/0 to a/b, where α = −a/b and p/q = a/(a + b): the simplest
-/// fraction of any interval around a/b is on that path. Of a long run into one direction, 1, 2, 3 steps and then twice as
-/// many each time.
+/// Ratios p/q < 1 on the Stern–Brocot path from 0/1, 1/0 to a/b, where α = −a/b and p/q = a/(a + b).
 fn simpler_ratios((p, q): (u64, u64)) -> Vec<(u64, u64)> {
-    let (mut a, mut b) = (p, q - p.min(q));
-    // Two fractions around a/b: the last ones that the path turned at, the nearer one second.
-    let (mut before, mut last) = ((0, 1), (1, 0));
-    let mut ratios = Vec::new();
     // For α = ∞ nothing is simpler.
-    while b > 0 {
-        let steps = a / b;
-        for n in std::iter::successors(Some(1), |&n| Some(if n < 3 { n + 1 } else { 2 * n }))
-            .take_while(|&n| n < steps)
-            .chain((steps > 0).then_some(steps))
-        {
-            let (c, d) = (before.0 + n * last.0, before.1 + n * last.1);
-            if c > 0 && d > 0 {
-                ratios.push((c, c + d));
-            }
-        }
-        (before, last) = (last, (before.0 + steps * last.0, before.1 + steps * last.1));
-        (a, b) = (b, a % b);
-    }
-    ratios
+    stern_brocot_path(p, q - p.min(q)).into_iter().map(|(c, d)| (c, c + d)).collect()
 }
 
 /// The ratios of all α < 0 of height up to 5 that differ from the given one by a factor up to 2.

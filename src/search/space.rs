@@ -1,8 +1,12 @@
 //! What is searched, as data: degree, cases, and what is looked for.
 
+use std::collections::BTreeMap;
+
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
+
+use crate::meaning::MemberError;
 
 /// A search: the same three parts always lead to the same result.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -40,6 +44,8 @@ pub enum Space {
     Random(Sample),
     /// A random sample of the gaps, with indices that are given.
     Indices(IndexSample),
+    /// Functions of a family that has no index.
+    Family(FamilySpace),
 }
 
 /// Limits on normal forms.
@@ -82,8 +88,34 @@ pub struct IndexSample {
     pub spread: u64,
 }
 
+/// Functions of a family that has no index, on their own knots.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FamilySpace {
+    /// What names the family on a command line: its name, or its file.
+    pub name: String,
+    /// What stands in its file.
+    pub text: String,
+    /// The parameters that are set, each with its numbers as behind `--set`; those by i are on the own knots of a function, from the
+    /// first one on.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub set: BTreeMap<String, String>,
+    /// Which of its functions.
+    pub cases: MemberSpace,
+}
+
+/// The functions of a family among which it is looked for.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum MemberSpace {
+    /// All within limits, in order of size: the sum of the gaps and of the height − 1 of all numbers that are free.
+    Exhaustive(Limits),
+    /// A random sample: gaps as for an index, and each free number within its bounds, log-spread around 1 from the nearer one.
+    Random(Sample),
+}
+
 /// Why there is nothing to search, or too much.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum SpaceError {
     /// k is 0 or too high.
     #[error("{0} is out of range: 1 to {HIGHEST_DEGREE} (every function of degree 0 jumps)")]
@@ -117,6 +149,67 @@ pub enum SpaceError {
         "an α of a search is less than 0 or greater than 1, or inf, with a numerator and a denominator below 2^32"
     )]
     Index,
+    /// No function of a family within the limits.
+    #[error(
+        "no function of the family has a size up to {0} within the limits: the search would be empty; the size is the \
+         sum of the gaps and, over all numbers p/q that are free, of max(|p|, q) − 1"
+    )]
+    NoMember(u64),
+    /// A family that can't be read.
+    #[error("the family is not well formed: {0}")]
+    Family(String),
+    /// A family that has an index.
+    #[error(
+        "{0} is a family of an index: leave `--family` out, and give indices as --alpha with --count; α = inf is the \
+         classical one"
+    )]
+    OfIndex(String),
+    /// A family that is not for all knots.
+    #[error(
+        "the family {family} is for knots that are {knots}, and a search goes through functions on all knots: use a \
+         family without `knots`"
+    )]
+    SpecialKnots {
+        /// The family.
+        family: String,
+        /// The adjective.
+        knots: &'static str,
+    },
+    /// A parameter for which no number is found.
+    #[error("no number is found that `{head}` may be: its bounds are `{says}`")]
+    NoNumber {
+        /// The parameter.
+        head: String,
+        /// Its bounds.
+        says: String,
+    },
+    /// Something else than numbers.
+    #[error("{name}: {why}")]
+    Setting {
+        /// The name.
+        name: String,
+        /// What is wrong.
+        why: String,
+    },
+    /// More numbers or fewer than the functions have.
+    #[error(
+        "`{head}` needs {needs} numbers on the knots of one function, from its first knot on; leave it out, if it \
+         shall be searched as well"
+    )]
+    Numbers {
+        /// The parameter.
+        head: String,
+        /// How many, row by row.
+        needs: String,
+    },
+    /// Settings that the family does not have.
+    #[error(transparent)]
+    Member(#[from] MemberError),
+    /// A goal for indices only.
+    #[error(
+        "two equal maxima are looked for along the index α, which this family does not have: use `several`, `most` or `deepest`"
+    )]
+    EqualOfFamily,
     /// Gaps that do not fit.
     #[error("{0} is out of range: 1 to {WIDEST_SPREAD}")]
     Spread(u64),

@@ -2,6 +2,7 @@
 
 mod text;
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 use std::{fs, io};
@@ -9,13 +10,15 @@ use std::{fs, io};
 use clap::ValueEnum;
 
 use crate::search::{
-    Goal, IndexSample, Limits, Portion, PortionError, Sample, Search, Shard, Space, SpaceError,
+    FamilySpace, Goal, IndexSample, Limits, MemberSpace, Portion, PortionError, Sample, Search, Shard, Space,
+    SpaceError,
 };
 use crate::spline::Index;
 
 use super::atomic::write_atomically;
 use super::error::CliError;
 use super::exit::Exit;
+use super::family::FamilyArgs;
 use super::file::read_up_to;
 use super::output::{Format, Output};
 use super::progress::Progress;
@@ -36,6 +39,11 @@ pub(super) use text::Summary;
 /// Each finding has its dip. At a local minimum m, with L and R the largest values to its left and to its right, the function falls by
 /// min(L, R) − m; the dip is the largest of these falls as a share of the largest value of all. `--find deepest` keeps the ten functions
 /// with the deepest dips, deepest first, as they are, unshrunk; of equal ones, to ten digits, the smaller functions.
+///
+/// With --family the functions are those of another family: by the gaps, and by the numbers of its parameters on the own knots of the
+/// function, as far as --set does not fix them. The size is the sum of the gaps and, over all these numbers p/q, of max(|p|, q) − 1; no
+/// symmetry is used. Random numbers are log-spread within the bounds of the parameter. A case without weights, or whose function is
+/// negative somewhere or jumps, is counted as not decided, with the reason.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLE, verbatim_doc_comment)]
 pub(super) struct Args {
@@ -45,13 +53,13 @@ pub(super) struct Args {
     /// What to look for; `several` if not given.
     #[arg(long, value_enum)]
     find: Option<Find>,
-    /// All cases up to this size, smallest first; 8 if nothing else is asked for.
+    /// All cases up to this size, smallest first; 8 if nothing else is asked for, and 5 with --family.
     #[arg(long, value_name = "SIZE", value_parser = number, allow_hyphen_values = true, conflicts_with = "count")]
     limit: Option<u64>,
     /// Of those only the ones with no larger gap.
     #[arg(long, value_name = "GAP", value_parser = number, allow_hyphen_values = true, conflicts_with = "count")]
     limit_gap: Option<u64>,
-    /// Of those only the ones with α of no larger height.
+    /// Of those only the ones with α, or numbers of a family, of no larger height.
     #[arg(long, value_name = "HEIGHT", value_parser = number, allow_hyphen_values = true, conflicts_with = "count")]
     limit_height: Option<u64>,
     /// So many random cases, instead of all up to a size.
@@ -66,6 +74,8 @@ pub(super) struct Args {
     /// Random cases have this α; may be repeated, and each case has one of them. α and its conjugate 1 − α stand for each other.
     #[arg(long, value_name = "A", allow_hyphen_values = true, requires = "count")]
     alpha: Vec<Index>,
+    #[command(flatten)]
+    family: FamilyArgs,
     /// Only part I of N, I from 0. `knotproof merge` puts the parts together.
     #[arg(long, value_name = "I/N", allow_hyphen_values = true)]
     shard: Option<String>,
@@ -87,12 +97,14 @@ Examples:
   knotproof search --degree 4 --limit 14 --limit-height 3 --format json
   knotproof search --degree 5 --find most --count 100000 --seed 1
   knotproof search --degree 3 --find deepest --count 20000 --alpha -4 --alpha -1/2 --alpha -1/7
+  knotproof search --degree 3 --family knot-weights --limit 6
+  knotproof search --degree 3 --family lupas --set q=1/3 --count 2000
   knotproof search --degree 3 --find equal --limit 12 --shard 0/4 --checkpoint equal-0.jsonl
   knotproof search --resume equal-0.jsonl
 With --format json each finding is one line: `witness.dip` has bounds of its dip, decimals of ten digits. The last line says what was
 searched: `decides` is a digest of the sources that decide, and `blocks` says for each block of positions how many cases there were,
 with a digest of all of them, so that `knotproof merge --audit` can compare them with a second run.
-Exit code 1: something was found; 0: nothing.";
+Exit code 1: something was found; 0: nothing; 3: nothing, but some case is not decided.";
 
 /// What to look for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -120,6 +132,8 @@ impl From<Find> for Goal {
 
 /// The limit on the size if nothing else is asked for: a second or so up to degree 4.
 const DEFAULT_LIMIT: u64 = 8;
+/// The same for a family without an index, which has no fast kernels.
+const DEFAULT_LIMIT_OF_FAMILY: u64 = 5;
 const DEFAULT_SPREAD: u64 = 9;
 /// The longest file that is read: a million findings.
 const LONGEST: u64 = 1 << 30;
@@ -164,7 +178,16 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         Format::Json => output.text(&part.to_text().map_err(io::Error::from)?)?,
         Format::Text => output.text(&Summary(&part).to_string())?,
     }
-    Ok(if part.findings().is_empty() { Exit::Holds } else { Exit::Refuted })
+    Ok(exit(&part))
+}
+
+/// What a search has come to.
+pub(super) fn exit(part: &Portion) -> Exit {
+    match (part.findings().is_empty(), part.decided().undecided) {
+        (false, _) => Exit::Refuted,
+        (true, 0) => Exit::Holds,
+        (true, _) => Exit::Undecided,
+    }
 }
 
 /// Where the state of a search is kept.
@@ -211,7 +234,7 @@ impl Args {
             return Ok((self.new_part(shard)?, Some(StateFile { option, path: path.clone() })));
         }
         let found = read_portion(option, path)?;
-        let mut differs = self.differs(&found, shard);
+        let mut differs = self.differs(&found, shard)?;
         if self.resume.is_none() {
             // What is not given counts as well, by its default.
             let new = self.new_part(shard)?;
@@ -232,6 +255,7 @@ impl Args {
     fn search(&self) -> Result<Search, CliError> {
         let purpose = "give the degree of the functions, such as --degree 3";
         let degree = self.degree.ok_or(CliError::Needed { argument: "--degree", purpose })?;
+        let family = self.family_space()?;
         let space = match self.count {
             Some(count) => {
                 let (seed, spread) = (self.seed.unwrap_or(0), self.spread.unwrap_or(DEFAULT_SPREAD));
@@ -245,24 +269,58 @@ impl Args {
                 return Err(CliError::Needed { argument: "--count", purpose });
             }
             None => Space::Exhaustive(Limits {
-                size: self.limit.unwrap_or(DEFAULT_LIMIT),
+                size: self.limit.unwrap_or(match &family {
+                    None => DEFAULT_LIMIT,
+                    Some(_) => DEFAULT_LIMIT_OF_FAMILY,
+                }),
                 gap: self.limit_gap,
                 height: self.limit_height,
             }),
         };
+        let space = match family {
+            None => space,
+            Some(family) => family.with(space),
+        };
         Ok(Search { degree, find: self.find.map_or(Goal::Several, Goal::from), space })
     }
 
+    /// The family that is asked for, if it is not that of an index.
+    fn family_space(&self) -> Result<Option<FamilyOfSearch>, CliError> {
+        let Some(chosen) = self.family.chosen()? else { return Ok(None) };
+        // All members of it are those of the search by index.
+        if matches!(chosen.family.moebius(), Some(Some(_))) && chosen.given.is_empty() {
+            return Ok(None);
+        }
+        let set = chosen.given.iter().map(|(name, values)| (name.clone(), values.to_string())).collect();
+        let (name, text) = (chosen.family.given.clone(), chosen.family.text.clone());
+        Ok(Some(FamilyOfSearch { name, text, set }))
+    }
+
     /// The first option that asks for something else than what a file has.
-    fn differs(&self, found: &Portion, shard: Option<Shard>) -> Option<&'static str> {
+    fn differs(&self, found: &Portion, shard: Option<Shard>) -> Result<Option<&'static str>, CliError> {
         let search = found.search();
+        let random = |sample: &Sample| (sample.count, sample.seed, sample.spread);
         let (limits, sample, alpha) = match &search.space {
             Space::Exhaustive(limits) => (Some(limits), None, &[][..]),
-            Space::Random(sample) => (None, Some((sample.count, sample.seed, sample.spread)), &[][..]),
+            Space::Random(sample) => (None, Some(random(sample)), &[][..]),
             Space::Indices(sample) => {
                 (None, Some((sample.count, sample.seed, sample.spread)), sample.alpha.as_slice())
             }
+            Space::Family(family) => match &family.cases {
+                MemberSpace::Exhaustive(limits) => (Some(limits), None, &[][..]),
+                MemberSpace::Random(sample) => (None, Some(random(sample)), &[][..]),
+            },
         };
+        let of = match &search.space {
+            Space::Family(family) => Some(family),
+            _ => None,
+        };
+        let family = self.family_space()?;
+        let same_family = || {
+            let file = of.map(|family| (&family.name, &family.text));
+            self.family.is_absent() || family.as_ref().map(|family| (&family.name, &family.text)) == file
+        };
+        let same_set = || family.as_ref().map(|family| &family.set) == of.map(|family| &family.set);
         let differ = |given: Option<u64>, found: Option<u64>| given.is_some() && given != found;
         let options = [
             ("--degree", self.degree.is_some_and(|degree| degree != search.degree)),
@@ -274,9 +332,32 @@ impl Args {
             ("--seed", differ(self.seed, sample.map(|(_, seed, _)| seed))),
             ("--spread", differ(self.spread, sample.map(|(_, _, spread)| spread))),
             ("--alpha", !self.alpha.is_empty() && names(&self.alpha) != alpha),
+            ("--family", !same_family()),
+            ("--set", !self.family.is_absent() && !same_set()),
             ("--shard", shard.is_some_and(|shard| shard != found.shard())),
         ];
-        options.into_iter().find(|(_, differs)| *differs).map(|(option, _)| option)
+        Ok(options.into_iter().find(|(_, differs)| *differs).map(|(option, _)| option))
+    }
+}
+
+/// A family, and what is set of it.
+struct FamilyOfSearch {
+    name: String,
+    text: String,
+    set: BTreeMap<String, String>,
+}
+
+impl FamilyOfSearch {
+    /// Its functions within the same limits, or a sample of the same size.
+    fn with(self, space: Space) -> Space {
+        let Self { name, text, set } = self;
+        let cases = match space {
+            Space::Exhaustive(limits) => MemberSpace::Exhaustive(limits),
+            Space::Random(sample) => MemberSpace::Random(sample),
+            // An index can't be given beside a family.
+            other @ (Space::Indices(_) | Space::Family(_)) => return other,
+        };
+        Space::Family(FamilySpace { name, text, set, cases })
     }
 }
 
@@ -285,9 +366,19 @@ fn blame(error: PortionError) -> CliError {
     let argument = match &error {
         PortionError::Shard(_) => "--shard",
         PortionError::Space(SpaceError::Degree(_)) => "--degree",
-        PortionError::Space(SpaceError::Empty(_) | SpaceError::TooLarge(_) | SpaceError::TooMany(_)) => {
-            "--limit"
-        }
+        PortionError::Space(
+            SpaceError::Empty(_) | SpaceError::NoMember(_) | SpaceError::TooLarge(_) | SpaceError::TooMany(_),
+        ) => "--limit",
+        PortionError::Space(
+            SpaceError::Family(_)
+            | SpaceError::OfIndex(_)
+            | SpaceError::SpecialKnots { .. }
+            | SpaceError::NoNumber { .. },
+        ) => "--family",
+        PortionError::Space(
+            SpaceError::Setting { .. } | SpaceError::Numbers { .. } | SpaceError::Member(_),
+        ) => "--set",
+        PortionError::Space(SpaceError::EqualOfFamily) => "--find",
         PortionError::Space(SpaceError::NoGap) => "--limit-gap",
         PortionError::Space(SpaceError::NoHeight) => "--limit-height",
         PortionError::Space(SpaceError::NoCase) => "--count",

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use crate::scalar::{parse_rational, settled_digits};
-use crate::search::{FindingRecord, Goal, Portion, Space};
+use crate::search::{FindingRecord, Goal, MemberSpace, Portion, Space, UndecidedRecord};
 
 use super::super::table::{HEADING, plain};
 
@@ -18,12 +18,18 @@ impl fmt::Display for Summary<'_> {
         if !part.shard().is_whole() {
             writeln!(f, "Shard {} of these", part.shard())?;
         }
+        let open = match tally.undecided {
+            0 => [", each decided", ""].map(str::to_owned),
+            undecided => [String::new(), format!(", {undecided} not decided")],
+        };
         writeln!(
             f,
-            "{} cases, each decided: {} by intervals, {} exactly; {} {} more than one local maximum",
+            "{} cases{}: {} by intervals, {} exactly{}; {} {} more than one local maximum",
             tally.cases(),
+            open[0],
             tally.by_intervals,
             tally.exactly,
+            open[1],
             tally.several,
             if tally.several == 1 { "has" } else { "have" }
         )?;
@@ -35,8 +41,13 @@ impl fmt::Display for Summary<'_> {
             Goal::Deepest if findings.is_empty() => "more than one local maximum".to_owned(),
             Goal::Deepest => "the deepest dips between two maxima".to_owned(),
         };
+        for open in part.undecided() {
+            let UndecidedRecord { at, gaps, family, why } = open;
+            writeln!(f, "Not decided at position {at}: gaps {}, {family}: {why}", gaps.join(" "))?;
+        }
         if findings.is_empty() {
-            return write!(f, "\nNone has {what}.");
+            let known = if tally.undecided == 0 { "None" } else { "None that is decided" };
+            return write!(f, "\n{known} has {what}.");
         }
         writeln!(
             f,
@@ -44,11 +55,12 @@ impl fmt::Display for Summary<'_> {
             findings.len(),
             if search.find == Goal::Deepest { "deepest first" } else { "shrunk, smallest first" }
         )?;
-        let mut table = plain(["gaps", "α", "maxima", "dip ≈", "cases"]);
+        let weights = if matches!(search.space, Space::Family(_)) { "parameters" } else { "α" };
+        let mut table = plain(["gaps", weights, "maxima", "dip ≈", "cases"]);
         for record in findings.records() {
             table.add_row([
                 record.gaps.join(" "),
-                alpha(record),
+                weights_of(record),
                 record.witness.local_maxima.to_string(),
                 dip(record),
                 record.cases.to_string(),
@@ -67,10 +79,14 @@ fn dip(record: &FindingRecord) -> String {
     both.and_then(|(lo, hi)| settled_digits(&lo, &hi, 5)).unwrap_or_else(|| record.witness.dip.join(" to "))
 }
 
-fn alpha(record: &FindingRecord) -> String {
-    match &record.witness.equal {
-        None => record.alpha.clone(),
-        Some(equal) => format!("{} to {}", equal.alpha[0], equal.alpha[1]),
+/// α, or between which ones, or the parameters of the family.
+fn weights_of(record: &FindingRecord) -> String {
+    let set = |(name, values): (&String, &String)| format!("{name} = {values}");
+    match (&record.witness.equal, &record.alpha, &record.family) {
+        (Some(equal), ..) => format!("{} to {}", equal.alpha[0], equal.alpha[1]),
+        (None, Some(alpha), _) => alpha.clone(),
+        (None, None, Some(family)) => family.parameters.iter().map(set).collect::<Vec<_>>().join(", "),
+        (None, None, None) => String::new(),
     }
 }
 
@@ -92,6 +108,26 @@ fn space(space: &Space) -> String {
             sample.seed,
             sample.spread
         ),
+        Space::Family(family) => {
+            let cases = match &family.cases {
+                MemberSpace::Exhaustive(limits) => {
+                    let mut text = format!("all functions up to size {}", limits.size);
+                    for (limit, name) in [(limits.gap, "gaps"), (limits.height, "heights of parameters")] {
+                        if let Some(limit) = limit {
+                            text += &format!(", {name} up to {limit}");
+                        }
+                    }
+                    text
+                }
+                MemberSpace::Random(sample) => format!(
+                    "{} random functions, seed {}, gaps and parameters spread over factors up to 2^{}",
+                    sample.count, sample.seed, sample.spread
+                ),
+            };
+            let set: Vec<_> =
+                family.set.iter().map(|(name, values)| format!(", {name} = {values}")).collect();
+            format!("family {}{}: {cases}", family.name, set.concat())
+        }
         Space::Random(sample) => format!(
             "{} random functions, seed {}, gaps and ratios spread over factors up to 2^{}",
             sample.count, sample.seed, sample.spread
