@@ -7,7 +7,7 @@ use std::process::{Command as Process, Stdio};
 
 use assert_cmd::Command;
 use knotproof::judge::Witness;
-use knotproof::language::paper;
+use knotproof::language::{Form, paper};
 use knotproof::scalar::{BigRational, integer, parse_rational};
 use knotproof::spline::{Basis, Index, KnotVector, Side};
 use serde_json::{Value, json};
@@ -419,7 +419,7 @@ fn a_witness_can_be_computed_again() {
         assert!(witness.found().starts_with(&format!("Σ_{{i=0}}^{n} G_i^{degree}({x}) = {sum}, ")));
 
         // The command that goes with it gives the same.
-        let command = witness.again("T3.5.3", paper());
+        let command = witness.again("T3.5.3", Form::Printed, paper());
         let arguments: Vec<_> = command.strip_prefix("knotproof ").unwrap().split(' ').collect();
         let output =
             knotproof(&arguments).args(["--format", "json"]).assert().success().get_output().stdout.clone();

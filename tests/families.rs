@@ -215,7 +215,7 @@ fn witnesses_name_the_parameters_and_repeat_them() {
     let Verdict::Refuted(witness) = verdict("lupas", "C1", 2) else {
         panic!("{:?}", verdict("lupas", "C1", 2))
     };
-    let again = witness.again("C1", paper());
+    let again = witness.again("C1", Form::Printed, paper());
     assert!(again.contains("--family lupas --set q="), "{again}");
     let given = witness.given();
     assert!(

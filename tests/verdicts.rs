@@ -198,7 +198,9 @@ fn texts(witness: &Witness) -> Vec<String> {
     }
     let given = witness.given().into_iter().flat_map(|(name, value)| [name, value]);
     // The claim's number would be taken for a decimal.
-    given.chain([witness.claimed.clone(), witness.found(), witness.again("CLAIM", paper())]).collect()
+    given
+        .chain([witness.claimed.clone(), witness.found(), witness.again("CLAIM", Form::Printed, paper())])
+        .collect()
 }
 
 #[test]

@@ -274,7 +274,8 @@ fn unasked(claim: Claim<'_>, form: Form) -> Option<Certificate> {
     };
     let alone = if let Form::Degree(k) = form { k..=k } else { 0..=UNASKED };
     let degrees: Vec<_> = alone.filter(|k| proved(&[*k]).is_some()).collect();
-    if degrees.is_empty() { None } else { proved(&degrees) }
+    // What holds of step functions only is no news.
+    if degrees.iter().all(|k| *k == 0) { None } else { proved(&degrees) }
 }
 
 /// What is proved of a sentence in one degree: for a weight, which has no degree, the whole of it. `None` if there is no formal

@@ -39,6 +39,8 @@ The verdicts are the recorded ones; `knotproof report --claim CLAIM` judges it a
 struct Part {
     /// `as printed`, `as amended` or `degree K`.
     of: String,
+    #[serde(skip)]
+    form: Form,
     /// It, in words and formulas.
     statement: String,
     #[serde(flatten)]
@@ -139,6 +141,7 @@ fn part(
     };
     Ok(Part {
         of: if let Form::Degree(_) = of { of.to_string() } else { format!("as {of}") },
+        form: of,
         statement: claim.text(of),
         finding: finding.clone(),
         idea,
@@ -161,7 +164,7 @@ impl fmt::Display for Explanation {
             }
             if let Some(witness) = &finding.witness {
                 writeln!(f, "  witness: {witness}")?;
-                writeln!(f, "  again: {}", witness.again(self.id, paper()))?;
+                writeln!(f, "  again: {}", witness.again(self.id, part.form, paper()))?;
             }
             if let Some(reason) = &finding.reason {
                 writeln!(f, "  {reason}")?;

@@ -340,7 +340,7 @@ fn judged(family: &Family, id: &str, verdict: &Verdict) -> Judged {
                 given.collect::<Vec<_>>().join(", "),
                 witness.claimed,
                 witness.found(),
-                witness.again(id, paper())
+                witness.again(id, Form::Printed, paper())
             );
             cell(&format!("**no**{k}"), Some(because))
         }

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use schemars::{JsonSchema, schema_for};
 use serde::Serialize;
 
-use crate::language::{Claim, Paper, Source};
+use crate::language::{Claim, Form, Paper, Source};
 use crate::meaning::examples_of;
 use crate::report::{
     Drift, Errata, Finding, PageSource, Record, Report, by_severity, dependence_picture, errata_page,
@@ -121,6 +121,7 @@ pub(super) fn settle_error(
             path: Path::new(folder).join("windows.toml"),
             error: Box::new(error),
         },
+        SettleError::Member(error) => CliError::Member { argument, error },
         error => error.into(),
     }
 }
@@ -272,19 +273,26 @@ impl fmt::Display for Judged<'_> {
         for instance in &self.undrawn {
             writeln!(f, "Not drawn: {instance}: its numbers are too large for f64, or too close")?;
         }
-        let mut told = |id: &str, form: &str, finding: &Finding| -> fmt::Result {
+        let mut told = |id: &str, form: Form, finding: &Finding| -> fmt::Result {
+            let of = match form {
+                Form::Printed => "",
+                Form::Amended => ", amended",
+                _ => ", where the amended sentence says nothing",
+            };
             if let Some(witness) = &finding.witness {
-                writeln!(f, "\n{id}{form}: {witness}")?;
-                writeln!(f, "  again: {}", witness.again(id, self.report.of))?;
+                writeln!(f, "\n{id}{of}: {witness}")?;
+                writeln!(f, "  again: {}", witness.again(id, form, self.report.of))?;
             } else if let Some(reason) = finding.reason.as_ref().filter(|_| !finding.is_proved()) {
-                writeln!(f, "\n{id}{form}, {}: {reason}", finding.status)?;
+                writeln!(f, "\n{id}{of}, {}: {reason}", finding.status)?;
             }
             Ok(())
         };
         for record in &self.report.claims {
-            told(&record.id, "", &record.as_printed.finding)?;
-            if let Some(amended) = &record.amended {
-                told(&record.id, ", amended", &amended.finding)?;
+            told(&record.id, Form::Printed, &record.as_printed.finding)?;
+            for (form, stated) in [(Form::Amended, &record.amended), (Form::Fails, &record.fails)] {
+                if let Some(stated) = stated {
+                    told(&record.id, form, &stated.finding)?;
+                }
             }
         }
         Ok(())

@@ -70,13 +70,15 @@ fn read_folder(argument: &'static str, folder: &Path) -> Result<Paper, CliError>
     let (paper, wrong) = Paper::as_far_as_read(&files);
     complaints
         .extend(wrong.into_iter().filter(|complaint| !unread.iter().any(|name| name == complaint.source())));
-    complaints.extend(row_faults(&paper));
+    if paper.has_family {
+        complaints.extend(row_faults(&paper));
+    }
     complaints.extend(window_fault(&paper));
     if complaints.is_empty() {
         let mut paper = Paper { called: Some(quoted(folder)), ..paper };
         // A family of the folder's own is found from outside.
         if let Some(file) = Some(&paper.about.family.given).filter(|given| files.contains_key(*given)) {
-            let given = quoted(&folder.join(file));
+            let given = folder.join(file).display().to_string();
             paper.about.family = Arc::new(Family { given, ..Family::clone(&paper.about.family) });
         }
         return Ok(paper);

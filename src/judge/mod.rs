@@ -176,6 +176,7 @@ fn summarise(outcomes: &[Outcome], cases: &[&Arc<Case>]) -> Verdict {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::language::Form;
     use crate::language::{one_line, paper};
 
     fn judged(text: &str) -> Verdict {
@@ -262,7 +263,7 @@ mod tests {
             println!("{witness}");
             let told = witness.to_string();
             assert!(says.ends_with('…') || told == says, "{told}");
-            assert_eq!(witness.again("X", paper()), command);
+            assert_eq!(witness.again("X", Form::Printed, paper()), command);
             let json = serde_json::to_string(&witness).unwrap();
             assert_eq!(serde_json::from_str::<Witness>(&json).unwrap(), *witness, "{json}");
         }

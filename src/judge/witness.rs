@@ -7,7 +7,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::analysis::{Algebraic, Enclosed, Flank, Tie, settled};
-use crate::language::{Formula, Int, Name, Over, Paper, Real, Sentence, classical, text};
+use crate::language::{Form, Formula, Int, Name, Over, Paper, Real, Sentence, classical, text};
 use crate::meaning::{
     Failure, Focus, Given, Instance, Look, Names, Plain, Reading, Truth, Value, Weighting, tie,
 };
@@ -74,7 +74,12 @@ impl OfFamily {
 /// The options that choose it.
 impl fmt::Display for OfFamily {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let quoted = |word: String| if word.contains([';', ' ']) { format!("\"{word}\"") } else { word };
+        let quoted = |word: String| match word
+            .contains(|c: char| !c.is_ascii_alphanumeric() && !"._-/+,:@=".contains(c))
+        {
+            true => format!("'{}'", word.replace('\'', "'\\''")),
+            false => word,
+        };
         write!(f, "--family {}", quoted(self.name.clone()))?;
         let set =
             |(name, values): (&String, &String)| write!(f, " --set {}", quoted(format!("{name}={values}")));
@@ -349,9 +354,9 @@ impl Witness {
     }
 
     /// The shortest command that shows it: `shape` where it is about maxima, `eval` where it is about values at one place;
-    /// elsewhere the claim is judged on the witness's knots, or with all its cases. The claim is one of `paper`.
+    /// elsewhere that form of the claim is judged on the witness's knots, or with all its cases. The claim is one of `paper`.
     #[must_use]
-    pub fn again(&self, claim: &str, paper: &Paper) -> String {
+    pub fn again(&self, claim: &str, form: Form, paper: &Paper) -> String {
         const SHAPES: [&str; 4] = ["maxima", "minima", "maximisers", "tied"];
         let of = self.family.as_ref().map_or_else(|| format!("--alpha {}", self.alpha), ToString::to_string);
         let basis = self.k.map(|k| format!("--degree {k} --knots {} {of}", self.knots.join(",")));
@@ -373,14 +378,16 @@ impl Witness {
                 let side = if self.looked.iter().all(|look| look.left) { " --side left" } else { "" };
                 format!("knotproof eval {basis} --x {x}{derivatives}{side}")
             }
-            (Some(basis), ..) if self.instance.is_none() => {
+            // There is no way to ask for what holds where the amended sentence does not apply, but with the whole claim.
+            (Some(basis), ..) if self.instance.is_none() && form != Form::Fails => {
                 // The classical properties are a set of their own.
                 let set = if classical().claims.iter().any(|own| &*own.id == claim) {
                     " --classical".to_owned()
                 } else {
                     paper.called.as_ref().map(|paper| format!(" --paper {paper}")).unwrap_or_default()
                 };
-                format!("knotproof check {basis}{set} --property {claim}")
+                let amended = if form == Form::Amended { " --amended" } else { "" };
+                format!("knotproof check {basis}{set} --property {claim}{amended}")
             }
             _ => paper.judges(claim),
         }

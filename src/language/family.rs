@@ -305,6 +305,13 @@ impl Family {
             return None;
         }
         let heads = in_order(&raw.define);
+        for (head, _) in &heads {
+            let name = head.get_ref().split(['[', '(']).next().unwrap_or_default().trim();
+            if OF_WEIGHTS.contains(&name) {
+                let rule = format!("`{name}` has a meaning already");
+                reading.complain(head.span(), rule, "take another name for what is defined");
+            }
+        }
         let texts: Vec<_> =
             heads.iter().map(|(head, body)| (head.get_ref().clone(), body.get_ref().clone())).collect();
         let seed = Known { family: Some(vocabulary.clone()), ..Known::default() };
@@ -474,7 +481,8 @@ impl Family {
         }
         match (self.parameters.as_slice(), &self.rise) {
             ([], rise) if *rise == x("a", true) => Some(None),
-            ([own], Real::Times(r, rise)) if **rise == x("a", true) => {
+            // Sentences speak of r where there is an index.
+            ([own], Real::Times(r, rise)) if **rise == x("a", true) && &*own.name == "r" => {
                 let positive = own.bounds == [(Relation::Greater, BigRational::from_integer(0.into()))];
                 (**r == Real::Parameter(Arc::clone(&own.name), Vec::new()) && positive)
                     .then_some(Some(&own.name))

@@ -30,6 +30,8 @@ pub struct Paper {
     pub cases: BTreeMap<String, Vec<Row>>,
     /// The text of its file of windows; empty if there is none.
     pub windows: Arc<str>,
+    /// Could its family be read? What is wrong with its instances is not known otherwise.
+    pub has_family: bool,
     /// How a command line names it: a folder, or the name of one that comes with the program. The one that commands are about
     /// if nothing is said has none.
     pub called: Option<String>,
@@ -200,10 +202,10 @@ impl Paper {
             rows
         };
         let named = raw.as_ref().and_then(|raw| raw.family.as_ref());
-        let family = family(&mut about, named, files).unwrap_or_else(|mut wrong| {
-            complaints.append(&mut wrong);
-            Arc::default()
-        });
+        let before = about.complaints.len();
+        let family = family(&mut about, named, files).map_err(|mut wrong| complaints.append(&mut wrong));
+        let has_family = family.is_ok() && about.complaints.len() == before && raw.is_some();
+        let family = family.unwrap_or_default();
         let examples = table(INSTANCES, &mut complaints);
         // Where it is not known what is listed, whatever is there is read.
         let names: Vec<String> = match &raw {
@@ -259,7 +261,7 @@ impl Paper {
         let found = raw.map(|raw| raw.about(&mut about, family, known.claims.as_ref())).unwrap_or_default();
         about.complaints.append(&mut complaints);
         let windows = text(WINDOWS).into();
-        let paper = Self { about: found, files: read, examples, cases, windows, called: None };
+        let paper = Self { about: found, files: read, examples, cases, windows, has_family, called: None };
         (paper, about.complaints)
     }
 
@@ -357,7 +359,14 @@ impl RawAbout {
             }
             headlines.push(Headline { claim: claim.get_ref().as_str().into(), refuted });
         }
-        let indices = self.indices.as_ref().map(|text| indices(reading, text)).unwrap_or_default();
+        let indices = self.indices.as_ref().map(|text| {
+            if family.moebius().is_none() {
+                let rule = format!("the family `{}` has no index α", family.name);
+                reading.complain(text.span(), rule, "leave `indices` out");
+            }
+            indices(reading, text)
+        });
+        let indices = indices.unwrap_or_default();
         About {
             family,
             title: self.title,

@@ -61,7 +61,8 @@ impl Example {
 
 /// The weights that a row names.
 fn weights(row: &Row, family: &Arc<Family>) -> Result<Vec<Weighting>, MemberError> {
-    if !row.set.is_empty() || family.parameters.is_empty() && row.indices.is_empty() {
+    let without_index = family.moebius().is_none();
+    if !row.set.is_empty() || (without_index || family.parameters.is_empty()) && row.indices.is_empty() {
         let given =
             row.set.iter().map(|(name, rows)| (name.clone(), Values::shaped(rows.clone(), family, name)));
         return Ok(vec![Weighting::of(family, &given.collect::<Vec<_>>())?]);
@@ -104,7 +105,7 @@ fn row_fault(row: &Row, family: &Arc<Family>) -> Option<Complaint> {
     };
     let has_index = family.moebius().is_some();
     if row.set.is_empty() && (has_index || !row.indices.is_empty()) {
-        if row.indices.is_empty() {
+        if row.indices.is_empty() && !family.parameters.is_empty() {
             return fault(
                 RowPart::Weights,
                 "there is no index".into(),
@@ -122,6 +123,9 @@ fn row_fault(row: &Row, family: &Arc<Family>) -> Option<Complaint> {
             };
             return fault(RowPart::Weights, rule, &advice);
         }
+    }
+    if !row.set.is_empty() && !row.indices.is_empty() {
+        return fault(RowPart::Weights, "there is `alpha`, and `set`, too".into(), "write one of them");
     }
     let weights = match weights(row, family) {
         Ok(weights) => weights,

@@ -98,7 +98,9 @@ impl Dependence {
             .map(|record| record.id.clone())
             .collect();
         let all = stated.iter().filter(|claim| is_theorem(claim.source(), &claim.stanza.at)).count();
-        let sentence = (all > 0 && theorems.len() == all).then(|| sentence(&theorems, &falls));
+        // Of what no case is about nothing is known.
+        let judged = theorems.iter().all(|record| record.as_printed.finding.status != "not-applicable");
+        let sentence = (all > 0 && theorems.len() == all && judged).then(|| sentence(&theorems, &falls));
         Self { sentence, falls, uses }
     }
 }
@@ -108,15 +110,29 @@ fn are(count: usize) -> String {
     format!("{count} {}", if count == 1 { "is" } else { "are" })
 }
 
+/// What is not proved for every instance is said to be so.
+fn only_in_cases(theorems: &[&Record]) -> String {
+    let standing = |record: &&&Record| {
+        let stated = record.amended.as_ref().filter(|_| !record.as_printed.finding.is_proved());
+        let scope = stated.unwrap_or(&record.as_printed).finding.scope.as_deref();
+        matches!(scope, Some("points" | "instance"))
+    };
+    match theorems.iter().filter(standing).count() {
+        0 => String::new(),
+        count => format!(" Of these, {count} on the cases that were decided only: no proof reaches further."),
+    }
+}
+
 fn sentence(theorems: &[&Record], falls: &[String]) -> String {
     let amended = theorems.iter().filter(|record| !record.as_printed.finding.is_proved()).count();
     let count = theorems.len();
     match falls {
         [] => format!(
             "No theorem of the paper falls: of its {count} theorems, propositions, corollaries and lemmas, {} true as printed, \
-             and {} once amended.",
+             and {} once amended.{}",
             are(count - amended),
-            are(amended)
+            are(amended),
+            only_in_cases(theorems)
         ),
         falls => format!(
             "Of the paper's {count} theorems, propositions, corollaries and lemmas, {} {}: {}.",

@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::language::{Cause, Paper, Severity, Source};
+use crate::language::{Cause, Form, Paper, Severity, Source};
 
 use super::Report;
 use super::markdown::plain;
@@ -110,7 +110,7 @@ impl Erratum {
                     claim: record.id.clone(),
                     locator: record.locator.clone(),
                     text: witness.to_string(),
-                    again: witness.again(&record.id, paper),
+                    again: witness.again(&record.id, Form::Printed, paper),
                 },
             ))
         });

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use crate::float::MethodRecord;
-use crate::language::{About, Paper, Source};
+use crate::language::{About, Form, Paper, Source};
 
 use super::baseline::{Baseline, Entry};
 use super::corners::Corner;
@@ -56,13 +56,14 @@ struct Place<'a> {
 }
 
 /// What there is to say about one statement of a claim, as the items of a list.
-fn items(claim: &str, stated: &Stated, of: &Place<'_>) -> Vec<String> {
+fn items((claim, form): (&str, Form), stated: &Stated, of: &Place<'_>) -> Vec<String> {
     let finding = &stated.finding;
     let mut items = Vec::new();
     items.extend(stated.rests_on.as_ref().map(decided));
     items.extend(finding.witness.iter().map(|witness| format!("witness: {}", plain(&witness.to_string()))));
-    items
-        .extend(finding.witness.iter().map(|witness| format!("again: `{}`", witness.again(claim, of.paper))));
+    items.extend(
+        finding.witness.iter().map(|witness| format!("again: `{}`", witness.again(claim, form, of.paper))),
+    );
     items.extend(finding.reason.iter().chain(&finding.remarks).map(|text| plain(text)));
     items.extend(finding.certificate.iter().map(|name| format!("certificate: `{}/{name}`", of.certificates)));
     if !finding.checked_by.is_empty() {
@@ -78,16 +79,18 @@ fn decided(grounds: &Grounds) -> String {
     )
 }
 
-fn section(record: &Record, of: &Place<'_>) -> String {
+fn section<'a>(record: &'a Record, of: &Place<'_>) -> String {
     let mut text = format!("### {} ({}): {}\n\n", record.id, record.locator, plain(&record.title));
-    let amended = record.amended.as_ref().map(|stated| ("As amended", stated.finding.words(), stated));
-    let fails = record.fails.as_ref().map(|stated| ("Elsewhere", stated.finding.words(), stated));
+    let other = |form, title, stated: &'a Option<Stated>| {
+        stated.as_ref().map(|stated| (form, title, stated.finding.words(), stated))
+    };
+    let amended = other(Form::Amended, "As amended", &record.amended);
+    let fails = other(Form::Fails, "Elsewhere", &record.fails);
     // Writing to a string cannot fail.
-    for (title, words, stated) in
-        std::iter::once(("As printed", record.words(), &record.as_printed)).chain(amended).chain(fails)
-    {
+    let printed = (Form::Printed, "As printed", record.words(), &record.as_printed);
+    for (form, title, words, stated) in std::iter::once(printed).chain(amended).chain(fails) {
         let _ = writeln!(text, "**{title}: {words}.** {}\n", plain(&stated.statement));
-        for item in items(&record.id, stated, of) {
+        for item in items((&record.id, form), stated, of) {
             let _ = writeln!(text, "- {item}");
         }
         text.push('\n');

@@ -1,13 +1,16 @@
 //! What matters, in a few lines: all from the data of the report.
 
+use std::collections::BTreeSet;
+
 use num_traits::One;
 
-use crate::language::{Headline, Source};
+use crate::language::{Headline, Severity, Source};
 use crate::scalar::BigRational;
 
 use super::Report;
 use super::corners::{Corner, Turn};
-use super::record::{DegreeFinding, Record, degrees};
+use super::record::{DegreeFinding, degrees};
+use super::summary::UNASSIGNED;
 
 /// The lines that a report opens with. What was not judged has none.
 #[must_use]
@@ -84,16 +87,23 @@ fn place(corner: &Corner) -> String {
 fn errata(report: &Report<'_>) -> Option<String> {
     let refuted = report.summary.paper.refuted;
     let causes = &report.summary.paper.refutations.by_cause;
-    let serious = report.claims.iter().filter(|record| record.is_serious());
-    let serious: std::collections::BTreeSet<_> =
-        serious.filter(|record| record.source == Source::Paper).map(|record: &Record| record.cause).collect();
+    let of_paper = || report.claims.iter().filter(|record| record.source == Source::Paper);
+    let serious: BTreeSet<_> = of_paper()
+        .filter(|record| record.severity == Some(Severity::Serious))
+        .map(|record| record.cause)
+        .collect();
+    let unnamed = causes.get(UNASSIGNED).copied().unwrap_or_default();
+    let named = causes.len() - usize::from(unnamed > 0);
+    let by = match named {
+        1 => format!(", by 1 cause, {} of them serious", serious.len()),
+        named => format!(", by {named} causes, {} of them serious", serious.len()),
+    };
+    let no_cause = if unnamed > 0 { format!("; of {unnamed} no cause is named") } else { String::new() };
     (refuted > 0).then(|| {
         format!(
-            "{refuted} of the paper's {} statements fail as printed, by {} {}, {} of them serious: the errata are ready to be sent.",
+            "{refuted} of the paper's {} statements fail as printed{}{no_cause}: the errata are ready to be sent.",
             report.summary.paper.statements,
-            causes.len(),
-            if causes.len() == 1 { "cause" } else { "causes" },
-            serious.len()
+            if named > 0 { by } else { String::new() },
         )
     })
 }

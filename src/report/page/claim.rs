@@ -9,7 +9,7 @@ use super::working::{Working, function, workings};
 use super::{PageSource, formula};
 
 use crate::judge::Witness;
-use crate::language::{Paper, Severity};
+use crate::language::{Form, Paper, Severity};
 
 /// One row of the table of verdicts.
 pub(super) struct Row<'a> {
@@ -185,13 +185,13 @@ fn panel(witness: &Witness) -> Option<String> {
 }
 
 impl Shown {
-    fn of(claim: &str, witness: &Witness, paper: &Paper, worked: bool) -> Self {
+    fn of((claim, form): (&str, Form), witness: &Witness, paper: &Paper, worked: bool) -> Self {
         Self {
             given: witness.given(),
             claimed: formula::html(&witness.claimed),
             found: formula::html(&witness.found()),
             workings: if worked { workings(witness) } else { Vec::new() },
-            command: witness.again(claim, paper),
+            command: witness.again(claim, form, paper),
             panel: panel(witness),
         }
     }
@@ -208,7 +208,7 @@ impl<'a> Section<'a> {
                 steps: report.certificates.get(name).map(|of| of.steps),
             })
         };
-        let part = |title, badge: String, verdict: String, stated: &'a Stated| {
+        let part = |(form, title), badge: String, verdict: String, stated: &'a Stated| {
             let finding = &stated.finding;
             Part {
                 title,
@@ -220,14 +220,16 @@ impl<'a> Section<'a> {
                 witness: finding
                     .witness
                     .as_ref()
-                    .map(|witness| Shown::of(&record.id, witness, report.of, true)),
+                    .map(|witness| Shown::of((&record.id, form), witness, report.of, true)),
                 remarks: &finding.remarks,
                 certificate: certificate(finding),
                 checked_by: finding.checked_by.join(", "),
             }
         };
-        let mut parts = vec![part("As printed", badge(record), record.words(), &record.as_printed)];
-        let others = [("As amended", &record.amended), ("Elsewhere", &record.fails)];
+        let mut parts =
+            vec![part((Form::Printed, "As printed"), badge(record), record.words(), &record.as_printed)];
+        let others =
+            [((Form::Amended, "As amended"), &record.amended), ((Form::Fails, "Elsewhere"), &record.fails)];
         parts.extend(others.into_iter().filter_map(|(title, stated)| {
             let stated = stated.as_ref()?;
             Some(part(title, stated.finding.status.clone(), stated.finding.words(), stated))
@@ -237,7 +239,7 @@ impl<'a> Section<'a> {
             formula::html(&format!("Cause: {cause}. Severity: {}, {because}.", severity.name()))
         });
         let command = match &record.as_printed.finding.witness {
-            Some(witness) => witness.again(&record.id, report.of),
+            Some(witness) => witness.again(&record.id, Form::Printed, report.of),
             None => report.of.judges(&record.id),
         };
         let degrees = record
@@ -251,7 +253,7 @@ impl<'a> Section<'a> {
                     .finding
                     .witness
                     .as_ref()
-                    .map(|witness| Shown::of(&record.id, witness, report.of, false)),
+                    .map(|witness| Shown::of((&record.id, Form::Printed), witness, report.of, false)),
                 grounds: of.rests_on.as_ref().map(decided),
                 certificate: certificate(&of.finding),
             })
