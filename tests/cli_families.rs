@@ -49,7 +49,8 @@ fn the_commands_of_the_page_show_what_they_say() {
         .collect();
     assert!(commands.len() > 20, "{}", commands.len());
     for command in commands.into_iter().filter(|command| command.contains("--family")) {
-        let arguments: Vec<_> = command.split(' ').skip(1).map(|word| word.trim_matches('"')).collect();
+        let arguments: Vec<_> =
+            command.split(' ').skip(1).map(|word| word.trim_matches(['"', '\''])).collect();
         let (code, text) = said(&arguments);
         // What is looked at is shown, or judged again.
         let expected = if arguments[0] == "eval" { 0 } else { 1 };
@@ -125,7 +126,7 @@ fn what_is_wrong_with_a_request_is_told() {
         (
             "eval",
             &["--family", "lupas", "--set", "q=2", "--points", "0 1 2 3", "--x", "1"],
-            "curves have the weights of an index only",
+            "curves of eval have the weights of an index only",
         ),
         ("formula", &LUPAS, "`knotproof check`, `eval` and `shape` take any family"),
         ("bezier", &LUPAS, "`knotproof check`, `eval` and `shape` take any family"),

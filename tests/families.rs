@@ -47,7 +47,7 @@ fn value(on: &Instance, i: usize, x: &BigRational) -> BigRational {
 
 #[test]
 fn each_family_has_a_source_and_says_what_it_is() {
-    assert_eq!(families().len(), 11);
+    assert_eq!(families().len(), 12);
     for family in families() {
         assert!(!family.title.is_empty() && !family.source.is_empty(), "{}", family.name);
     }

@@ -70,9 +70,7 @@ fn read_folder(argument: &'static str, folder: &Path) -> Result<Paper, CliError>
     let (paper, wrong) = Paper::as_far_as_read(&files);
     complaints
         .extend(wrong.into_iter().filter(|complaint| !unread.iter().any(|name| name == complaint.source())));
-    if paper.has_family {
-        complaints.extend(row_faults(&paper));
-    }
+    complaints.extend(row_faults(&paper));
     complaints.extend(window_fault(&paper));
     if complaints.is_empty() {
         let mut paper = Paper { called: Some(quoted(folder)), ..paper };

@@ -84,7 +84,8 @@ pub fn examples_of(rows: &[Row], family: &Arc<Family>) -> Vec<Example> {
 /// has not, control points that are no curve in the plane, a name twice in one degree.
 #[must_use]
 pub fn row_faults(paper: &Paper) -> Vec<Complaint> {
-    let family = &paper.about.family;
+    // Of a family that could not be read nothing is known.
+    let family = paper.has_family.then_some(&paper.about.family);
     let rows = std::iter::once(&paper.examples).chain(paper.cases.values()).flatten();
     let mut faults: Vec<_> = rows.filter_map(|row| row_fault(row, family)).collect();
     for (at, row) in paper.examples.iter().enumerate() {
@@ -97,45 +98,14 @@ pub fn row_faults(paper: &Paper) -> Vec<Complaint> {
 }
 
 /// The first thing that is wrong with a row.
-fn row_fault(row: &Row, family: &Arc<Family>) -> Option<Complaint> {
+fn row_fault(row: &Row, family: Option<&Arc<Family>>) -> Option<Complaint> {
     let fault = |part, rule: String, advice: &str| Some(row.complaint(part, rule, advice));
     let knots = match KnotVector::new(row.knots.clone()) {
         Ok(knots) => knots,
         Err(error) => return fault(RowPart::Knots, error.to_string(), "write t_0 ≤ … ≤ t_m with t_0 < t_m"),
     };
-    let has_index = family.moebius().is_some();
-    if row.set.is_empty() && (has_index || !row.indices.is_empty()) {
-        if row.indices.is_empty() && !family.parameters.is_empty() {
-            return fault(
-                RowPart::Weights,
-                "there is no index".into(),
-                "write some, such as `alpha = \"-1 2 inf\"`",
-            );
-        }
-        if row.indices.iter().any(|alpha| !family.has_index(alpha.as_ref())) {
-            let rule = match has_index {
-                true => format!("the family `{}` has no index but ∞", family.name),
-                false => format!("the family `{}` has no index α", family.name),
-            };
-            let advice = match family.parameters.first() {
-                None => "write `inf`, or name another family in paper.toml".to_owned(),
-                Some(own) => format!("write `set` in place of `alpha`, as behind --set {}", setting(own)),
-            };
-            return fault(RowPart::Weights, rule, &advice);
-        }
-    }
-    if !row.set.is_empty() && !row.indices.is_empty() {
-        return fault(RowPart::Weights, "there is `alpha`, and `set`, too".into(), "write one of them");
-    }
-    let weights = match weights(row, family) {
-        Ok(weights) => weights,
-        Err(error) => return fault(RowPart::Weights, error.to_string(), "write what it says"),
-    };
-    for weights in weights {
-        let basis = Basis::over(knots.clone(), row.degree, weights).ok();
-        if let Some(Err(error)) = basis.map(Instance::on) {
-            return fault(RowPart::Weights, error.to_string(), "take other numbers");
-        }
+    if let Some(fault) = family.and_then(|family| weights_fault(row, family, &knots)) {
+        return Some(fault);
     }
     let basis = match Basis::new(knots, row.degree, Index::infinity()) {
         Ok(basis) => basis,
@@ -151,6 +121,42 @@ fn row_fault(row: &Row, family: &Arc<Family>) -> Option<Complaint> {
         Ok(_) => None,
         Err(error) => fault(RowPart::Points, error.to_string(), "write d_0, …, d_n, n = m − k − 1"),
     }
+}
+
+/// What is wrong with the weights of a row on its knots.
+fn weights_fault(row: &Row, family: &Arc<Family>, knots: &KnotVector) -> Option<Complaint> {
+    let fault = |rule: String, advice: &str| Some(row.complaint(RowPart::Weights, rule, advice));
+    let has_index = family.moebius().is_some();
+    if row.set.is_empty() && (has_index || !row.indices.is_empty()) {
+        if row.indices.is_empty() && !family.parameters.is_empty() {
+            return fault("there is no index".into(), "write some, such as `alpha = \"-1 2 inf\"`");
+        }
+        if row.indices.iter().any(|alpha| !family.has_index(alpha.as_ref())) {
+            let rule = match has_index {
+                true => format!("the family `{}` has no index but ∞", family.name),
+                false => format!("the family `{}` has no index α", family.name),
+            };
+            let advice = match family.parameters.first() {
+                None => "write `inf`, or name another family in paper.toml".to_owned(),
+                Some(own) => format!("write `set` in place of `alpha`, as behind --set {}", setting(own)),
+            };
+            return fault(rule, &advice);
+        }
+    }
+    if !row.set.is_empty() && !row.indices.is_empty() {
+        return fault("there is `alpha`, and `set`, too".into(), "write one of them");
+    }
+    let weights = match weights(row, family) {
+        Ok(weights) => weights,
+        Err(error) => return fault(error.to_string(), "write what it says"),
+    };
+    for weights in weights {
+        let basis = Basis::over(knots.clone(), row.degree, weights).ok();
+        if let Some(Err(error)) = basis.map(Instance::on) {
+            return fault(error.to_string(), "take other numbers");
+        }
+    }
+    None
 }
 
 /// All examples of the paper, in its order.
