@@ -97,6 +97,14 @@ fn settled(id: &str, proving: Proving) -> Outcome {
 fn the_engine_agrees() {
     for id in IN_EVERY_DEGREE {
         let verdict = settled(id, Proving::Nothing).printed.verdict;
+        // For r + s, with any s > 0: numbers that are tried refute, and prove nothing.
+        if id == "X.order" {
+            assert!(
+                matches!(&verdict, Verdict::Undecided(why) if why.contains("tries of numbers")),
+                "{verdict:?}"
+            );
+            continue;
+        }
         let Verdict::Proved { reach, .. } = &verdict else { panic!("{id}: {verdict:?}") };
         assert!(reach.degrees.ends_with(&[1, 2, 3]), "{id}: {:?}", reach.degrees);
     }
