@@ -16,6 +16,9 @@ fn claim(id: &str) -> Claim<'static> {
     claims().into_iter().find(|claim| claim.id() == id).expect(id)
 }
 
+/// Those that speak of numbers which are only tried: cases prove nothing, and a certificate does.
+const TRIED: [&str; 2] = ["abstract.bezier", "Ill2.1.crucial"];
+
 /// The sentences that are true as printed.
 const TRUE: [&str; 8] = [
     "abstract.bezier",
@@ -68,7 +71,9 @@ fn judged(id: &str) -> &'static Outcome {
 fn what_is_true_as_printed_is_proved() {
     for id in TRUE {
         let verdict = &judged(id).printed.verdict;
-        assert!(matches!(verdict, Verdict::Proved { .. }), "{id}: {verdict:?}");
+        let is_tried = matches!(verdict, Verdict::Undecided(why) if why.contains("tries of numbers"));
+        assert_eq!(is_tried, TRIED.contains(&id), "{id}: {verdict:?}");
+        assert!(is_tried || matches!(verdict, Verdict::Proved { .. }), "{id}: {verdict:?}");
         let stanza = claim(id).stanza;
         assert!(stanza.amended.is_none() && stanza.cause.is_none(), "{id}");
     }

