@@ -201,7 +201,7 @@ fn lupas_has_two_maxima_in_degree_3() {
 fn shown_again(finding: &Value) {
     let command = finding["reproduce"].as_str().unwrap();
     let mut words = Vec::new();
-    for (at, part) in command.split('\'').enumerate() {
+    for (at, part) in command.split(['"', '\'']).enumerate() {
         match at % 2 {
             0 => words.extend(part.split_whitespace()),
             _ => words.push(part),
