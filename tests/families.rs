@@ -4,8 +4,9 @@
 
 use std::sync::Arc;
 
+use knotproof::certificate::{certify, certify_for_degree};
 use knotproof::judge::{Cases, Verdict, judge};
-use knotproof::language::{Claim, Family, Form, Paper, classical, families, paper};
+use knotproof::language::{Claim, Family, Form, Paper, classical, families, paper, shipped};
 use knotproof::meaning::{Instance, Values, Weighting};
 use knotproof::scalar::{BigRational, integer, parse_rational, rational};
 use knotproof::spline::{Basis, Index, KnotVector, Side};
@@ -614,4 +615,30 @@ fn files_are_as_their_schema_says() {
         assert!(!valid(&text.replace("rise", "rize")), "{text}");
         assert!(!valid(&text.replace("title =", "more = 1\ntitle =")), "{text}");
     }
+}
+
+/// Certificates are about the weights of an index: what holds for these proves nothing of others.
+#[test]
+fn claims_about_other_weights_have_no_certificate() {
+    for (name, certified) in [("knot-weights", false), ("pq", false), ("classical", true)] {
+        let paper = shipped(name).unwrap();
+        let mut found = 0;
+        for claim in Claim::of(paper).take(6) {
+            let of_form = certify(claim, Form::Printed, None).unwrap();
+            let of_degree = certify_for_degree(claim, Form::Printed, Some(2)).unwrap();
+            found += usize::from(of_form.is_some()) + usize::from(of_degree.is_some());
+        }
+        assert_eq!(found > 0, certified, "{name}: {found}");
+    }
+}
+
+/// The command that repeats a witness is about the form that it refutes.
+#[test]
+fn a_witness_is_repeated_in_its_form() {
+    let Verdict::Refuted(mut witness) = verdict("lupas", "C1", 2) else { panic!("C1 fails") };
+    witness.looked.clear();
+    let of = |form| witness.again("C1", form, paper());
+    assert!(of(Form::Amended).ends_with("--property C1 --amended"), "{}", of(Form::Amended));
+    assert!(of(Form::Printed).ends_with("--property C1"), "{}", of(Form::Printed));
+    assert_eq!(of(Form::Fails), "knotproof report --claim C1");
 }

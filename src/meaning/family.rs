@@ -14,6 +14,7 @@ use crate::spline::{FormTable, Forms, Index, KnotVector};
 
 use super::adjectives::has;
 use super::truth::Stop;
+use super::value::combined;
 
 /// Which weights the recursion has: those of an index, for which there are fast kernels, or of a member of another family.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
@@ -616,19 +617,14 @@ impl<S: RationalAlgebra> Terms<'_, S> {
             Int::Degree => size(|(_, k)| Some(k)),
             Int::M => size(|(m, _)| Some(m)),
             Int::Last => size(|(m, k)| m.checked_sub(k + 1)),
-            Int::Plus(a, b) => two(a, b).and_then(|(a, b)| a.checked_add(b).ok_or_else(too_large)),
-            Int::Minus(a, b) => two(a, b).and_then(|(a, b)| a.checked_sub(b).ok_or_else(too_large)),
-            Int::Times(a, b) => two(a, b).and_then(|(a, b)| a.checked_mul(b).ok_or_else(too_large)),
-            Int::Least(a, b) => two(a, b).map(|(a, b)| a.min(b)),
-            Int::Greatest(a, b) => two(a, b).map(|(a, b)| a.max(b)),
-            Int::Binomial(a, b) => {
+            Int::Plus(a, b)
+            | Int::Minus(a, b)
+            | Int::Times(a, b)
+            | Int::Least(a, b)
+            | Int::Greatest(a, b)
+            | Int::Binomial(a, b) => {
                 let (a, b) = two(a, b)?;
-                let step = |all: i64, s: i64| Some(all.checked_mul(a - s + 1)? / s);
-                if b < 0 || b > a {
-                    Ok(0)
-                } else {
-                    (1..=b.min(a - b)).try_fold(1, step).ok_or_else(too_large)
-                }
+                combined(t, a, b).ok_or_else(too_large)
             }
             Int::Word(_) => Err("a word is no part of a weight".to_owned()),
         }

@@ -13,7 +13,7 @@ use super::cell::{Frame, sign_of_difference};
 use super::family::Weighting;
 use super::instance::Instance;
 use super::truth::{Stop, Truth};
-use super::value::{Plain, Value};
+use super::value::{Plain, Value, combined};
 use super::words;
 
 /// What the names in a file stand for.
@@ -196,19 +196,14 @@ impl<'a> Reading<'a> {
             Int::Degree => signed(self.degree()?),
             Int::M => signed(self.knots()?.m()),
             Int::Last => Ok(signed(self.knots()?.m())? - signed(self.degree()?)? - 1),
-            Int::Plus(a, b) => two(a, b).and_then(|(a, b)| a.checked_add(b).ok_or_else(too_large)),
-            Int::Minus(a, b) => two(a, b).and_then(|(a, b)| a.checked_sub(b).ok_or_else(too_large)),
-            Int::Times(a, b) => two(a, b).and_then(|(a, b)| a.checked_mul(b).ok_or_else(too_large)),
-            Int::Least(a, b) => two(a, b).map(|(a, b)| a.min(b)),
-            Int::Greatest(a, b) => two(a, b).map(|(a, b)| a.max(b)),
-            Int::Binomial(a, b) => {
+            Int::Plus(a, b)
+            | Int::Minus(a, b)
+            | Int::Times(a, b)
+            | Int::Least(a, b)
+            | Int::Greatest(a, b)
+            | Int::Binomial(a, b) => {
                 let (a, b) = two(a, b)?;
-                let step = |all: i64, s: i64| Some(all.checked_mul(a - s + 1)? / s);
-                if b < 0 || b > a {
-                    Ok(0)
-                } else {
-                    (1..=b.min(a - b)).try_fold(1, step).ok_or_else(too_large)
-                }
+                combined(t, a, b).ok_or_else(too_large)
             }
             Int::Word(of) => words::count(self, of),
         }

@@ -5,6 +5,7 @@ use std::sync::{Arc, OnceLock};
 use num_traits::Signed;
 
 use crate::analysis::{Piece, constant};
+use crate::language::Int;
 use crate::scalar::{BigInt, BigRational, Polynomial, RationalAlgebra, RationalFunction, Ring, integer};
 
 use super::truth::Stop;
@@ -352,6 +353,22 @@ impl std::fmt::Display for Value {
             Some((b, c)) if self.plain.is_zero() => write!(f, "{}·√{c}", show(b)),
             Some((b, c)) => write!(f, "{} + {}·√{c}", show(&self.plain), show(b)),
         }
+    }
+}
+
+/// What an operation makes of two integers; `None` if that does not fit, or if it is none of two.
+pub(super) fn combined(of: &Int, a: i64, b: i64) -> Option<i64> {
+    match of {
+        Int::Plus(..) => a.checked_add(b),
+        Int::Minus(..) => a.checked_sub(b),
+        Int::Times(..) => a.checked_mul(b),
+        Int::Least(..) => Some(a.min(b)),
+        Int::Greatest(..) => Some(a.max(b)),
+        Int::Binomial(..) if b < 0 || b > a => Some(0),
+        Int::Binomial(..) => {
+            (1..=b.min(a - b)).try_fold(1_i64, |all, s| Some(all.checked_mul(a - s + 1)? / s))
+        }
+        Int::Number(_) | Int::Bound(_) | Int::Degree | Int::Last | Int::M | Int::Word(_) => None,
     }
 }
 

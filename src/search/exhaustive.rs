@@ -8,7 +8,7 @@ use crate::analysis::is_continuous;
 
 use super::candidate::{Candidate, is_above_its_reverse};
 use super::compositions::Compositions;
-use super::space::{LARGEST_SIZE, Limits, SpaceError};
+use super::space::{Limits, SpaceError};
 
 /// The normal forms of one degree within limits, in the order of [`Candidate`].
 ///
@@ -42,17 +42,8 @@ impl Exhaustive {
     /// # Errors
     /// [`SpaceError`], if there is no case, or too many.
     pub(super) fn new(degree: usize, limits: &Limits) -> Result<Self, SpaceError> {
-        if limits.gap == Some(0) {
-            return Err(SpaceError::NoGap);
-        }
-        if limits.height == Some(0) {
-            return Err(SpaceError::NoHeight);
-        }
-        let largest = usize::try_from(limits.size).ok().filter(|_| limits.size <= LARGEST_SIZE);
-        let largest = largest.ok_or(SpaceError::TooLarge(limits.size))?;
+        let (largest, bound, tallest) = limits.greatest(true)?;
         let too_many = || SpaceError::TooMany(limits.size);
-        let bound = limits.gap.unwrap_or(limits.size).min(limits.size);
-        let tallest = limits.height.unwrap_or(limits.size).min(limits.size);
         let compositions = Compositions::new(degree + 1, bound, largest).ok_or_else(too_many)?;
         let mut space = Self {
             compositions,

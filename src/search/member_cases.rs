@@ -8,7 +8,7 @@ use crate::scalar::BigRational;
 use super::members::{MemberFunction, Members};
 use super::numbers::{Numbers, spread};
 use super::random::Random;
-use super::space::{FamilySpace, LARGEST_SIZE, Limits, MemberSpace, SpaceError};
+use super::space::{FamilySpace, Limits, MemberSpace, SpaceError};
 use super::sums::Sums;
 
 /// The functions of a family that are searched, each at a position.
@@ -106,19 +106,10 @@ impl MemberCases {
 
 impl BySize {
     fn new(members: &Arc<Members>, limits: &Limits) -> Result<Self, SpaceError> {
-        if limits.gap == Some(0) {
-            return Err(SpaceError::NoGap);
-        }
         let free = members.free().count();
-        if limits.height == Some(0) && free > 0 {
-            return Err(SpaceError::NoHeight);
-        }
-        let largest = usize::try_from(limits.size).ok().filter(|_| limits.size <= LARGEST_SIZE);
-        let largest = largest.ok_or(SpaceError::TooLarge(limits.size))?;
-        let too_many = || SpaceError::TooMany(limits.size);
-        let bound = limits.gap.unwrap_or(limits.size).min(limits.size);
         // A continuous function has a gap, so its numbers have a smaller height than its size.
-        let tallest = limits.height.unwrap_or(limits.size).min(limits.size);
+        let (largest, bound, tallest) = limits.greatest(free > 0)?;
+        let too_many = || SpaceError::TooMany(limits.size);
         let mut numbers: Vec<Arc<Numbers>> = Vec::with_capacity(free);
         let mut before = None;
         for parameter in members.free() {

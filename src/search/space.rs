@@ -62,6 +62,25 @@ pub struct Limits {
     pub height: Option<u64>,
 }
 
+impl Limits {
+    /// The largest size, the largest gap and the greatest height, where numbers have one, that there can be.
+    ///
+    /// # Errors
+    /// [`SpaceError`], if nothing is left, or too much.
+    pub(super) fn greatest(&self, has_numbers: bool) -> Result<(usize, u64, u64), SpaceError> {
+        if self.gap == Some(0) {
+            return Err(SpaceError::NoGap);
+        }
+        if has_numbers && self.height == Some(0) {
+            return Err(SpaceError::NoHeight);
+        }
+        let largest = usize::try_from(self.size).ok().filter(|_| self.size <= LARGEST_SIZE);
+        let largest = largest.ok_or(SpaceError::TooLarge(self.size))?;
+        let within = |limit: Option<u64>| limit.unwrap_or(self.size).min(self.size);
+        Ok((largest, within(self.gap), within(self.height)))
+    }
+}
+
 /// A random sample: case number c depends on the degree, the spread, the seed and c only.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
