@@ -128,9 +128,9 @@ fn what_is_wrong_with_a_request_is_told() {
             &["--family", "lupas", "--set", "q=2", "--points", "0 1 2 3", "--x", "1"],
             "curves of eval have the weights of an index only",
         ),
-        ("formula", &LUPAS, "`knotproof check`, `eval` and `shape` take any family"),
-        ("bezier", &LUPAS, "`knotproof check`, `eval` and `shape` take any family"),
-        ("float", &LUPAS, "`knotproof check`, `eval` and `shape` take any family"),
+        ("formula", &LUPAS, "`knotproof check`, `eval`, `shape` and `search` take any family"),
+        ("bezier", &LUPAS, "`knotproof check`, `eval`, `shape` and `search` take any family"),
+        ("float", &LUPAS, "`knotproof check`, `eval`, `shape` and `search` take any family"),
         (
             "check",
             &["--family", "lupas", "--set", "q=2", "--classical", "--property", "C2"],

@@ -461,7 +461,7 @@ pub enum CliError {
     /// A command that works with the weights of an index only.
     #[error(
         "--family: {what} the weights of an index only (families classical and mobius), and {family} has others; \
-         `knotproof check`, `eval` and `shape` take any family"
+         `knotproof check`, `eval`, `shape` and `search` take any family"
     )]
     OnlyIndices {
         /// Who knows no others: `this command knows`.
