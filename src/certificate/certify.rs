@@ -4,7 +4,7 @@ use rayon::prelude::*;
 use thiserror::Error;
 
 use crate::judge::{Scope, Witness};
-use crate::language::{Claim, Form, Sentence, canonical};
+use crate::language::{Binder, Claim, Form, Sentence, canonical};
 
 use super::derive::{NoWindow, derive};
 use super::point::point;
@@ -156,9 +156,10 @@ fn stated(
         (Some(Windows { form: of, degrees, .. }), _) => {
             return proved(claim, of, sentence, &degrees).map(Some);
         }
-        (None, Some(witness)) => match (point(witness), witness.k) {
-            (Some(point), Some(k)) => (Scope::Instance, vec![k], Shown::Point(point)),
-            _ => return Ok(None),
+        // What is about weights alone stands for degree 1.
+        (None, Some(witness)) => match point(witness) {
+            Some(point) => (Scope::Instance, vec![witness.k.unwrap_or(1)], Shown::Point(point)),
+            None => return Ok(None),
         },
         (None, None) => return Ok(None),
     };
@@ -201,16 +202,22 @@ fn said(
         claim: claim.id().to_owned(),
         form,
         refuted: false,
-        scope: Scope::Knots,
+        scope: reach(sentence),
         degrees: degrees.to_vec(),
         sentence: in_brackets(claim, form, sentence)?,
         shown: Shown::Derived(Vec::new()),
     })
 }
 
+/// How far it reaches, if it follows from windows: these are for every α.
+fn reach(sentence: &Sentence) -> Scope {
+    let about_examples = sentence.given.iter().any(|binder| matches!(binder, Binder::Instances(_)));
+    if about_examples { Scope::Alpha } else { Scope::Knots }
+}
+
 /// A sentence in canonical brackets, with the definitions and the other claims that it names.
 fn in_brackets(claim: Claim<'_>, form: Form, sentence: &Sentence) -> Result<Vec<Sexp>, CertificateError> {
-    let text = canonical(sentence, claim.definitions, &|id, printed| {
+    let text = canonical(sentence, claim.definitions, &claim.paper.examples, &|id, printed| {
         let named = Claim::of(claim.paper).find(|other| other.id() == id)?;
         let form = if printed { Form::Printed } else { named.strongest() };
         Some((named.sentence(form)?, named.definitions))

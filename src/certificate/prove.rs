@@ -12,7 +12,7 @@ use crate::scalar::{BigRational, Multivariate, Quotient, Ring, integer};
 use super::error::StatementError;
 use super::evaluate::{EvaluationError, Evaluator, Unfolding, sign};
 use super::proof::{Lemma, Rule, SectionProof};
-use super::statement::{Class, Hint, Section, Statement};
+use super::statement::{Class, Gap, Hint, Section, Statement};
 use super::term::{Formula, OfWeight, Place, Term};
 
 /// Why a statement could not be proved.
@@ -113,16 +113,20 @@ fn by_hint(section: &Section, hint: &Hint, lemmas: &[(Formula, Lemma)]) -> Resul
     }
 }
 
-/// The degrees from which on weights are left alone, the cheapest way first; at last none.
-fn ways() -> impl Iterator<Item = Option<usize>> {
+/// The degrees from which on weights are left alone, the cheapest way first; at last none. Where u is something else on knots
+/// that are numbers, p and q of a weight have factors in common that the checker keeps: all is unfolded.
+fn ways(section: &Section, sides: [&Term; 2]) -> impl Iterator<Item = Option<usize>> {
     const HIGHEST: usize = 8;
-    (1..=HIGHEST).map(Some).chain([None])
+    let is_number = |gap: &Gap| matches!(gap, Gap::Term(Term::Number(_)));
+    let numbers = section.windows.iter().all(|window| window.gaps.iter().all(is_number));
+    let highest = if numbers && sides.iter().any(|side| side.moves_u()) { 0 } else { HIGHEST };
+    (1..=highest).map(Some).chain([None])
 }
 
 fn rule_for(section: &Section, formula: &Formula) -> Result<Rule, GoalError> {
     match formula {
         Formula::Equal(left, right) => {
-            for weights in ways() {
+            for weights in ways(section, [left, right]) {
                 let unfolding = Unfolding { weights_from: weights, functions_to: None, related: true };
                 let evaluator = Evaluator::new(section, unfolding)?;
                 if evaluator.term(left)? == evaluator.term(right)? {
@@ -158,7 +162,7 @@ fn enough(found: Class, wanted: Class) -> bool {
 
 /// large > small, or ≥.
 fn compare(section: &Section, large: &Term, small: &Term, wanted: Class) -> Result<Rule, GoalError> {
-    for weights in ways() {
+    for weights in ways(section, [large, small]) {
         let unfolding = Unfolding { weights_from: weights, ..Unfolding::default() };
         let evaluator = Evaluator::new(section, unfolding)?;
         let difference = evaluator.term(large)?.minus(&evaluator.term(small)?);

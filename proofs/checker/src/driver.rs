@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::derive::sections;
+use crate::derive::{reach, sections};
 use crate::env::Env;
 use crate::error::{Reason, Rejected, Result};
 use crate::point::Numbered;
@@ -136,8 +136,10 @@ fn header<'n, 't>(node: &'n Node<'t>) -> Result<(Checked, Body<'n, 't>)> {
     let Some((sentence, rest)) = rest.split_first() else { return node.wrong("a sentence") };
     read(definitions, sentence)?;
     let body = match rest {
-        [] if verdict.is_word("proved") && scope.is_word("knots") => Body::Derived(definitions, sentence),
-        [] => return node.wrong("proved, scope knots, for what is derived"),
+        [] if verdict.is_word("proved") && scope.is_word(reach(sentence)?) => {
+            Body::Derived(definitions, sentence)
+        }
+        [] => return node.wrong("proved, and the scope of the sentence: alpha of examples, otherwise knots"),
         [point] if point.is("point") => {
             if !verdict.is_word("refuted") || !scope.is_word("instance") {
                 return point.wrong("refuted, scope instance, for a point");

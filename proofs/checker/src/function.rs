@@ -22,7 +22,7 @@ impl<'t> Case<'_, 't> {
         }
     }
 
-    /// A function at an argument; of numbers, whatever the number is.
+    /// A function at an argument; where knots are numbers, whatever the argument is.
     pub(crate) fn of(&mut self, function: &Node<'t>, argument: &Node<'t>) -> Found<Value<'t>> {
         let (side, [x, member @ ..]) = argument.headed("an argument")? else { return Err(Stop::Undecided) };
         let ratio = match (member.first(), &self.ratio) {
@@ -31,10 +31,7 @@ impl<'t> Case<'_, 't> {
             (Some(member), None) => Some(self.member(member)?),
         };
         let (at, moved) = match self.place_of(x) {
-            Err(Stop::Undecided) if self.numbers.is_some() => {
-                let plain = self.real(x)?.plain.ok_or(Stop::Undecided)?;
-                (At::X, Node::number_of(&plain.num, &plain.denominator()?))
-            }
+            Err(Stop::Undecided) if self.numbers.is_some() => (At::X, Some(self.real(x)?)),
             at => (at?, None),
         };
         let at = match (at, side) {
@@ -43,11 +40,12 @@ impl<'t> Case<'_, 't> {
             (At::X, "right") => At::Right,
             _ => return Err(Stop::Undecided),
         };
-        let before = (std::mem::replace(&mut self.ratio, ratio), moved.map(|x| self.locate(x)).transpose()?);
+        let place = moved.map(|x| self.locate(x)).transpose()?;
+        let ratio = std::mem::replace(&mut self.ratio, ratio);
         let value = self.function(function, at, 0);
-        self.ratio = before.0;
-        if let Some(before) = before.1 {
-            self.restore(before);
+        self.ratio = ratio;
+        if let Some(place) = place {
+            self.restore(place);
         }
         value
     }
@@ -73,8 +71,8 @@ impl<'t> Case<'_, 't> {
     /// r of another index that is bound.
     pub(crate) fn other(&mut self, name: &'t str) -> Found<Node<'t>> {
         match &self.numbers {
-            Some(numbers) => numbers.of("index", name, 0).ok_or(Stop::Undecided),
-            None => Ok(self.parameter("positive", Node::made(name, vec![Node::whole_of(0)]))?.term),
+            Some(numbers) if numbers.values.is_some() => numbers.of("index", name, 0).ok_or(Stop::Undecided),
+            _ => Ok(self.parameter("positive", Node::made(name, vec![Node::whole_of(0)]))?.term),
         }
     }
 
@@ -107,13 +105,18 @@ impl<'t> Case<'_, 't> {
         if self.is_point(node)? { Ok(At::X) } else { Err(Stop::Undecided) }
     }
 
-    /// A function, or its derivative of order 1.
+    /// A function, or its derivative: of order 1, that of a weight of order 2 as well.
     pub(crate) fn function(&mut self, node: &Node<'t>, at: At, order: i64) -> Found<Value<'t>> {
         match node.headed("a function")? {
             ("D", [of, by]) => match self.fixed(by)? {
-                by @ 0..=1 if order + by <= 1 => self.function(of, at, order + by),
+                by @ 0..=2 if order + by <= 2 => self.function(of, at, order + by),
                 _ => Err(Stop::Undecided),
             },
+            (head @ ("phi" | "f"), [a, b]) if self.numbers.is_some() => {
+                let (a, b) = (self.real(a)?, self.real(b)?);
+                self.weight(head == "phi", a, b, at, order)
+            }
+            _ if order > 1 => Err(Stop::Undecided),
             ("G", [i, degree @ ..]) => {
                 let i = self.int(i)?;
                 let degree = degree.first().map_or(Ok(self.k), |degree| self.fixed(degree))?;
@@ -137,6 +140,40 @@ impl<'t> Case<'_, 't> {
             }
             ("defined", [name, indices @ ..]) => self.defined(name, indices, at, order),
             _ => Err(Stop::Undecided),
+        }
+    }
+
+    /// The weight of any interval, as D2.3 has it, or a derivative of it; φ is 0 outside of it.
+    fn weight(&mut self, cut: bool, a: Value<'t>, b: Value<'t>, at: At, order: i64) -> Found<Value<'t>> {
+        let x = self.x()?;
+        if cut {
+            let [from, to] = match (at, order) {
+                (At::Left, _) => ["<", "<="],
+                (At::X, 1..) => ["<", "<"],
+                _ => ["<=", "<"],
+            };
+            let inside =
+                self.compare(a.clone(), from, x.clone())?.and(self.compare(x.clone(), to, b.clone())?);
+            match inside {
+                Truth::False if order == 0 => return Ok(Value::whole(0)),
+                inside if inside.is_true() => {}
+                _ => return Err(Stop::Undecided),
+            }
+        }
+        let r = self.ratio.clone().unwrap_or_else(|| Node::name_of("r"));
+        let r = self.leaf(r)?;
+        let rise = r.clone().times(x.clone().minus(a.clone())?)?;
+        let below = rise.clone().plus(b.clone().minus(x)?)?;
+        // By the quotient rule: the derivative of what is below is r − 1.
+        let slope = r.clone().times(b.minus(a)?)?;
+        let square = below.clone().times(below.clone())?;
+        match order {
+            0 => self.over(rise, below),
+            1 => self.over(slope, square),
+            _ => {
+                let bend = slope.times(Value::whole(-2))?.times(r.minus(Value::whole(1))?)?;
+                self.over(bend, square.times(below)?)
+            }
         }
     }
 
@@ -170,20 +207,28 @@ impl<'t> Case<'_, 't> {
             (_, Some(on)) => on,
         };
         let window = Node::name_of(if mirrored { "M" } else { "W" });
-        let place = Node::made(on, vec![window, Node::whole_of(e)]);
-        let mut term = Node::made(head, vec![Node::whole_of(i), Node::whole_of(degree), place]);
+        // Numbers are counted as they are, the knots of other windows from t_s.
+        let from = match &self.numbers {
+            Some(_) => self.facts.value(&Form::near(0)).ok_or(Stop::Undecided)?,
+            None => 0,
+        };
+        let place = Node::made(on, vec![window, Node::whole_of(e + from)]);
+        let mut term = Node::made(head, vec![Node::whole_of(i + from), Node::whole_of(degree), place]);
         let mut moved = Vec::new();
         if mirrored && self.place == Place::Inside {
             let inverse = Node::made("/", vec![Node::whole_of(1), Node::name_of("u")]);
             moved.push(Node::made("u", vec![inverse]));
         }
+        let u = self.numbers.as_ref().and_then(|numbers| numbers.u.clone());
+        moved.extend(u.map(|u| Node::made("u", vec![u])));
         moved.extend(self.ratio.iter().map(|ratio| Node::made("r", vec![ratio.clone()])));
         if !moved.is_empty() {
             term = Node::made("at", vec![Node::group_of(moved), term]);
         }
         match &self.numbers {
-            None => Ok(Value { term, plain: None, knot: None }),
-            Some(_) => Ok(self.leaf(self.at_numbers(term))?),
+            // A weight tells where other functions are taken.
+            Some(numbers) if numbers.values.is_some() || head.ends_with('w') => Ok(self.leaf(term)?),
+            _ => Ok(Value { term, plain: None, knot: None }),
         }
     }
 

@@ -42,11 +42,6 @@ impl Poly {
         Poly { terms: [(monomial, IBig::ONE)].into() }
     }
 
-    /// The value, if there are no variables.
-    pub(crate) fn number(&self) -> Option<IBig> {
-        self.is_only_in(|_| false).then(|| self.terms.values().next().cloned().unwrap_or(IBig::ZERO))
-    }
-
     /// The number of terms.
     pub(crate) fn size(&self) -> usize {
         self.terms.len()
