@@ -153,12 +153,16 @@ fn stated(
             form = of;
             (scope, degrees, Shown::Argued { because, sections: parse(&sections)? })
         }
+        (Some(Windows { form: of, scope, degrees, points: Some(points), .. }), _) => {
+            form = of;
+            (scope, degrees, Shown::Points(parse(&points)?))
+        }
         (Some(Windows { form: of, degrees, .. }), _) => {
             return proved(claim, of, sentence, &degrees).map(Some);
         }
         // What is about weights alone stands for degree 1.
         (None, Some(witness)) => match point(witness) {
-            Some(point) => (Scope::Instance, vec![witness.k.unwrap_or(1)], Shown::Point(point)),
+            Some(point) => (Scope::Instance, vec![witness.k.unwrap_or(1)], Shown::Points(vec![point])),
             None => return Ok(None),
         },
         (None, None) => return Ok(None),
@@ -256,7 +260,7 @@ pub fn certify(
         let open = witness.is_none() && claim.paper.windows.is_empty();
         return Ok(if open { unasked(claim, form) } else { None });
     };
-    let is_point = matches!(stated.shown, Shown::Point(_));
+    let is_point = matches!(stated.shown, Shown::Points(_));
     let certificate = Certificate::of(stated)?;
     // The checker has the last word on whether numbers are enough: of a sentence with a word they are not.
     Ok(Some(certificate).filter(|certificate| !is_point || certificate.check().is_ok()))

@@ -18,8 +18,8 @@ mod term;
 mod windows;
 
 pub use certify::{
-    Certificate, CertificateError, Uncertified, certify, certify_for_degree, derived, stated_form,
-    statement, statement_text,
+    Certificate, CertificateError, Uncertified, certify, certify_for_degree, derived, stated_form, statement,
+    statement_text,
 };
 pub use derive::{NoWindow, derive};
 pub use error::StatementError;

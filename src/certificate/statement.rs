@@ -35,8 +35,8 @@ pub struct Statement {
 pub enum Shown {
     /// Windows and goals that follow from it: those of each degree.
     Derived(Vec<Vec<Section>>),
-    /// Numbers at which it fails: nothing is left to be proved.
-    Point(Sexp),
+    /// Numbers at which it fails, for each degree: nothing is left to be proved.
+    Points(Vec<Sexp>),
     /// Sections, not yet unrolled, and why they are the sentence, or refute it.
     Argued {
         /// Why.
@@ -125,7 +125,7 @@ impl Statement {
         all.extend(parts.into_iter().chain(self.sentence.iter().cloned()));
         match &self.shown {
             Shown::Derived(_) => {}
-            Shown::Point(point) => all.push(point.clone()),
+            Shown::Points(points) => all.extend(points.iter().cloned()),
             Shown::Argued { because, sections } => {
                 all.push(Sexp::form("because", [Sexp::Text(because.clone())]));
                 all.extend(sections.iter().map(without_hints));
@@ -149,7 +149,7 @@ impl Statement {
     pub fn argued(&self) -> Option<(&str, &[Sexp])> {
         match &self.shown {
             Shown::Argued { because, sections } => Some((because, sections)),
-            Shown::Derived(_) | Shown::Point(_) => None,
+            Shown::Derived(_) | Shown::Points(_) => None,
         }
     }
 
@@ -171,14 +171,14 @@ impl Statement {
                         "Windows and goals follow from the sentence, place by place of x (proofs/FORMAT.md, Derivation)."
                     }
                     None => {
-                        "It follows from the order of the knots at every place of x (proofs/FORMAT.md, Derivation)."
+                        "It follows from the order of the knots, or of the numbers, at every place of x (proofs/FORMAT.md, Derivation)."
                     }
                 };
                 (why.to_owned(), least.into_iter().flatten().map(Section::to_sexp).collect())
             }
-            Shown::Point(point) => {
+            Shown::Points(points) => {
                 let why = "At these numbers all hypotheses are true and a conclusion is not.";
-                (why.to_owned(), vec![point.clone()])
+                (why.to_owned(), points.clone())
             }
             Shown::Argued { because, sections } => (because.clone(), sections.clone()),
         }
@@ -191,7 +191,7 @@ impl Statement {
     pub fn expand(&self) -> Result<Vec<Section>, StatementError> {
         let sections = match &self.shown {
             Shown::Derived(sections) => return Ok(sections.concat()),
-            Shown::Point(_) => return Ok(Vec::new()),
+            Shown::Points(_) => return Ok(Vec::new()),
             Shown::Argued { sections, .. } => sections,
         };
         let mut all = Vec::new();

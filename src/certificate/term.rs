@@ -273,6 +273,29 @@ impl Term {
         }
     }
 
+    /// With every place inside of a span at an end of it.
+    pub(super) fn at_end(&self, at: Where) -> Self {
+        let list = |all: &[Self]| all.iter().map(|term| term.at_end(at)).collect();
+        let both = |a: &Self, b: &Self| (Box::new(a.at_end(at)), Box::new(b.at_end(at)));
+        let mut moved = self.clone();
+        match &mut moved {
+            Self::Point(place)
+            | Self::Weight(_, _, _, place)
+            | Self::Function { place, .. }
+            | Self::DeBoor { place, .. } => {
+                if place.at == Where::In {
+                    place.at = at;
+                }
+            }
+            Self::Sum(all) | Self::Product(all) => *all = list(all),
+            Self::Difference(a, b) | Self::Ratio(a, b) => (*a, *b) = both(a, b),
+            Self::Power(a, _) | Self::At(_, a) => **a = a.at_end(at),
+            Self::Determinant(rows) => rows.iter_mut().for_each(|row| *row = list(row)),
+            Self::Number(_) | Self::Named(_) | Self::Knot(..) => {}
+        }
+        moved
+    }
+
     /// Is u something else in a part of it, and not only 1/u?
     pub(super) fn moves_u(&self) -> bool {
         let inverse = Self::Ratio(Box::new(Self::Number(integer(1))), Box::new(Self::Named("u".into())));

@@ -27,6 +27,8 @@ pub struct Windows {
     pub degrees: Vec<usize>,
     /// What can't be derived from the sentence.
     pub argued: Option<Argued>,
+    /// Of a refutation of what words say: a point for each degree, with what shows it, as text.
+    pub points: Option<String>,
     /// Of a refutation: for each degree [`Witness::given`] of the witness that the goals are about.
     pub refutes: Option<Vec<Numbers>>,
     /// The degrees in which that is a counterexample of its own, and not the one that the engine finds.
@@ -46,6 +48,7 @@ struct Entry {
     degrees: Vec<usize>,
     because: Option<String>,
     sections: Option<String>,
+    points: Option<String>,
     refutes: Option<Vec<Numbers>>,
     #[serde(default)]
     own: Vec<usize>,
@@ -55,7 +58,7 @@ impl TryFrom<Entry> for Windows {
     type Error = &'static str;
 
     fn try_from(entry: Entry) -> Result<Self, Self::Error> {
-        let Entry { claim, form, scope, degrees, because, sections, refutes, own } = entry;
+        let Entry { claim, form, scope, degrees, because, sections, points, refutes, own } = entry;
         let argued = match (because, sections) {
             (Some(because), Some(sections)) => Some(Argued { because, sections }),
             (None, None) => None,
@@ -65,11 +68,14 @@ impl TryFrom<Entry> for Windows {
                 );
             }
         };
+        if points.is_some() && (argued.is_some() || refutes.is_none()) {
+            return Err("`points` stand with `refutes`, and in the place of `because` and `sections`");
+        }
         let form = [Form::Printed, Form::Amended, Form::Fails, Form::Degrees]
             .into_iter()
             .find(|known| known.name() == form)
             .ok_or("`form` is printed, amended, fails or degrees")?;
-        Ok(Self { claim, form, scope, degrees, argued, refutes, own })
+        Ok(Self { claim, form, scope, degrees, argued, points, refutes, own })
     }
 }
 
@@ -189,7 +195,7 @@ mod tests {
         let mut seen = BTreeSet::new();
         let mut faults = Vec::new();
         for windows in all {
-            let Windows { claim, form, scope, degrees, argued, refutes, own } = windows;
+            let Windows { claim, form, scope, degrees, argued, points: _, refutes, own } = windows;
             let has_amendment = claim_of(windows).is_none_or(|claim| claims[claim].stanza.amended.is_some());
             let is_section = |item: &Sexp| item.as_form().is_some_and(|(head, _)| head == "section");
             let read = argued.as_ref().is_none_or(|argued| {

@@ -114,7 +114,11 @@ pub(crate) struct Case<'c, 't> {
     pub(crate) mirrored: bool,
     /// r of another member of the family.
     pub(crate) ratio: Option<Node<'t>>,
+    /// Those of other indices, as far as they are known.
+    pub(crate) ratios: Vec<(&'t str, Node<'t>)>,
     pub(crate) numbers: Option<Numbers<'t>>,
+    /// Functions are values, where knots are numbers.
+    pub(crate) exact: bool,
     /// Something was not decided.
     pub(crate) undecided: bool,
     /// Names of far numbers so far.
@@ -142,7 +146,9 @@ impl<'c, 't> Case<'c, 't> {
             symmetric: false,
             mirrored: false,
             ratio: None,
+            ratios: Vec::new(),
             numbers: None,
+            exact: false,
             undecided: false,
             far: 0,
             depth: 0,
@@ -213,6 +219,14 @@ impl<'c, 't> Case<'c, 't> {
         let value = of(self);
         self.depth -= 1;
         value
+    }
+
+    /// With values of all functions, and not only their names.
+    pub(crate) fn exactly<T>(&mut self, of: impl FnOnce(&mut Self) -> T) -> T {
+        let before = std::mem::replace(&mut self.exact, true);
+        let found = of(self);
+        self.exact = before;
+        found
     }
 
     pub(crate) fn sign(&self, value: &Fraction) -> Sign {

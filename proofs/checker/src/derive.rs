@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use crate::case::{At, Bound, Case, Found, Numbers, Stop, read};
 use crate::env::Env;
 use crate::error::{Reason, Result};
-use crate::place::{Place, fine};
+use crate::place::{Form, Place, fine};
 use crate::section::Section;
 use crate::sentence::{Example, adjective, examples};
 use crate::token::{Node, tree};
@@ -71,6 +71,10 @@ pub(crate) struct Obligation<'t> {
     /// Of the knots.
     adjectives: Vec<&'t str>,
     pub(crate) conclusion: Option<Node<'t>>,
+    /// The knot that is looked at, where the conclusion names no x.
+    at: Option<Node<'t>>,
+    /// Other members of the family.
+    indices: Vec<&'t str>,
     /// Adjectives say all that they mean: hypotheses have to be true, not only to be left out.
     refuting: bool,
     subject: Option<Subject<'t>>,
@@ -105,7 +109,12 @@ fn open<'t>(
             ("degree", [low]) if k < low.whole()? => return Ok(false),
             ("degree", [low, high]) if k < low.whole()? || k > high.whole()? => return Ok(false),
             ("degree", _) => {}
-            ("index" | "points", [name]) => not_reserved(name)?,
+            (kind @ ("index" | "points"), [name]) => {
+                not_reserved(name)?;
+                if kind == "index" {
+                    of.indices.push(name.name()?);
+                }
+            }
             ("knots", adjectives) => {
                 knots = true;
                 for node in adjectives {
@@ -151,6 +160,19 @@ fn split<'t>(node: &Node<'t>, k: i64, mut of: Obligation<'t>, found: &mut Vec<Ob
         ("<=>", [a, b]) => implied(a, b, k, of.clone(), found).and_then(|()| implied(b, a, k, of, found)),
         ("claim", [_, sentence]) => open(sentence, k, of, found).map(|_| ()),
         ("and", parts) => parts.iter().try_for_each(|part| split(part, k, of.clone(), found)),
+        (word @ ("smooth" | "rational"), [expression]) if !of.refuting => {
+            let [body, name, interval] = expression.part("expression")?;
+            if word == "rational" && !between_neighbours(interval)? {
+                return Err(Reason::NoWindow("not from one knot to the next"));
+            }
+            of.bind(&Node::made("reals", vec![name.clone(), interval.clone()]))?;
+            of.conclusion = Some(Node::made(word, vec![Node::made("real", vec![body.clone()])]));
+            found.push(of);
+            Ok(())
+        }
+        ("chain", [a, step]) if !of.refuting && a.any(&mut |node| node.is("rank")) => {
+            rank(a, step, k, &of, found)
+        }
         _ => {
             for conclusion in parts(node)? {
                 found.push(Obligation { conclusion: Some(conclusion), ..of.clone() });
@@ -158,6 +180,82 @@ fn split<'t>(node: &Node<'t>, k: i64, mut of: Obligation<'t>, found: &mut Vec<Ob
             Ok(())
         }
     }
+}
+
+/// Whether an interval is from t_J to t_{J+1}.
+fn between_neighbours(interval: &Node<'_>) -> Result<bool> {
+    let [_, a, _, b] = interval.group("an interval")?;
+    let ([i], [j]) = (a.part("t")?, b.part("t")?);
+    Ok(matches!(j.headed(""), Ok(("+", [of, one])) if of == i && *one == Node::whole_of(1)))
+}
+
+/// The rank of degree d is the number of i with t_i < t_{i+d+1}: the others are 0, and those that begin at one knot have different
+/// orders there. So it is n + k − d + 1 if all are; and two less if all are but the first and the last one.
+fn rank<'t>(
+    a: &Node<'t>,
+    step: &Node<'t>,
+    k: i64,
+    of: &Obligation<'t>,
+    found: &mut Vec<Obligation<'t>>,
+) -> Result<()> {
+    let no_window = Reason::NoWindow("a rank that is not counted");
+    let mut case = Case::new(&[], k, Place::Inside)?;
+    let count = match (a.part("int"), step.part::<1>("=")) {
+        (Ok([rank]), Ok([b])) => {
+            rank.part::<1>("rank").and_then(|[d]| d.part::<1>("integer")).ok().zip(b.part::<1>("int").ok())
+        }
+        _ => None,
+    };
+    let Some(([degree], [count])) = count else { return Err(no_window) };
+    let (Some(d), Some(count)) = (read(case.fixed(degree))?, read(case.int(count))?) else {
+        return Err(no_window);
+    };
+    let ends = match count.plus(-1, &Form::last(k - d + 1))? {
+        _ if d > k || d < 0 => return Err(no_window),
+        same if same == Form::number(0) => 0,
+        less if less == Form::number(-2) => 1,
+        _ => return Err(no_window),
+    };
+    let number = Node::whole_of;
+    let plus = |a: Node<'t>, b: i64| Node::made("+", vec![a, Node::whole_of(b)]);
+    let knot = |i: Node<'t>| Node::made("t", vec![i]);
+    let of_two = |a: Node<'t>, relation, b| {
+        let conclusion = Node::made("chain", vec![a.clone(), Node::made(relation, vec![b])]);
+        Obligation { at: Some(a), conclusion: Some(conclusion), ..of.clone() }
+    };
+    // The orders are shown by themselves.
+    found
+        .push(Obligation { conclusion: Some(Node::made("order", vec![number(d)])), ..Obligation::default() });
+    let (i, last) = (Node::name_of(OF_RANK), plus(Node::name_of("n"), k - d));
+    let mut all = of_two(knot(i.clone()), "<", knot(plus(i.clone(), d + 1)));
+    all.integers.push(vec![i, number(ends), plus(last.clone(), -ends)]);
+    found.push(all);
+    if ends > 0 {
+        found.push(of_two(knot(number(0)), "=", knot(number(d + 1))));
+        found.push(of_two(knot(Node::name_of("m")), "=", knot(last)));
+    }
+    Ok(())
+}
+
+/// No name of a sentence.
+const OF_RANK: &str = "rank";
+
+/// (order 0 d …), where the function begins at the first of q knots, for q = 1, …, d + 1.
+fn orders_at_knots<'t>(d: i64) -> Vec<Node<'t>> {
+    let section = |q: i64| {
+        let gap = |e: i64| match e {
+            _ if e == q - 1 => Node::name_of("some"),
+            _ if (0..q).contains(&e) => Node::whole_of(0),
+            _ => Node::name_of("any"),
+        };
+        let head = [Node::name_of("W"), Node::whole_of(-d)];
+        let window = Node::made("window", head.into_iter().chain((-d..=q + d).map(gap)).collect());
+        let place = Node::made("in", vec![Node::name_of("W"), Node::whole_of(q - 1)]);
+        let order =
+            Node::made("order", vec![Node::whole_of(0), Node::whole_of(d), place, Node::whole_of(d + 1 - q)]);
+        Node::made("section", vec![window, Node::made("goals", vec![order])])
+    };
+    (1..=d + 1).map(section).collect()
 }
 
 /// a ⇒ b; not b ⇒ not a, if only a is about functions.
@@ -286,7 +384,11 @@ impl<'t> Obligation<'t> {
         // q > k consecutive indices in 1, …, n + k have one in k + 1, …, n, or hold both k and n + 1.
         let proper = tree("(chain (t k) (< (t (- m k))))")?;
         Ok(match place {
-            Place::First(copies) | Place::Last(copies) => self.is("simple") && copies.least() > 1,
+            // k + 2 copies of t_0 have t_{k+1} among them, which is t_{k+1}, …, t_n as t_k < t_{n+1}; so for t_m.
+            Place::First(copies) | Place::Last(copies) => {
+                let few = self.is("interior") && self.hypotheses.contains(&proper);
+                self.is("simple") && copies.least() > 1 || few && copies.least() > k + 1
+            }
             Place::Knot(copies) => {
                 let few = self.is("inner") || self.is("interior") && self.hypotheses.contains(&proper);
                 self.is("simple") && copies.least() > 1 || few && copies.least() > k
@@ -336,6 +438,9 @@ impl<'t> Obligation<'t> {
     /// What the functions of the conclusion are taken at: one bound real, or one knot. Without functions, the one bound
     /// real in it, or the one with an interval.
     pub(crate) fn point(&self) -> Result<Point<'t>> {
+        if let Some(at) = &self.at {
+            return Ok(Point::Knot(at.clone()));
+        }
         let many = Err(Reason::NoWindow("the functions are taken at more than one point"));
         let (conclusion, mut arguments) = (self.conclusion.iter().collect::<Vec<_>>(), Vec::new());
         for node in &conclusion {
@@ -377,6 +482,10 @@ fn not_reserved(name: &Node<'_>) -> Result<()> {
     const RESERVED: [&str; 9] = ["u", "r", "o", "W", "M", "left", "right", "rho", "outside"];
     let reserved = RESERVED.iter().find(|reserved| name.is_word(reserved));
     reserved.map_or(Ok(()), |reserved| Err(Reason::Taken((*reserved).to_owned())))
+}
+
+fn names_index(node: &Node<'_>) -> bool {
+    node.any(&mut |node| node.is("alpha"))
 }
 
 fn is_variable(node: &Node<'_>, name: &str) -> bool {
@@ -422,6 +531,27 @@ fn orders(count: usize) -> Result<Vec<Vec<i64>>> {
     Ok(all)
 }
 
+/// A ratio so many ranks beside 1: 1 + (rho 0) + …, or 1/(1 + (rho -1) + …).
+fn beside<'t>(one: i64, rank: i64) -> Node<'t> {
+    let rho = |j| Node::made("rho", vec![Node::whole_of(j)]);
+    let sum = |steps: Vec<i64>| {
+        let first = [Node::whole_of(1)].into_iter();
+        Node::made("+", first.chain(steps.into_iter().map(rho)).collect())
+    };
+    match rank - one {
+        0 => Node::whole_of(1),
+        above @ 1.. => sum((0..above).collect()),
+        below => Node::made("/", vec![Node::whole_of(1), sum((1..=-below).map(|j| -j).collect())]),
+    }
+}
+
+/// All that occur in ratios of these ranks.
+fn declared<'t>(one: i64, order: &[i64]) -> Vec<Node<'t>> {
+    let most = order.iter().max().map_or(0, |most| most - one);
+    let all: Vec<_> = (-one..most).map(|j| Node::made("rho", vec![Node::whole_of(j)])).collect();
+    if all.is_empty() { all } else { vec![Node::made("positive", all)] }
+}
+
 /// The number of a rank: o, and what each is more than the one before.
 fn ranked<'t>(case: &mut Case<'_, 't>, rank: i64) -> Result<Value<'t>> {
     let mut value = case.parameter("real", Node::name_of("o"))?;
@@ -460,6 +590,10 @@ pub(crate) fn sections<'t>(definitions: &[Node<'t>], sentence: &Node<'t>, k: i64
     let mut all = Vec::new();
     for subject in subjects(definitions, sentence, k)? {
         for (number, obligation) in (1..).zip(obligations(sentence, k, &subject, false)?) {
+            if let Some(Ok([d])) = obligation.conclusion.as_ref().map(|of| of.part::<1>("order")) {
+                all.extend(orders_at_knots(d.whole()?));
+                continue;
+            }
             let mut walk = Walk::new(&obligation, definitions, k)?;
             let found = match subject {
                 Subject::Example(_) | Subject::Weights => walk.numbers(&subject)?,
@@ -487,7 +621,11 @@ struct Walk<'w, 't> {
     definitions: &'w [Node<'t>],
     k: i64,
     mirrored: bool,
-    member: Option<Member>,
+    /// What is known of r, and of the ratios of other indices.
+    declared: Vec<Node<'t>>,
+    ratios: Vec<(&'t str, Node<'t>)>,
+    /// Their order may still be asked for.
+    free: bool,
 }
 
 impl<'w, 't> Walk<'w, 't> {
@@ -498,8 +636,18 @@ impl<'w, 't> Walk<'w, 't> {
             (Some(Subject::Example(_)), Ok(Point::Real(name))) => Point::Real(name),
             _ => Point::Any,
         };
-        let member = member(&hypotheses);
-        Ok(Walk { obligation, hypotheses, point, definitions, k, mirrored: false, member })
+        let (declared, ratios) = (ratio(member(&hypotheses)), Vec::new());
+        Ok(Walk {
+            obligation,
+            hypotheses,
+            point,
+            definitions,
+            k,
+            mirrored: false,
+            declared,
+            ratios,
+            free: false,
+        })
     }
 
     /// The sections of all places, or the place where something is not decided.
@@ -560,19 +708,29 @@ impl<'w, 't> Walk<'w, 't> {
         })
     }
 
-    /// The sections of numbers: if something is not decided for all r, for each kind of α.
+    /// The sections of numbers: if something is not decided for all r, for each order of 1, r, and the ratios of other indices.
     fn numbers(&mut self, subject: &Subject<'t>) -> Result<std::result::Result<Vec<Node<'t>>, String>> {
         let all = |own: &Self| match subject {
             Subject::Example(row) => own.example(row),
             _ => own.weights(),
         };
+        self.free = true;
         let found = all(self)?;
-        if found.is_ok() || self.member.is_some() {
+        if found.is_ok() {
             return Ok(found);
         }
+        self.free = false;
         let mut together = Vec::new();
-        for member in [Member::Classical, Member::Below, Member::Above] {
-            self.member = Some(member);
+        for order in orders(2 + self.obligation.indices.len())? {
+            let [one, alpha, others @ ..] = order.as_slice() else { continue };
+            if others.contains(alpha) {
+                continue;
+            }
+            self.declared = declared(*one, &order);
+            let r = Node::made("let", vec![Node::name_of("r"), beside(*one, *alpha)]);
+            self.declared.push(r);
+            let ratio = |(name, rank): (&&'t str, &i64)| (*name, beside(*one, *rank));
+            self.ratios = self.obligation.indices.iter().zip(others).map(ratio).collect();
             match all(self)? {
                 Ok(sections) => together.extend(sections),
                 Err(_) => return Ok(found),
@@ -609,9 +767,9 @@ impl<'w, 't> Walk<'w, 't> {
     /// A case of numbers, with x nowhere yet, and r as far as it is known.
     fn case(&self, numbers: Numbers<'t>, fixed: &[Node<'t>]) -> Result<Case<'w, 't>> {
         let mut case = Case::new(self.definitions, self.k, Place::Inside)?;
-        let declared: Vec<_> = ratio(self.member).into_iter().chain(fixed.iter().cloned()).collect();
+        let declared: Vec<_> = self.declared.iter().chain(fixed).cloned().collect();
         case.section = Section::new(&declared, Env::default())?;
-        case.numbers = Some(numbers);
+        (case.numbers, case.ratios) = (Some(numbers), self.ratios.clone());
         Ok(case)
     }
 
@@ -687,7 +845,7 @@ impl<'w, 't> Walk<'w, 't> {
         let named = |name: &Node<'t>| goals.iter().any(|goal: &Node<'t>| goal.any(&mut |node| node == name));
         let declared = case.parameters.iter().filter(|(_, name)| named(name));
         let mut fields: Vec<_> = declared.map(|(sign, name)| Node::made(sign, vec![name.clone()])).collect();
-        fields.extend(ratio(self.member));
+        fields.extend(self.declared.iter().cloned());
         fields.extend(fixed);
         fields.push(Node::made("goals", goals));
         found.push(Node::made("section", fields));
@@ -735,6 +893,7 @@ impl<'w, 't> Walk<'w, 't> {
 
     fn decided(&self, case: &mut Case<'w, 't>, goals: &mut Vec<Node<'t>>) -> Result<bool> {
         let (mut open, mut undefined) = (false, false);
+        let coarse = matches!(case.place, Place::Start | Place::End);
         if let Point::Knot(knot) = &self.point {
             case.knot = case.index(knot)?;
             case.on_knot = false;
@@ -743,7 +902,7 @@ impl<'w, 't> Walk<'w, 't> {
             match case.truth(&at_knot)? {
                 Truth::False => return Ok(true),
                 truth => {
-                    open |= !truth.is_true();
+                    open |= coarse && !truth.is_true();
                     undefined |= truth == Truth::Undefined;
                 }
             }
@@ -753,7 +912,15 @@ impl<'w, 't> Walk<'w, 't> {
             match case.truth(hypothesis)? {
                 Truth::False => return Ok(true),
                 Truth::Undefined => undefined = true,
-                truth => open |= !truth.is_true() && self.names_point(hypothesis),
+                truth if truth.is_true() => {}
+                // It may be decided at a finer place, or for an order of ratios.
+                _ => {
+                    open |= if coarse {
+                        self.names_point(hypothesis)
+                    } else {
+                        self.free && names_index(hypothesis)
+                    }
+                }
             }
         }
         if undefined {
@@ -761,10 +928,9 @@ impl<'w, 't> Walk<'w, 't> {
         }
         let Some(conclusion) = &self.obligation.conclusion else { return Ok(false) };
         let truth = case.truth(conclusion)?;
-        let coarse = matches!(case.place, Place::Start | Place::End);
         match truth {
             truth if truth.is_true() => Ok(true),
-            Truth::Goals(new) if !(coarse && open) => {
+            Truth::Goals(new) if !open => {
                 spend(goals.len())?;
                 for goal in new {
                     if !goals.contains(&goal) {

@@ -140,15 +140,15 @@ fn header<'n, 't>(node: &'n Node<'t>) -> Result<(Checked, Body<'n, 't>)> {
             Body::Derived(definitions, sentence)
         }
         [] => return node.wrong("proved, and the scope of the sentence: alpha of examples, otherwise knots"),
-        [point] if point.is("point") => {
+        points if points.iter().all(|point| point.is("point")) => {
             if !verdict.is_word("refuted") || !scope.is_word("instance") {
-                return point.wrong("refuted, scope instance, for a point");
+                return node.wrong("refuted, scope instance, for a point");
             }
-            let numbers = Numbered::new(point)?;
-            if list.iter().map(|degree| i64::from(*degree)).ne([numbers.degree()]) {
+            let numbers = points.iter().map(Numbered::new).collect::<Result<Vec<_>>>()?;
+            if list.iter().map(|degree| i64::from(*degree)).ne(numbers.iter().map(Numbered::degree)) {
                 return degrees.wrong("the degree of the point");
             }
-            numbers.refutes(definitions, sentence)?;
+            numbers.iter().try_for_each(|point| point.refutes(definitions, sentence))?;
             Body::Refuted
         }
         [because, sections @ ..] => {

@@ -7,6 +7,14 @@ use crate::token::{Kind, Node, tree};
 use crate::truth::Truth;
 use crate::value::Value;
 
+/// Whether another member is ∞, or that of another index by its name.
+fn names_an_index(member: &Node<'_>) -> Found<bool> {
+    Ok(match member.headed("another index")? {
+        ("alpha", [alpha]) => alpha.is_word("infinity") || alpha.is("alpha"),
+        _ => false,
+    })
+}
+
 impl<'t> Case<'_, 't> {
     /// Whether a term is x.
     pub(crate) fn is_point(&mut self, node: &Node<'t>) -> Found<bool> {
@@ -27,8 +35,9 @@ impl<'t> Case<'_, 't> {
         let (side, [x, member @ ..]) = argument.headed("an argument")? else { return Err(Stop::Undecided) };
         let ratio = match (member.first(), &self.ratio) {
             (None, ratio) => ratio.clone(),
-            (Some(_), Some(_)) => return Err(Stop::Undecided),
-            (Some(member), None) => Some(self.member(member)?),
+            // Inside of another member only what names its own index means the same.
+            (Some(member), Some(_)) if !names_an_index(member)? => return Err(Stop::Undecided),
+            (Some(member), _) => Some(self.member(member)?),
         };
         let (at, moved) = match self.place_of(x) {
             Err(Stop::Undecided) if self.numbers.is_some() => (At::X, Some(self.real(x)?)),
@@ -70,6 +79,9 @@ impl<'t> Case<'_, 't> {
 
     /// r of another index that is bound.
     pub(crate) fn other(&mut self, name: &'t str) -> Found<Node<'t>> {
+        if let Some((_, ratio)) = self.ratios.iter().find(|(known, _)| *known == name) {
+            return Ok(ratio.clone());
+        }
         match &self.numbers {
             Some(numbers) if numbers.values.is_some() => numbers.of("index", name, 0).ok_or(Stop::Undecided),
             _ => Ok(self.parameter("positive", Node::made(name, vec![Node::whole_of(0)]))?.term),
@@ -227,7 +239,7 @@ impl<'t> Case<'_, 't> {
         }
         match &self.numbers {
             // A weight tells where other functions are taken.
-            Some(numbers) if numbers.values.is_some() || head.ends_with('w') => Ok(self.leaf(term)?),
+            Some(_) if self.exact || head.ends_with('w') => Ok(self.leaf(term)?),
             _ => Ok(Value { term, plain: None, knot: None }),
         }
     }

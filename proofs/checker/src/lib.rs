@@ -52,6 +52,7 @@ mod terms;
 mod token;
 mod truth;
 mod value;
+mod words;
 mod work;
 
 pub use driver::{Checked, WORK, check, check_within};

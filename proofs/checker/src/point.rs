@@ -70,6 +70,13 @@ impl<'n, 't> Numbered<'n, 't> {
             return ratio.wrong("a ratio that is positive");
         }
         for (at, value) in values.iter().enumerate() {
+            if let (list @ ("samples" | "factors" | "columns"), numbers) = value.headed("a value")? {
+                if values.iter().take(at).any(|other| other.headed("").is_ok_and(|(head, _)| head == list)) {
+                    return value.wrong("a list that stands once");
+                }
+                numbers.iter().try_for_each(|number| number.ratio().map(|_| ()))?;
+                continue;
+            }
             let (kind, [name, list @ ..]) = value.headed("a value")? else { return value.wrong("a name") };
             name.name()?;
             list.iter().try_for_each(|number| number.ratio().map(|_| ()))?;
@@ -150,11 +157,14 @@ impl<'n, 't> Numbered<'n, 't> {
     ) -> Result<bool> {
         let mut case = Case::new(definitions, self.degree(), Place::Inside)?;
         let ratio = Node::made("let", vec![Node::name_of("r"), self.ratio.clone()]);
-        let numbers = Numbers::of_knots(self.knots, subject, Some(self.values.to_vec()));
+        // Words look at the same r on other knots.
+        let r = Node::made("ratio", vec![self.ratio.clone()]);
+        let values = self.values.iter().cloned().chain([r]).collect();
+        let numbers = Numbers::of_knots(self.knots, subject, Some(values));
         let window = (!self.knots.is_empty()).then(|| numbers.window());
         let fixed: Vec<_> = window.into_iter().chain([ratio]).collect();
         case.section = Section::new(&fixed, Env::default())?;
-        case.numbers = Some(numbers);
+        (case.numbers, case.exact) = (Some(numbers), true);
         // Without a point any number does.
         if let Some(any) = self.knots.first() {
             let any = case.leaf(any.clone())?;

@@ -183,7 +183,7 @@ pub(crate) fn read<'t>(definitions: &[Node<'t>], sentence: &Node<'t>) -> Result<
 impl<'t> Reader<'t> {
     fn bind(&mut self, name: &Node<'t>, sort: Sort) -> Result<()> {
         let word = name.name()?;
-        let taken = matches!(word, "k" | "n" | "m" | "none" | "alpha");
+        let taken = matches!(word, "k" | "n" | "m" | "none" | "alpha" | "rank");
         if taken || self.names.iter().any(|(known, _)| *known == word) {
             return Err(Reason::Taken(word.to_owned()));
         }

@@ -65,6 +65,15 @@ impl<'t> Node<'t> {
         Node::group_of([Node::name_of(head)].into_iter().chain(fields).collect())
     }
 
+    /// With every place inside of a span at an end of it.
+    pub(crate) fn at_end(&self, end: &'t str) -> Self {
+        match &self.kind {
+            Kind::List(items) if self.is("in") => Node::made(end, items.iter().skip(1).cloned().collect()),
+            Kind::List(items) => Node::group_of(items.iter().map(|item| item.at_end(end)).collect()),
+            _ => self.clone(),
+        }
+    }
+
     /// Whether it, or a part of it, is such.
     pub(crate) fn any(&self, is: &mut dyn FnMut(&Self) -> bool) -> bool {
         let inside = match &self.kind {

@@ -1,9 +1,9 @@
 //! What a formula says in a case: false, not decided, or goals to prove.
 
-use crate::case::{Case, Found, Stop};
+use crate::case::{Bound, Case, Found, Stop};
 use crate::derive::parts;
 use crate::error::Result;
-use crate::place::Form;
+use crate::place::{Form, Place};
 use crate::poly::Sign;
 use crate::sentence::Example;
 use crate::token::Node;
@@ -79,6 +79,9 @@ impl<'t> Case<'_, 't> {
         match node.headed("a formula")? {
             ("chain", [a, step]) => {
                 let (relation, [b]) = step.headed("a relation")? else { return Err(Stop::Undecided) };
+                if let Some(truth) = self.counted(a, relation, b)? {
+                    return Ok(truth);
+                }
                 if let Some(forms) = self.integers(node)? {
                     let truth = self.all_nonnegative(&forms)?;
                     return Ok(if relation == "/=" { truth.not() } else { truth });
@@ -111,6 +114,7 @@ impl<'t> Case<'_, 't> {
                 let there = self.truth(a)?.not().or(self.truth(b)?);
                 Ok(there.and(self.truth(b)?.not().or(self.truth(a)?)))
             }
+            ("some", [over, body]) if over.is("reals") => self.some_real(over, body),
             (head @ ("all" | "some"), [over, body]) => {
                 let ("integers", [name, low, high]) = over.headed("a range")? else {
                     return Err(Stop::Undecided);
@@ -149,8 +153,49 @@ impl<'t> Case<'_, 't> {
                     None => Truth::Goals(vec![Node::made("defined", vec![value.term])]),
                 })
             }
-            _ => Err(Stop::Undecided),
+            (word @ ("smooth" | "rational"), [of]) if of.is("real") => {
+                let [real] = of.part("real")?;
+                let value = self.real(real)?;
+                match self.place {
+                    // On a span it is a quotient of polynomials in x.
+                    Place::Inside if !value.term.any(&mut |node| node.is_word("u")) => {
+                        let ends = if word == "rational" { &["in", "from", "to"][..] } else { &["in"] };
+                        let defined =
+                            |end: &&'static str| Node::made("defined", vec![value.term.at_end(end)]);
+                        Ok(Truth::Goals(if value.is_zero() {
+                            Vec::new()
+                        } else {
+                            ends.iter().map(defined).collect()
+                        }))
+                    }
+                    Place::Before | Place::After if value.is_zero() => Ok(Truth::of(true)),
+                    _ => Err(Stop::Undecided),
+                }
+            }
+            (head, of) => self.word(head, of),
         }
+    }
+
+    /// Whether something is true at a knot of an example, or in the middle between two.
+    fn some_real(&mut self, over: &Node<'t>, body: &Node<'t>) -> Found<Truth<'t>> {
+        let [name, interval] = over.part("reals")?;
+        let knots = self.numbers.as_ref().map(|numbers| numbers.knots.clone()).ok_or(Stop::Undecided)?;
+        let middle = |(a, b): (&Node<'t>, &Node<'t>)| {
+            Node::made("/", vec![Node::made("+", vec![a.clone(), b.clone()]), Node::whole_of(2)])
+        };
+        let middles = knots.iter().zip(knots.iter().skip(1)).map(middle);
+        for x in knots.iter().cloned().chain(middles) {
+            let x = self.leaf(x)?;
+            self.reals.push((name.name()?, Bound::Free(x)));
+            let variable = Node::made("var", vec![name.clone()]);
+            let within = self.truth(&Node::made("in", vec![variable, interval.clone()]));
+            let holds = within?.and(self.exactly(|own| own.truth(body))?);
+            self.reals.pop();
+            if holds.is_true() {
+                return Ok(holds);
+            }
+        }
+        Err(Stop::Undecided)
     }
 
     fn all_nonnegative(&self, forms: &[Form]) -> Result<Truth<'t>> {

@@ -279,7 +279,9 @@ fn points_refute_what_is_false_there_and_nothing_else() {
         ("(chain (int (mult (real (- (var x) 1/2)))) (= (int 1)))", &sum, whole, "accepted"),
         ("(chain (int (mult (real (t 2)))) (= (int 2)))", &sum, whole, "no conclusion fails there"),
         ("", "(chain (of (D (D (G 1) -1) 1) (at (var x))) (/= 1/3))", whole, "no conclusion fails there"),
-        ("(continuous (function (G i)))", &sum, whole, "no conclusion fails there"),
+        ("(continuous (function (G i)))", &sum, whole, "accepted"),
+        ("(not (continuous (function (G i))))", &sum, whole, "no conclusion fails there"),
+        ("(free-weights (integer k))", &sum, whole, "no conclusion fails there"),
         ("", "(tied (function (G i)))", whole, "no conclusion fails there"),
         (
             "",

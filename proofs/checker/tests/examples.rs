@@ -502,3 +502,210 @@ fn points_refute_examples_and_weights() {
     ];
     assert_eq!(wrong(&table), "");
 }
+
+/// A sentence about all knots in degree 1.
+fn on_knots(binders: &str, hypotheses: &str, conclusion: &str) -> String {
+    format!(
+        "(statement 2 (claim \"X\") (form printed) (verdict proved) (scope knots) (degrees 1)
+            (sentence (for (degree 0) {binders}) (if {hypotheses}) (then {conclusion})))"
+    )
+}
+
+#[test]
+fn a_span_has_one_quotient_of_polynomials() {
+    let of = |word: &str, term: &str, interval: &str| {
+        on_knots(
+            "(knots) (integer i 0 n) (integer j 0 (- m 1))",
+            "",
+            &format!("({word} (expression {term} x ({interval})))"),
+        )
+    };
+    let (function, span) = ("(of (G i) (at (var x)))", "open (t j) open (t (+ j 1))");
+    let three = "(proof 1 (section 1 (goal 1 (by)) (goal 2 (by)) (goal 3 (by)) (goal 4 (by)) (goal 5 (by)) (goal 6 (by))))";
+    let two = "(proof 1 (section 1 (goal 1 (by)) (goal 2 (by))))";
+    let table = [
+        ("rational", of("rational", function, span), three, "accepted"),
+        ("smooth", of("smooth", function, span), two, "accepted"),
+        ("goals left out", of("rational", function, span), two, "is missing in its place"),
+        ("on two spans", of("smooth", function, "open (t j) open (t (+ j 2))"), two, "not decided"),
+        (
+            "on two spans",
+            of("rational", function, "open (t j) open (t (+ j 2))"),
+            three,
+            "not from one knot to the next",
+        ),
+        ("a closed span", of("smooth", function, "closed (t j) open (t (+ j 1))"), two, "not decided"),
+        (
+            "between others",
+            of("rational", function, "open (t i) open (t (+ j 1))"),
+            three,
+            "not from one knot to the next",
+        ),
+        (
+            "without an interval",
+            of("smooth", function, "").replace("x ())", "x)"),
+            two,
+            "another number of fields",
+        ),
+        (
+            "a function that there is not",
+            of("smooth", "(of (G (+ i 1)) (at (var x)))", span),
+            two,
+            "not decided",
+        ),
+        ("a quotient", of("smooth", "(/ (int 1) (of (G i) (at (var x))))", span), two, "not decided"),
+        (
+            "a pole",
+            of("smooth", "(/ (int 1) (- (var x) (t j)))", "open (t j) open (t (+ j 1))"),
+            NONE,
+            "is missing in its place",
+        ),
+        (
+            "the opposite",
+            of("smooth", function, span)
+                .replace("(smooth", "(not (smooth")
+                .replace("(t (+ j 1)))))", "(t (+ j 1))))))"),
+            two,
+            "",
+        ),
+    ];
+    assert_eq!(wrong(&table), "");
+    let opposite = check(&table[11].1, two).map_or_else(|e| e.to_string(), |_| "accepted".into());
+    assert!(opposite != "accepted", "{opposite}");
+}
+
+#[test]
+fn ranks_are_counted() {
+    let rank = |adjectives: &str, degree: &str, relation: &str, count: &str| {
+        let said = format!("(chain (int (rank (integer {degree}))) ({relation} (int {count})))");
+        on_knots(&format!("(knots {adjectives})"), "", &said)
+    };
+    let orders = "(proof 1 (section 1 (goal 1 (orders))) (section 2 (goal 1 (orders))))";
+    let one = "(proof 1 (section 1 (goal 1 (orders))))";
+    let table = [
+        ("full", rank("open interior", "k", "=", "(+ n 1)"), orders, "accepted"),
+        ("simple", rank("simple", "k", "=", "(+ n 1)"), orders, "accepted"),
+        ("one of the orders", rank("open interior", "k", "=", "(+ n 1)"), one, "is missing in its place"),
+        (
+            "by another rule",
+            rank("open interior", "k", "=", "(+ n 1)"),
+            "(proof 1 (section 1 (goal 1 (by))) (section 2 (goal 1 (by))))",
+            "none for this formula",
+        ),
+        ("of any knots", rank("", "k", "=", "(+ n 1)"), orders, "not decided"),
+        ("open", rank("open", "k", "=", "(+ n 1)"), orders, "not decided"),
+        ("interior alone", rank("interior", "k", "=", "(+ n 1)"), orders, "not decided"),
+        ("symmetric", rank("symmetric", "k", "=", "(+ n 1)"), orders, "not decided"),
+        ("one more", rank("open interior", "k", "=", "(+ n 2)"), orders, "a rank that is not counted"),
+        ("one less", rank("open interior", "k", "=", "n"), orders, "a rank that is not counted"),
+        ("two less", rank("open interior", "k", "=", "(- n 1)"), orders, "not decided"),
+        ("less", rank("open interior", "k", "<", "(+ n 2)"), orders, "a rank that is not counted"),
+        ("of degree 0", rank("open interior", "0", "=", "n"), one, "accepted"),
+        ("all of degree 0", rank("open interior", "0", "=", "(+ n 2)"), one, "not decided"),
+        ("all of degree 0 of simple knots", rank("simple", "0", "=", "(+ n 2)"), one, "accepted"),
+        (
+            "of a degree that there is not",
+            rank("open interior", "2", "=", "n"),
+            orders,
+            "a rank that is not counted",
+        ),
+        (
+            "a name of its own",
+            rank("open interior", "k", "=", "(+ n 1)").replace("(degree 0)", "(degree 0) (integer rank 0 1)"),
+            orders,
+            "the name rank is taken",
+        ),
+    ];
+    assert_eq!(wrong(&table), "");
+}
+
+#[test]
+fn indices_are_put_in_order() {
+    let said = |hypotheses: &str, conclusion: &str| {
+        about("(index beta)", &format!("(instance B) {hypotheses}"), conclusion)
+    };
+    let value = |member: &str| format!("(of (G 0) (at 1/2{member}))").replace("1/2", "(/ (int 1) (int 2))");
+    let (own, other) = (value(""), value(" (alpha (alpha beta))"));
+    let finite = "(chain (alpha alpha) (/= infinity)) (chain (alpha beta) (/= infinity))";
+    let below = &*format!("{finite} (chain (alpha alpha) (< (alpha beta)) (< (int 0)))");
+    let above = &*format!("{finite} (chain (int 1) (< (alpha beta)) (< (alpha alpha)))");
+    let by = |n: usize| by(n);
+    let some = |body: &str| format!("(some (reals x (closed (t 0) closed (t m))) {body})");
+    let differs = "(chain (of (G 0) (at (var x))) (/= (of (G 0) (at (var x) (alpha (alpha beta))))))";
+    let table = [
+        // The larger r, the larger is the weight: α < β < 0 are the ratios 1 > r > that of β.
+        ("below 0", said(below, &format!("(chain {own} (> {other}))")), &*by(1), "accepted"),
+        ("the other way", said(below, &format!("(chain {own} (< {other}))")), &*by(1), "rule by"),
+        ("above 1", said(above, &format!("(chain {own} (< {other}))")), &*by(1), "accepted"),
+        ("above 1, the other way", said(above, &format!("(chain {own} (> {other}))")), &*by(1), "rule by"),
+        ("in no order", said("", &format!("(chain {own} (> {other}))")), &*by(1), "rule by"),
+        (
+            "on two sides",
+            said(
+                &format!("{finite} (chain (alpha alpha) (< (int 0)) (< (alpha beta)))"),
+                &format!("(chain {own} (> {other}))"),
+            ),
+            NONE,
+            "is missing in its place",
+        ),
+        (
+            "∞ is none of them",
+            said(
+                "(chain (alpha alpha) (= infinity)) (chain (alpha alpha) (/= infinity))",
+                &format!("(chain {own} (> {other}))"),
+            ),
+            NONE,
+            "accepted",
+        ),
+        (
+            "both are not the same",
+            said(
+                "(chain (alpha alpha) (= infinity)) (chain (alpha beta) (= infinity))",
+                "(chain (int 0) (= (int 1)))",
+            ),
+            NONE,
+            "accepted",
+        ),
+        (
+            "but may be on one side",
+            said(
+                &format!("{finite} (chain (alpha alpha) (< (int 0))) (chain (alpha beta) (< (int 0)))"),
+                "(chain (int 0) (= (int 1)))",
+            ),
+            NONE,
+            "not decided",
+        ),
+        (
+            "α is a number",
+            said(below, "(chain (* (alpha alpha) (- ratio (int 1))) (= ratio))"),
+            NONE,
+            "accepted",
+        ),
+        ("and not another", said(below, "(chain (alpha alpha) (> (alpha beta)))"), NONE, "not decided"),
+        ("somewhere", said("", &some(differs)), NONE, "accepted"),
+        (
+            "somewhere beyond",
+            said("", &some(differs).replace("(closed (t 0) closed (t m))", "(closed (t 2) closed (t m))")),
+            NONE,
+            "not decided",
+        ),
+        ("less at some place of each side", said("", &some(&differs.replace("/=", ">"))), NONE, "accepted"),
+        (
+            "less on one side",
+            said(
+                "",
+                &some(&differs.replace("/=", ">"))
+                    .replace("(closed (t 0) closed (t m))", "(closed (t 0) closed (t 1))"),
+            ),
+            NONE,
+            "not decided",
+        ),
+        (
+            "everywhere",
+            said("", &format!("(all (reals x (closed (t 0) closed (t m))) {differs})")),
+            NONE,
+            "is missing in its place",
+        ),
+    ];
+    assert_eq!(wrong(&table), "");
+}

@@ -12,6 +12,7 @@ use crate::scalar::{BigRational, Multivariate, Quotient, RationalAlgebra, Ring, 
 use super::index::{Contradiction, Facts, Index};
 use super::numbers::Numbers;
 use super::place::{Copies, Place, Size};
+use super::ratios::Ratios;
 
 /// Why there is no value here.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -256,8 +257,10 @@ pub(super) struct Case<'a> {
     pub(super) mirrored: bool,
     /// The ratio of another member of the family.
     pub(super) ratio: Option<Value>,
-    /// What is known of r, where knots are numbers.
-    pub(super) member: Option<super::Ratio>,
+    /// What is known of r and other ratios.
+    pub(super) ratios: Ratios,
+    /// Functions are values, where knots are numbers.
+    pub(super) exact: bool,
     /// The knots, if they are numbers.
     pub(super) numbers: Option<Numbers<'a>>,
     /// Integers beyond what is shown.
@@ -609,7 +612,7 @@ impl<'a> Case<'a> {
         Ok(Value { knot: Some(e), ..origin.plus(knot) })
     }
 
-    fn knot(&mut self, i: &Index) -> Known<Value> {
+    pub(super) fn knot(&mut self, i: &Index) -> Known<Value> {
         let m = Index::last(self.k + 1);
         self.exists(&[i.clone(), m.minus(i)], || "a knot".into())?;
         if let Some(numbers) = &self.numbers {
@@ -801,14 +804,35 @@ impl<'a> Case<'a> {
     /// r, in numbers with what is known of it.
     pub(super) fn r(&mut self) -> Known<Value> {
         let r = self.parameters.value("r".into(), Class::Positive)?;
-        let Some(member) = self.member else { return Ok(r) };
-        let above = Value::whole(1).plus(self.parameters.value(super::RHO.into(), Class::Positive)?);
-        let known = match member {
-            super::Ratio::One => Value::whole(1),
-            super::Ratio::Below => self.over(Value::whole(1), above)?,
-            super::Ratio::Above => above,
-        };
-        Ok(Value { plain: known.plain, ..r })
+        match self.ratios.own.clone() {
+            Some(known) if self.numbers.is_some() => Ok(Value { plain: self.of_ratio(&known)?.plain, ..r }),
+            _ => Ok(r),
+        }
+    }
+
+    /// The ratio of another index.
+    fn other(&mut self, name: &Name) -> Known<Value> {
+        own_name(name)?;
+        match self.ratios.others.iter().find(|(known, _)| known == name) {
+            Some((_, known)) => self.of_ratio(&known.clone()),
+            None => self.parameters.value(format!("({name} 0)"), Class::Positive),
+        }
+    }
+
+    /// A ratio by its parameters.
+    fn of_ratio(&mut self, ratio: &Term) -> Known<Value> {
+        match ratio {
+            Term::Number(number) => Ok(Value::number(number.clone())),
+            Term::Named(name) => self.parameters.value(name.clone(), Class::Positive),
+            Term::Sum(all) => {
+                all.iter().try_fold(Value::whole(0), |sum, part| Ok(sum.plus(self.of_ratio(part)?)))
+            }
+            Term::Ratio(a, b) => {
+                let (a, b) = (self.of_ratio(a)?, self.of_ratio(b)?);
+                self.over(a, b)
+            }
+            _ => undecided("a ratio"),
+        }
     }
 
     /// An index as a number, r/(r − 1).
@@ -816,10 +840,7 @@ impl<'a> Case<'a> {
         if self.numbers.is_none() || self.ratio.is_some() {
             return undecided("an index α as a number");
         }
-        let r = match &**name {
-            "alpha" => self.r()?,
-            name => self.parameters.value(format!("({name} 0)"), Class::Positive)?,
-        };
+        let r = if &**name == "alpha" { self.r()? } else { self.other(name)? };
         let below = r.clone().minus(Value::whole(1));
         self.over(r, below)
     }
@@ -885,7 +906,13 @@ impl<'a> Case<'a> {
     fn argument(&mut self, argument: &Argument) -> Known<(At, Option<Value>, Option<Value>)> {
         let ratio = match &argument.member {
             None => self.ratio.clone(),
-            Some(_) if self.ratio.is_some() => return undecided("a member of a member"),
+            // Inside of another member only what names its own index means the same.
+            Some(member)
+                if self.ratio.is_some()
+                    && !matches!(member, Member::Index(Real::Infinity | Real::Index(_))) =>
+            {
+                return undecided("a member of a member");
+            }
             Some(Member::Ratio(t)) => {
                 let value = self.real(t)?;
                 match &value.plain {
@@ -894,10 +921,7 @@ impl<'a> Case<'a> {
                 }
             }
             Some(Member::Index(Real::Infinity)) => Some(Value::whole(1)),
-            Some(Member::Index(Real::Index(name))) if &**name != "alpha" => {
-                own_name(name)?;
-                Some(self.parameters.value(format!("({name} 0)"), Class::Positive)?)
-            }
+            Some(Member::Index(Real::Index(name))) if &**name != "alpha" => Some(self.other(name)?),
             Some(Member::Index(Real::Minus(a, b)))
                 if matches!(&**a, Real::Whole(Int::Number(1)))
                     && matches!(&**b, Real::Index(name) if &**name == "alpha") =>
@@ -1132,7 +1156,12 @@ impl<'a> Case<'a> {
         if mirrored && derivative {
             return undecided("a derivative at the mirror image");
         }
-        Ok(Value { term, plain: None, knot: None })
+        let plain = match self.exact {
+            true if derivative => return undecided("a derivative as a value"),
+            true => self.basis_value(i, d)?.plain,
+            false => None,
+        };
+        Ok(Value { term, plain, knot: None })
     }
 
     fn weight(&mut self, i: &Index, d: i64, at: At, derivative: bool) -> Known<Value> {
@@ -1262,6 +1291,23 @@ impl<'a> Case<'a> {
             Formula::All(Over::Integers(range), body) => self.every(range, body, true)?,
             Formula::Some(Over::Integers(range), body) => self.every(range, body, false)?,
             Formula::Word(of) => match (of.word, of.of.as_slice()) {
+                (word @ (Word::Smooth | Word::Rational), [Item::Real(t)]) => {
+                    let value = self.real(t)?;
+                    match self.place {
+                        // On a span it is a quotient of polynomials in x.
+                        Place::Inside if !value.term.names("u") => {
+                            let ends = match word {
+                                Word::Rational => &[Where::In, Where::From, Where::To][..],
+                                _ => &[Where::In],
+                            };
+                            let defined = |at: &Where| term::Formula::Defined(value.term.at_end(*at));
+                            let goals = ends.iter().map(defined).collect();
+                            Truth::Goals(if value.is_zero() { Vec::new() } else { goals })
+                        }
+                        Place::Before | Place::After if value.is_zero() => Truth::TRUE,
+                        _ => return undecided("what an expression is on several spans"),
+                    }
+                }
                 (Word::Defined, [Item::Real(t)]) => {
                     let value = self.real(t)?;
                     match value.plain {
@@ -1271,6 +1317,7 @@ impl<'a> Case<'a> {
                 }
                 _ => return undecided(format!("the word {}", of.word.name())),
             },
+            Formula::Some(Over::Reals(name, interval), body) => self.some_real(name, interval, body)?,
             Formula::Instance(names) => {
                 let row = self.numbers.as_ref().and_then(|numbers| numbers.row);
                 let Some(row) = row else { return undecided("an instance") };
@@ -1288,7 +1335,7 @@ impl<'a> Case<'a> {
                 }
                 Truth::of(Some(count == 1), "")
             }
-            Formula::All(..) | Formula::Some(..) | Formula::One(..) => {
+            Formula::All(..) | Formula::One(..) => {
                 return undecided("a quantifier inside of a formula");
             }
             Formula::Claim { .. } => return undecided("another claim"),

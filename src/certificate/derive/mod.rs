@@ -6,6 +6,7 @@ mod index;
 mod numbers;
 mod obligation;
 mod place;
+mod ratios;
 
 use thiserror::Error;
 
@@ -14,12 +15,13 @@ use crate::language::{Claim, Definition, Row, Sentence};
 use crate::scalar::integer;
 
 use super::statement::{Class, Gap, Section, Window};
-use super::term::{Formula, Term};
+use super::term::{self, Formula, Term};
 use case::{Bound, Case, MIRROR, Parameters, Scope, Stop, Truth, WINDOW, gap_name};
 use index::Contradiction;
 use numbers::Numbers;
-use obligation::{Obligation, Point, Ratio, Subject, obligations, subjects};
+use obligation::{Obligation, Point, Subject, names_an_index, obligations, subjects};
 use place::Place;
+use ratios::Ratios;
 
 /// Why a sentence has no windows.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -51,11 +53,15 @@ pub fn derive(
     let mut sections = Vec::new();
     for subject in subjects(sentence, claim, k)? {
         for obligation in obligations(sentence, definitions, claim, k, subject)? {
+            if let Some(d) = obligation.orders {
+                sections.extend(orders_at_knots(d)?);
+                continue;
+            }
             let found = match subject {
                 Subject::Example(row) => {
-                    for_members(&obligation, |member| of_example(&obligation, degree, row, member))
+                    for_ratios(&obligation, |ratios| of_example(&obligation, degree, row, ratios))
                 }
-                Subject::Weights => for_members(&obligation, |member| of_weights(&obligation, member)),
+                Subject::Weights => for_ratios(&obligation, |ratios| of_weights(&obligation, ratios)),
                 Subject::Knots => match of_obligation(&obligation, degree, false) {
                     Err(straight) if obligation.symmetric => {
                         // Of two reasons the first one, in the order of what is tried first.
@@ -69,9 +75,6 @@ pub fn derive(
     }
     Ok(sections)
 }
-
-/// How far r is from 1, where α < 0 or α > 1 is assumed.
-const RHO: &str = "(rho 0)";
 
 fn of_obligation(obligation: &Obligation<'_>, k: i64, mirrored: bool) -> Result<Vec<Section>, NoWindow> {
     let mut sections = Vec::new();
@@ -97,17 +100,33 @@ fn no_window(stop: &Stop, place: Place) -> NoWindow {
     NoWindow { why: why.clone(), place: Some(place.to_string()) }
 }
 
-/// The sections of numbers: if something is not decided for all r, for each kind of α.
-fn for_members(
+/// G_0 of degree d begins at the first of q knots, for q = 1, …, d + 1: its orders there.
+fn orders_at_knots(d: i64) -> Result<Vec<Section>, NoWindow> {
+    let natural = |n: i64| usize::try_from(n).map_err(|_| NoWindow::because("a degree"));
+    let section = |q: i64| {
+        let gap = |e: i64| match e {
+            _ if e == q - 1 => Gap::Parameter(Class::Positive),
+            _ if (0..q).contains(&e) => Gap::Term(Term::Number(integer(0))),
+            _ => Gap::Parameter(Class::Nonnegative),
+        };
+        let window = Window { name: WINDOW.into(), first: -d, gaps: (-d..=q + d).map(gap).collect() };
+        let place = term::Place { at: term::Where::In, window: WINDOW.into(), span: q - 1 };
+        let goal = Formula::Order { i: 0, degree: natural(d)?, place, order: natural(d + 1 - q)? };
+        Ok(self::section(Parameters::default(), &Ratios::default(), vec![window], vec![goal]))
+    };
+    (1..=d + 1).map(section).collect()
+}
+
+/// The sections of numbers: if something is not decided for all r, for each order of 1, r, and the ratios of other indices.
+fn for_ratios(
     obligation: &Obligation<'_>,
-    of: impl Fn(Option<Ratio>) -> Result<Vec<Section>, NoWindow>,
+    of: impl Fn(&Ratios) -> Result<Vec<Section>, NoWindow>,
 ) -> Result<Vec<Section>, NoWindow> {
-    let found = of(obligation.member);
-    if found.is_ok() || obligation.member.is_some() {
-        return found;
-    }
-    let each = [Ratio::One, Ratio::Below, Ratio::Above].into_iter().map(|member| of(Some(member)));
-    each.collect::<Result<Vec<_>, _>>().map(|all| all.concat()).or(found)
+    of(&Ratios { is_free: true, ..Ratios::of(obligation.member) }).or_else(|error| {
+        let each = Ratios::in_order(obligation);
+        let each = each.iter().map(of).collect::<Result<Vec<_>, _>>();
+        each.ok().filter(|all| !all.is_empty()).map(|all| all.concat()).ok_or(error)
+    })
 }
 
 /// The sections of an example, at each place of x among its knots.
@@ -115,13 +134,13 @@ fn of_example(
     obligation: &Obligation<'_>,
     k: i64,
     row: &Row,
-    member: Option<Ratio>,
+    ratios: &Ratios,
 ) -> Result<Vec<Section>, NoWindow> {
     let mut sections = Vec::new();
     let count = if matches!(obligation.point, Point::Bound(_)) { numbers::places(&row.knots) } else { 1 };
     for place in 0..count {
         let mut parameters = Parameters::default();
-        let mut case = known(obligation, k, &mut parameters, Some(row), member)?;
+        let mut case = known(obligation, k, &mut parameters, Some(row), ratios)?;
         // Without an x any does.
         let at = if count == 1 { 1 } else { place };
         let found = case.x_at(at, &row.knots).and_then(|x| case.locate(x)).and_then(|_| {
@@ -141,14 +160,14 @@ fn of_example(
                     place: row.name.as_ref().map(ToString::to_string),
                     ..no_window(&stop, Place::Inside)
                 })?
-                .map(|(windows, goals)| section(parameters, member.as_ref(), windows, goals)),
+                .map(|(windows, goals)| section(parameters, ratios, windows, goals)),
         );
     }
     Ok(sections)
 }
 
 /// The sections of all orders of the reals, each with all places of the one that has an interval.
-fn of_weights(obligation: &Obligation<'_>, member: Option<Ratio>) -> Result<Vec<Section>, NoWindow> {
+fn of_weights(obligation: &Obligation<'_>, ratios: &Ratios) -> Result<Vec<Section>, NoWindow> {
     let mut sections = Vec::new();
     let located =
         obligation.reals.iter().rev().find_map(|(name, _, interval)| Some((name, interval.as_ref()?)));
@@ -168,7 +187,7 @@ fn of_weights(obligation: &Obligation<'_>, member: Option<Ratio>) -> Result<Vec<
         .flat_map(|order| (0..if located.is_some() { 3 } else { 1 }).map(move |part| (order, part)))
     {
         let mut parameters = Parameters::default();
-        let mut case = known(obligation, 1, &mut parameters, None, member)?;
+        let mut case = known(obligation, 1, &mut parameters, None, ratios)?;
         let bind = || -> Result<_, Stop> {
             for (name, sign, _) in &obligation.reals {
                 if located.is_some_and(|(x, _)| x == name) {
@@ -194,7 +213,7 @@ fn of_weights(obligation: &Obligation<'_>, member: Option<Ratio>) -> Result<Vec<
             place: Some(format!("the order {order:?} of its reals")),
             ..no_window(&stop, Place::Inside)
         })?;
-        sections.extend(found.map(|(windows, goals)| section(parameters, member.as_ref(), windows, goals)));
+        sections.extend(found.map(|(windows, goals)| section(parameters, ratios, windows, goals)));
     }
     Ok(sections)
 }
@@ -205,7 +224,7 @@ fn known<'a>(
     k: i64,
     parameters: &'a mut Parameters,
     row: Option<&'a Row>,
-    member: Option<Ratio>,
+    ratios: &Ratios,
 ) -> Result<Case<'a>, NoWindow> {
     let place = Place::Inside;
     let facts = place.facts(k).map_err(|Contradiction| NoWindow::because("a degree"))?;
@@ -220,19 +239,22 @@ fn known<'a>(
         symmetric: false,
         mirrored: false,
         ratio: None,
-        member,
+        ratios: ratios.clone(),
+        exact: false,
         numbers: Some(Numbers::of(row)),
         beyond: 0,
         copies_from: None,
     })
 }
 
+type Goals = (Vec<Window>, Vec<Formula>);
+
 /// Windows and goals of a case, if anything is to be shown in it.
 fn shown(
     mut case: Case<'_>,
     obligation: &Obligation<'_>,
     windows: Option<Vec<Window>>,
-) -> Result<Option<(Vec<Window>, Vec<Formula>)>, Stop> {
+) -> Result<Option<Goals>, Stop> {
     case.parameters.begin();
     let mut goals = Vec::new();
     if !excluded(&mut case, obligation) {
@@ -263,7 +285,8 @@ fn at(obligation: &Obligation<'_>, k: i64, place: Place, mirrored: bool) -> Resu
         symmetric: obligation.symmetric,
         mirrored,
         ratio: None,
-        member: None,
+        ratios: Ratios::default(),
+        exact: false,
         numbers: None,
         beyond: 0,
         copies_from: None,
@@ -283,7 +306,8 @@ fn at(obligation: &Obligation<'_>, k: i64, place: Place, mirrored: bool) -> Resu
         return Ok(None);
     }
     let found = shown(case, obligation, None)?;
-    Ok(found.map(|(windows, goals)| section(parameters, obligation.member.as_ref(), windows, goals)))
+    let ratios = Ratios::of(obligation.member);
+    Ok(found.map(|(windows, goals)| section(parameters, &ratios, windows, goals)))
 }
 
 /// All cases of the integers from one binder on.
@@ -346,8 +370,12 @@ fn one_case(case: &mut Case<'_>, obligation: &Obligation<'_>) -> Result<Vec<Form
             Truth::Not(stop @ Stop::Undefined(_)) => undefined = Some(stop),
             truth if truth.is_true() => {}
             // What is not decided is left out: without it more is shown. A finer place may decide it.
-            _ if obligation.names_the_point(hypothesis) => {
+            _ if case.place.is_coarse() && obligation.names_the_point(hypothesis) => {
                 open = Some(Stop::Undecided("a hypothesis on x".into()));
+            }
+            // So may an order of ratios.
+            _ if case.ratios.is_free && names_an_index(hypothesis) => {
+                open = Some(Stop::Undecided("a hypothesis on an index".into()));
             }
             _ => {}
         }
@@ -358,7 +386,7 @@ fn one_case(case: &mut Case<'_>, obligation: &Obligation<'_>) -> Result<Vec<Form
     let claim = case.formula(&obligation.claim);
     match claim {
         claim if claim.is_true() => Ok(Vec::new()),
-        _ if open.is_some() && case.place.is_coarse() => Err(open.unwrap_or(Stop::Undecided(String::new()))),
+        Truth::Goals(_) if open.is_some() => Err(open.unwrap_or(Stop::Undecided(String::new()))),
         Truth::Goals(goals) => Ok(goals),
         Truth::False => Err(Stop::Undecided("it is false".into())),
         Truth::Not(stop) => Err(stop),
@@ -402,24 +430,13 @@ impl Case<'_> {
 }
 
 /// With those parameters that occur.
-fn section(
-    parameters: Parameters,
-    member: Option<&Ratio>,
-    windows: Vec<Window>,
-    goals: Vec<Formula>,
-) -> Section {
-    let (rho, one) = (|| Term::Named(RHO.into()), || Term::Number(integer(1)));
-    let ratio = member.map(|member| match member {
-        Ratio::One => one(),
-        Ratio::Below => Term::Ratio(Box::new(one()), Box::new(Term::Sum(vec![one(), rho()]))),
-        Ratio::Above => Term::Sum(vec![one(), rho()]),
-    });
+fn section(parameters: Parameters, ratios: &Ratios, windows: Vec<Window>, goals: Vec<Formula>) -> Section {
     let is_gap = |name: &str| windows.iter().any(|window| name.starts_with(&format!("({} ", window.name)));
-    let always = |name: &str| matches!(name, "u" | "r");
+    let always = |name: &str| matches!(name, "u" | "r") || ratios.declared.iter().any(|known| known == name);
     let declared = parameters.kept.into_iter().filter(|(name, _)| !always(name) && !is_gap(name));
     let own = ["u", "r"].map(|name| (name.to_owned(), Class::Positive));
-    let rho = member.filter(|member| **member != Ratio::One).map(|_| (RHO.to_owned(), Class::Positive));
+    let rho = ratios.declared.iter().map(|name| (name.clone(), Class::Positive));
     let parameters = own.into_iter().chain(rho).chain(declared).collect();
-    let lets = ratio.map(|ratio| ("r".to_owned(), ratio)).into_iter().collect();
+    let lets = ratios.own.iter().map(|ratio| ("r".to_owned(), ratio.clone())).collect();
     Section { parameters, lets, windows, goals, hints: Vec::new() }
 }

@@ -4,11 +4,11 @@ use std::cmp::Ordering;
 
 use crate::certificate::statement::{Class, Gap, Window};
 use crate::certificate::term::Term;
-use crate::language::{Interval, Relation, Row, Side};
-use crate::scalar::{BigRational, Quotient};
+use crate::language::{self, Interval, Name, Real, Relation, Row, Side};
+use crate::scalar::{BigRational, Quotient, Ring, integer};
 
-use super::case::{At, Case, Known, Truth, Value, WINDOW, undecided};
-use super::index::Facts;
+use super::case::{At, Bound, Case, Known, Truth, Value, WINDOW, undecided};
+use super::index::{Facts, Index};
 use super::place::{Copies, Place};
 
 /// The knots, and where x is among them.
@@ -185,6 +185,52 @@ impl<'a> Case<'a> {
             .find_map(|(relation, order)| self.compare(relation, a, b).is_true().then_some(order))
     }
 
+    /// G_i^d at x, by its recursion.
+    pub(super) fn basis_value(&mut self, i: i64, d: i64) -> Known<Value> {
+        let Some(s) = self.facts.value(&Index::span(0)) else { return undecided("the span of x") };
+        if !(i <= s && s <= i + d) {
+            return Ok(Value::whole(0));
+        }
+        if d == 0 {
+            return Ok(Value::whole(1));
+        }
+        let mut sum = Value::whole(0);
+        for (j, rises) in [(i, true), (i + 1, false)] {
+            let below = self.basis_value(j, d - 1)?;
+            if below.plain().is_some_and(Ring::is_zero) {
+                continue;
+            }
+            let [a, b] = [j, j + d].map(|i| self.knot(&Index::number(i)));
+            let weight = self.weight_on(false, [&a?, &b?], At::Point(None), 0)?;
+            let weight = if rises { weight } else { Value::whole(1).minus(weight) };
+            sum = sum.plus(weight.times(below));
+        }
+        Ok(sum)
+    }
+
+    /// Whether something is true at a knot of an example, or in the middle between two.
+    pub(super) fn some_real(
+        &mut self,
+        name: &Name,
+        interval: &Interval,
+        body: &language::Formula,
+    ) -> Known<Truth> {
+        let knots = self.numbers.as_ref().map(Numbers::knots).unwrap_or_default();
+        let middles = knots.windows(2).map(|pair| (&pair[0] + &pair[1]) / integer(2));
+        for x in knots.iter().cloned().chain(middles) {
+            self.scope.reals.push((name.clone(), Bound::Free(Value::number(x))));
+            let within = language::Formula::Within(Real::Bound(name.clone()), interval.clone());
+            let exact = std::mem::replace(&mut self.exact, true);
+            let holds = self.formula(&within).and(self.formula(body));
+            self.exact = exact;
+            self.scope.reals.pop();
+            if holds.is_true() {
+                return Ok(holds);
+            }
+        }
+        undecided("whether there is such a number")
+    }
+
     /// The weight of an interval, or a derivative of it; φ is 0 outside of it.
     pub(super) fn weight_on(&mut self, cut: bool, [a, b]: [&Value; 2], at: At, order: usize) -> Known<Value> {
         let x = self.x()?;
@@ -230,7 +276,6 @@ impl Value {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scalar::integer;
 
     #[test]
     fn all_orders_are_tried() {

@@ -1,11 +1,12 @@
 //! A sentence as obligations: each has one conclusion, the integers that it runs over, and one point x.
 
 use crate::language::{
-    Adjective, Argument, Binder, Claim, Definition, Form, Formula, Function, Int, Interval, Item, Name, Over,
-    Range, Real, Relation, Row, Sentence, Use,
+    Adjective, Argument, Binder, Claim, Definition, Form, Formula, Function, Int, Interval, Item, Member,
+    Name, Over, Range, Real, Relation, Row, Sentence, Use, Word,
 };
 
 use super::NoWindow;
+use super::index::Index;
 use super::place::Place;
 
 /// What x stands for.
@@ -83,8 +84,14 @@ pub(super) struct Obligation<'a> {
     simple: bool,
     /// Every knot inside occurs k times at most.
     inner: bool,
+    /// Knots inside are no k + 1 of k+1, …, n.
+    interior: bool,
     /// What is assumed of α.
     pub(super) member: Option<Ratio>,
+    /// Other indices.
+    pub(super) indices: Vec<Name>,
+    /// In the place of all this: the orders of functions of a degree where they begin.
+    pub(super) orders: Option<i64>,
     pub(super) definitions: &'a [Definition],
 }
 
@@ -97,6 +104,9 @@ struct Given<'a> {
     reals: Vec<(Name, Option<Relation>, Option<Interval>)>,
     assume: Vec<Formula>,
     adjectives: Vec<Adjective>,
+    indices: Vec<Name>,
+    /// The knot that is looked at, where the conclusion names no x.
+    at: Option<Int>,
 }
 
 /// The name of x where it stands for a knot: none that can be written.
@@ -116,8 +126,8 @@ pub(super) fn obligations<'a>(
     if !says_of(sentence, k) {
         return Err(NoWindow::because(format!("it says nothing of degree {k}")));
     }
-    let (integers, reals, assume, adjectives) = Default::default();
-    let given = Given { k, subject, integers, reals, assume, adjectives };
+    let (integers, reals, assume, adjectives, indices) = Default::default();
+    let given = Given { k, subject, integers, reals, assume, adjectives, indices, at: None };
     below(sentence, &given, definitions, claim, &mut all)?;
     Ok(all)
 }
@@ -141,7 +151,8 @@ fn below<'a>(
     let mut knots = given.subject == Subject::Weights;
     for binder in &sentence.given {
         match binder {
-            Binder::Degree { .. } | Binder::Points(_) | Binder::Index(_) => {}
+            Binder::Degree { .. } | Binder::Points(_) => {}
+            Binder::Index(name) => given.indices.push(name.clone()),
             Binder::Knots(adjectives) => {
                 knots = true;
                 given.adjectives.extend(adjectives);
@@ -191,6 +202,21 @@ fn conclusion<'a>(
             implied(a, b, given, definitions, claim, all)?;
             implied(b, a, given, definitions, claim, all)
         }
+        Formula::Word(said) if matches!(said.word, Word::Smooth | Word::Rational) => {
+            let [Item::Expression(t, name, Some(interval))] = said.of.as_slice() else {
+                return Err(NoWindow::because("an expression without an interval"));
+            };
+            if said.word == Word::Rational && !between_neighbours(interval) {
+                return Err(NoWindow::because("an interval that is not from one knot to the next"));
+            }
+            with.reals.push((name.clone(), None, Some(interval.clone())));
+            let said = Formula::Word(Box::new(Use { word: said.word, of: vec![Item::Real(t.clone())] }));
+            all.push(obligation(said, &with, definitions)?);
+            Ok(())
+        }
+        Formula::Chain(Real::Whole(Int::Word(counted)), rest) if counted.word == Word::Rank => {
+            rank(&counted.of, rest, given, definitions, all)
+        }
         Formula::Chain(first, rest) => {
             let mut left = first;
             for (relation, right) in rest {
@@ -223,6 +249,74 @@ fn conclusion<'a>(
             Ok(())
         }
     }
+}
+
+/// Does it speak of an index?
+pub(super) fn names_an_index(f: &Formula) -> bool {
+    let mut found = Found::default();
+    found.formula(f);
+    found.indices
+}
+
+/// From t_J to t_{J+1}?
+fn between_neighbours(interval: &Interval) -> bool {
+    match (&interval.from, &interval.to) {
+        (Real::Knot(i), Real::Knot(Int::Plus(j, one))) => **j == *i && **one == Int::Number(1),
+        _ => false,
+    }
+}
+
+/// The rank of degree d is the number of i with t_i < t_{i+d+1}: the others are 0, and those that begin at one knot have different
+/// orders there. So it is n + k − d + 1 if all are; and two less if all are but the first and the last one.
+fn rank<'a>(
+    of: &[Item],
+    rest: &[(Relation, Real)],
+    given: &Given<'a>,
+    definitions: &'a [Definition],
+    all: &mut Vec<Obligation<'a>>,
+) -> Result<(), NoWindow> {
+    let uncounted = || NoWindow::because("a rank that is not counted");
+    let ([Item::Int(d)], [(Relation::Equal, Real::Whole(count))]) = (of, rest) else {
+        return Err(uncounted());
+    };
+    let k = i64::try_from(given.k).map_err(|_| uncounted())?;
+    let (d, count) = (plain(d, k).ok_or_else(uncounted)?, plain(count, k).ok_or_else(uncounted)?);
+    let d = (0..=k).find(|known| Index::number(*known) == d).ok_or_else(uncounted)?;
+    let left_out = |c: i64| count.minus(&Index::last(k - d + 1 - 2 * c)) == Index::number(0);
+    let ends = [0, 1].into_iter().find(|c| left_out(*c)).ok_or_else(uncounted)?;
+    let plus = |a: Int, b: i64| Int::Plus(Box::new(a), Box::new(Int::Number(b)));
+    let mut push = |a: Int, relation, b: Int, with: Given<'a>| {
+        let said = Formula::Chain(Real::Knot(a.clone()), vec![(relation, Real::Knot(b))]);
+        all.push(obligation(said, &Given { at: Some(a), ..with }, definitions)?);
+        Ok::<_, NoWindow>(())
+    };
+    let name: Name = "i of the rank".into();
+    let range = Range { name: name.clone(), from: Int::Number(ends), to: plus(Int::Last, k - d - ends) };
+    let mut with = given.clone();
+    with.integers.push(range);
+    push(Int::Bound(name.clone()), Relation::Less, plus(Int::Bound(name), d + 1), with)?;
+    if ends > 0 {
+        push(Int::Number(0), Relation::Equal, Int::Number(d + 1), given.clone())?;
+        push(Int::M, Relation::Equal, plus(Int::Last, k - d), given.clone())?;
+    }
+    // The orders are shown by themselves, first.
+    let at = all.len() - if ends > 0 { 3 } else { 1 };
+    let orders = Obligation { orders: Some(d), ..all[at].clone() };
+    all.insert(at, orders);
+    Ok(())
+}
+
+/// An integer that names nothing bound.
+fn plain(t: &Int, k: i64) -> Option<Index> {
+    Some(match t {
+        Int::Number(c) => Index::number(*c),
+        Int::Degree => Index::number(k),
+        Int::Last => Index::last(0),
+        Int::M => Index::last(k + 1),
+        Int::Plus(a, b) => plain(a, k)?.plus(&plain(b, k)?),
+        Int::Minus(a, b) => plain(a, k)?.minus(&plain(b, k)?),
+        _ => return None,
+    })
 }
 
 /// a ⇒ b; not b ⇒ not a, if only a is about functions.
@@ -275,11 +369,12 @@ fn obligation<'a>(
 ) -> Result<Obligation<'a>, NoWindow> {
     let mut found = Found::default();
     found.formula(&claim);
-    let point = match (given.subject, found.point(given)) {
-        (Subject::Knots, point) => point?,
-        (Subject::Example(_), Ok(Point::Bound(name))) => Point::Bound(name),
-        _ => Point::Any,
-    };
+    let point =
+        match (given.subject, given.at.clone().map_or_else(|| found.point(given), |i| Ok(Point::Knot(i)))) {
+            (Subject::Knots, point) => point?,
+            (Subject::Example(_), Ok(Point::Bound(name))) => Point::Bound(name),
+            _ => Point::Any,
+        };
     let mut assume = given.assume.clone();
     if let Point::Knot(i) = &point {
         let x = Real::Bound(point_name());
@@ -300,7 +395,8 @@ fn obligation<'a>(
     let is = |adjective| given.adjectives.contains(&adjective);
     let (symmetric, simple) = (is(Adjective::Symmetric), is(Adjective::Simple));
     // More than k of the indices 1, …, n+k in a row hold one of k+1, …, n, or both k and n+1.
-    let inner = is(Adjective::Inner) || is(Adjective::Interior) && assume.contains(&apart());
+    let interior = is(Adjective::Interior) && assume.contains(&apart());
+    let inner = is(Adjective::Inner) || interior;
     Ok(Obligation {
         integers,
         reals,
@@ -311,7 +407,10 @@ fn obligation<'a>(
         symmetric,
         simple,
         inner,
+        interior,
         member,
+        indices: given.indices.clone(),
+        orders: None,
         definitions,
     })
 }
@@ -333,6 +432,8 @@ impl Obligation<'_> {
         match place {
             _ if self.simple => 1,
             Place::Knot(_) if self.inner => k,
+            // k + 2 copies of t_0 have t_{k+1} among them, which is among t_{k+1}, …, t_n; so for t_m.
+            Place::First(_) | Place::Last(_) if self.interior => k + 1,
             _ => i64::MAX,
         }
     }
@@ -412,6 +513,8 @@ struct Found<'f> {
     /// Names that are no part of a term.
     alone: Vec<&'f Name>,
     functions: bool,
+    /// An index, or another member by one.
+    indices: bool,
 }
 
 impl<'f> Found<'f> {
@@ -492,7 +595,7 @@ impl<'f> Found<'f> {
             }
         }
         if let ([Item::Real(t)], false) =
-            (of.of.as_slice(), matches!(of.word, crate::language::Word::Defined))
+            (of.of.as_slice(), matches!(of.word, Word::Defined | Word::Smooth | Word::Rational))
         {
             self.arguments.push(t);
         }
@@ -522,7 +625,8 @@ impl<'f> Found<'f> {
                 self.knots.push(i);
                 self.int(i);
             }
-            Real::Number(_) | Real::Index(_) | Real::Ratio | Real::Infinity => {}
+            Real::Index(_) => self.indices = true,
+            Real::Number(_) | Real::Ratio | Real::Infinity => {}
             Real::Coefficient(_, of) | Real::Parameter(_, of) | Real::Defined(_, of) => {
                 of.iter().for_each(|i| self.int(i))
             }
@@ -543,7 +647,8 @@ impl<'f> Found<'f> {
                 self.real(a);
             }
             Real::Value(f, argument) => {
-                let Argument { at, .. } = &**argument;
+                let Argument { at, member, .. } = &**argument;
+                self.indices |= matches!(member, Some(Member::Index(_)));
                 self.whole(at);
                 self.arguments.push(at);
                 self.functions = true;

@@ -1,0 +1,72 @@
+//! What is known of the slope ratios of indices: what is assumed of α, or the order of 1, r, and those of other indices.
+
+use crate::certificate::term::Term;
+use crate::language::Name;
+use crate::scalar::integer;
+
+use super::numbers::orders;
+use super::obligation::{Obligation, Ratio};
+
+/// Ratios by parameters that are positive.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Ratios {
+    /// The parameters.
+    pub(super) declared: Vec<String>,
+    /// r.
+    pub(super) own: Option<Term>,
+    /// Those of other indices.
+    pub(super) others: Vec<(Name, Term)>,
+    /// Their order may still be asked for.
+    pub(super) is_free: bool,
+}
+
+fn rho(j: i64) -> String {
+    format!("(rho {j})")
+}
+
+fn one() -> Term {
+    Term::Number(integer(1))
+}
+
+/// 1 + Σ (rho j).
+fn above(steps: impl Iterator<Item = i64>) -> Term {
+    Term::Sum(std::iter::once(one()).chain(steps.map(|j| Term::Named(rho(j)))).collect())
+}
+
+fn over_one(below: Term) -> Term {
+    Term::Ratio(Box::new(one()), Box::new(below))
+}
+
+impl Ratios {
+    /// What is assumed of α.
+    pub(super) fn of(member: Option<Ratio>) -> Self {
+        let first = || above(std::iter::once(0));
+        let own = member.map(|member| match member {
+            Ratio::One => one(),
+            Ratio::Below => over_one(first()),
+            Ratio::Above => first(),
+        });
+        let moves = member.is_some_and(|member| member != Ratio::One);
+        Self { declared: moves.then(|| rho(0)).into_iter().collect(), own, ..Self::default() }
+    }
+
+    /// All orders of 1, r, and the ratios of other indices, which differ from r.
+    pub(super) fn in_order(obligation: &Obligation<'_>) -> Vec<Self> {
+        let names = &obligation.indices;
+        let of = |order: &Vec<usize>| {
+            let rank =
+                |at: usize| i64::try_from(order[at]).unwrap_or(0) - i64::try_from(order[0]).unwrap_or(0);
+            let beside = |at: usize| match rank(at) {
+                0 => one(),
+                steps @ 1.. => above(0..steps),
+                steps => over_one(above((1..=-steps).map(|j| -j))),
+            };
+            let (least, most) =
+                (0..order.len()).fold((0, 0), |(a, b), at| (rank(at).min(a), rank(at).max(b)));
+            let others = names.iter().zip(2..).map(|(name, at)| (name.clone(), beside(at))).collect();
+            Self { declared: (least..most).map(rho).collect(), own: Some(beside(1)), others, is_free: false }
+        };
+        let all = orders(2 + names.len()).unwrap_or_default();
+        all.iter().filter(|order| !order[2..].contains(&order[1])).map(of).collect()
+    }
+}
