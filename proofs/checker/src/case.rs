@@ -1,9 +1,9 @@
 //! One place of x with what is known there, while the integers of a sentence are chosen.
 
-use crate::derive::Subject;
 use crate::env::Env;
 use crate::error::{Reason, Result};
 use crate::fraction::Fraction;
+use crate::obligation::Subject;
 use crate::place::{Copies, Facts, Form, Gap, Place};
 use crate::poly::Sign;
 use crate::section::Section;

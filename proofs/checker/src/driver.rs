@@ -2,9 +2,10 @@
 
 use std::fmt;
 
-use crate::derive::{reach, sections};
+use crate::derive::sections;
 use crate::env::Env;
 use crate::error::{Reason, Rejected, Result};
+use crate::obligation::reach;
 use crate::point::Numbered;
 use crate::rules::Context;
 use crate::section::Section;

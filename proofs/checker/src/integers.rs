@@ -1,9 +1,9 @@
 //! The integers of a sentence at a place: what they can be, and what hypotheses say of s and n.
 
 use crate::case::{Case, Found, Stop, read};
-use crate::derive::parts;
 use crate::env::binomial;
 use crate::error::Result;
+use crate::obligation::parts;
 use crate::place::{Copies, Form, Gap, Place};
 use crate::token::{Kind, Node};
 use crate::work::spend;

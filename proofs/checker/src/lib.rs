@@ -23,8 +23,8 @@
 //! (names, integers, `each`), `terms` with `recursion` (what a term is worth, by the paper's definition), `section`
 //! (what is declared), `rules` (what a rule shows); then how a claim becomes sections: `sentence` (what may stand
 //! where), `place` (of x among the knots), `case` (what is known there) with `integers`, `value`, `function` and
-//! `truth` (what the parts of a sentence are there), `derive` (obligations, places, goals), `point` (numbers that
-//! refute); `driver` (every section, every goal), `error`; beside them `file`, and `work`, which is counted everywhere.
+//! `truth` (what the parts of a sentence are there), `obligation` (what it asks for), `derive` (places, goals), `numbers` (the same for
+//! examples and weights), `point` (numbers that refute) with `words`; `driver` (every section, every goal), `error`; beside them `file`, and `work`, which is counted everywhere.
 //! Terms, rules and sentences are read from the tree as they are needed. No recursion is deeper than the brackets of
 //! the text, the degree of a function or the definitions that may be opened, which have limits.
 
@@ -39,6 +39,8 @@ mod file;
 mod fraction;
 mod function;
 mod integers;
+mod numbers;
+mod obligation;
 mod place;
 mod point;
 mod poly;

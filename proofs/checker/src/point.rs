@@ -4,10 +4,10 @@
 use std::cmp::Ordering;
 
 use crate::case::{Bound, Case, Found, Numbers, Stop, read};
-use crate::derive::{Obligation, Subject, check_weights, obligations};
 use crate::env::Env;
 use crate::error::{Reason, Result};
 use crate::fraction::Fraction;
+use crate::obligation::{Obligation, Subject, check_weights, obligations};
 use crate::place::{Copies, Facts, Form, Place};
 use crate::poly::Sign;
 use crate::section::Section;

@@ -5,7 +5,8 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use crate::derive::{Subject, obligations, sections};
+use crate::derive::sections;
+use crate::obligation::{Subject, obligations};
 use crate::point::Numbered;
 use crate::token::{Node, tree};
 

@@ -1,8 +1,8 @@
 //! What a formula says in a case: false, not decided, or goals to prove.
 
 use crate::case::{Bound, Case, Found, Stop};
-use crate::derive::parts;
 use crate::error::Result;
+use crate::obligation::parts;
 use crate::place::{Form, Place};
 use crate::poly::Sign;
 use crate::sentence::Example;

@@ -1,10 +1,10 @@
 //! Words at a point: what samples show of them. They show that something is false, or a bound of a number, and no more.
 
 use crate::case::{At, Bound, Case, Found, Numbers, Stop};
-use crate::derive::Subject;
 use crate::env::Env;
 use crate::error::Result;
 use crate::fraction::Fraction;
+use crate::obligation::Subject;
 use crate::place::{Form, Place};
 use crate::poly::Sign;
 use crate::section::Section;

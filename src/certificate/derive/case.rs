@@ -1,7 +1,7 @@
 //! What a formula says at a place: decided by the place, or goals on the window, or not to be said there.
 
 use crate::certificate::evaluate::sign;
-use crate::certificate::statement::Class;
+use crate::certificate::statement::{Class, Gap, Window};
 use crate::certificate::term::{self, OfWeight, Term, Where};
 use crate::language::{
     Argument, Definition, Fold, Formula, Function, Int, Interval, Item, Member, Name, Over, Pattern, Range,
@@ -10,7 +10,6 @@ use crate::language::{
 use crate::scalar::{BigRational, Multivariate, Quotient, RationalAlgebra, Ring, integer};
 
 use super::index::{Contradiction, Facts, Index};
-use super::numbers::Numbers;
 use super::place::{Copies, Place, Size};
 use super::ratios::Ratios;
 
@@ -239,6 +238,31 @@ pub(super) enum Bound {
 pub(super) struct Scope {
     pub(super) integers: Vec<(Name, Index)>,
     pub(super) reals: Vec<(Name, Bound)>,
+}
+
+/// The knots, and where x is among them.
+#[derive(Debug, Clone)]
+pub(super) struct Numbers<'a> {
+    pub(super) row: Option<&'a Row>,
+    pub(super) x: Option<Value>,
+    /// Where x is on its span, if that is not u.
+    pub(super) u: Option<Term>,
+}
+
+impl<'a> Numbers<'a> {
+    pub(super) fn of(row: Option<&'a Row>) -> Self {
+        Self { row, x: None, u: None }
+    }
+
+    pub(super) fn knots(&self) -> &'a [BigRational] {
+        self.row.map_or(&[], |row| &row.knots)
+    }
+
+    /// The whole knot vector as a window that counts as it does.
+    pub(super) fn window(&self) -> Window {
+        let gap = |pair: &[BigRational]| Gap::Term(Term::Number(&pair[1] - &pair[0]));
+        Window { name: WINDOW.into(), first: 0, gaps: self.knots().windows(2).map(gap).collect() }
+    }
 }
 
 /// One case at a place: what is known of s and n there, and what the integers are.

@@ -16,9 +16,8 @@ use crate::scalar::integer;
 
 use super::statement::{Class, Gap, Section, Window};
 use super::term::{self, Formula, Term};
-use case::{Bound, Case, MIRROR, Parameters, Scope, Stop, Truth, WINDOW, gap_name};
+use case::{Bound, Case, MIRROR, Numbers, Parameters, Scope, Stop, Truth, WINDOW, gap_name};
 use index::Contradiction;
-use numbers::Numbers;
 use obligation::{Obligation, Point, Subject, names_an_index, obligations, subjects};
 use place::Place;
 use ratios::Ratios;
@@ -179,7 +178,7 @@ fn of_weights(obligation: &Obligation<'_>, ratios: &Ratios) -> Result<Vec<Sectio
         })
         .map(|(name, ..)| name)
         .collect();
-    let Some(orders) = numbers::orders(ordered.len()) else {
+    let Some(orders) = ratios::orders(ordered.len()) else {
         return Err(NoWindow::because("more reals than are put in order"));
     };
     for (order, part) in orders

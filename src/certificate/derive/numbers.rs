@@ -11,15 +11,6 @@ use super::case::{At, Bound, Case, Known, Truth, Value, WINDOW, undecided};
 use super::index::{Facts, Index};
 use super::place::{Copies, Place};
 
-/// The knots, and where x is among them.
-#[derive(Debug, Clone)]
-pub(super) struct Numbers<'a> {
-    pub(super) row: Option<&'a Row>,
-    pub(super) x: Option<Value>,
-    /// Where x is on its span, if that is not u.
-    pub(super) u: Option<Term>,
-}
-
 /// What was before.
 pub(super) struct Located<'a> {
     place: Place,
@@ -30,38 +21,9 @@ pub(super) struct Located<'a> {
 /// The name of a distance from all knots.
 const OUTSIDE: &str = "outside";
 
-impl<'a> Numbers<'a> {
-    pub(super) fn of(row: Option<&'a Row>) -> Self {
-        Self { row, x: None, u: None }
-    }
-
-    pub(super) fn knots(&self) -> &'a [BigRational] {
-        self.row.map_or(&[], |row| &row.knots)
-    }
-
-    /// The whole knot vector as a window that counts as it does.
-    pub(super) fn window(&self) -> Window {
-        let gap = |pair: &[BigRational]| Gap::Term(Term::Number(&pair[1] - &pair[0]));
-        Window { name: WINDOW.into(), first: 0, gaps: self.knots().windows(2).map(gap).collect() }
-    }
-}
-
 /// How many places x has against these knots.
 pub(super) fn places(knots: &[BigRational]) -> usize {
     2 * knots.windows(2).filter(|pair| pair[0] < pair[1]).count() + 3
-}
-
-/// All orders of so many numbers: the ranks of each, without a gap.
-pub(super) fn orders(count: usize) -> Option<Vec<Vec<usize>>> {
-    const MOST: usize = 5;
-    if count > MOST {
-        return None;
-    }
-    let digits = |code: usize| {
-        (0..count).rev().map(move |at| code / count.pow(u32::try_from(at).unwrap_or(0)) % count)
-    };
-    let all = (0..count.pow(u32::try_from(count).unwrap_or(0))).map(|code| digits(code).collect::<Vec<_>>());
-    Some(all.filter(|order| order.iter().all(|rank| *rank == 0 || order.contains(&(rank - 1)))).collect())
 }
 
 impl<'a> Case<'a> {
@@ -276,13 +238,6 @@ impl Value {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn all_orders_are_tried() {
-        let count = |n| orders(n).unwrap().len();
-        assert_eq!([0, 1, 2, 3, 4].map(count), [1, 1, 3, 13, 75]);
-        assert_eq!(orders(6), None);
-    }
 
     #[test]
     fn x_is_before_at_between_and_after_knots() {

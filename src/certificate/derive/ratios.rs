@@ -4,8 +4,20 @@ use crate::certificate::term::Term;
 use crate::language::Name;
 use crate::scalar::integer;
 
-use super::numbers::orders;
 use super::obligation::{Obligation, Ratio};
+
+/// All orders of so many numbers: the ranks of each, without a gap.
+pub(super) fn orders(count: usize) -> Option<Vec<Vec<usize>>> {
+    const MOST: usize = 5;
+    if count > MOST {
+        return None;
+    }
+    let digits = |code: usize| {
+        (0..count).rev().map(move |at| code / count.pow(u32::try_from(at).unwrap_or(0)) % count)
+    };
+    let all = (0..count.pow(u32::try_from(count).unwrap_or(0))).map(|code| digits(code).collect::<Vec<_>>());
+    Some(all.filter(|order| order.iter().all(|rank| *rank == 0 || order.contains(&(rank - 1)))).collect())
+}
 
 /// Ratios by parameters that are positive.
 #[derive(Debug, Clone, Default)]
@@ -68,5 +80,17 @@ impl Ratios {
         };
         let all = orders(2 + names.len()).unwrap_or_default();
         all.iter().filter(|order| !order[2..].contains(&order[1])).map(of).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn all_orders_are_tried() {
+        let count = |n| orders(n).unwrap().len();
+        assert_eq!([0, 1, 2, 3, 4].map(count), [1, 1, 3, 13, 75]);
+        assert_eq!(orders(6), None);
     }
 }
