@@ -5,7 +5,7 @@ use crate::certificate::statement::{Class, Gap, Window};
 use crate::certificate::term::{self, OfWeight, Term, Where};
 use crate::language::{
     Argument, Definition, Fold, Formula, Function, Int, Interval, Item, Member, Name, Over, Pattern, Range,
-    Real, Relation, Side, Use, Word,
+    Real, Relation, Row, Side, Use, Word,
 };
 use crate::scalar::{BigRational, Multivariate, Quotient, RationalAlgebra, Ring, integer};
 

@@ -2,12 +2,11 @@
 
 use std::cmp::Ordering;
 
-use crate::certificate::statement::{Class, Gap, Window};
-use crate::certificate::term::Term;
-use crate::language::{self, Interval, Name, Real, Relation, Row, Side};
+use crate::certificate::statement::Class;
+use crate::language::{self, Interval, Name, Real, Relation, Side};
 use crate::scalar::{BigRational, Quotient, Ring, integer};
 
-use super::case::{At, Bound, Case, Known, Truth, Value, WINDOW, undecided};
+use super::case::{At, Bound, Case, Known, Numbers, Truth, Value, WINDOW, undecided};
 use super::index::{Facts, Index};
 use super::place::{Copies, Place};
 
