@@ -524,7 +524,7 @@ fn every_variant_that_is_kept_is_one() {
 /// What became of a variant for the prover, in the degree of its witness.
 #[derive(Debug, PartialEq, Eq)]
 enum Windows {
-    /// The witness is of another kind, or of a degree beyond those tried here.
+    /// It is not refuted, or in a degree beyond those tried here.
     NotTried,
     /// None follow from the sentence.
     None,
@@ -536,10 +536,8 @@ enum Windows {
 
 /// From what is refuted nothing follows that the checker accepts.
 fn proved(claim: Claim<'_>, sentence: &Sentence, witness: &Witness) -> Windows {
-    let Some(k @ 0..=3) = witness.k else { return Windows::NotTried };
-    if sentence.given.iter().any(|binder| matches!(binder, Binder::Instances(_))) {
-        return Windows::NotTried;
-    }
+    // What is about weights alone stands for degree 1.
+    let k @ 0..=3 = witness.k.unwrap_or(1) else { return Windows::NotTried };
     let Ok(statement) = derived(claim, Form::Printed, sentence, &[k]) else { return Windows::None };
     match Certificate::of(statement) {
         Ok(certificate) if certificate.check().is_ok() => Windows::Proved,

@@ -5,7 +5,8 @@
 use crate::case::{At, Bound, Case, Stop, read};
 use crate::error::{Reason, Result};
 use crate::obligation::{
-    Obligation, Point, Subject, is_variable, member, names_index, obligations, ratio, subjects,
+    Obligation, Point, Subject, is_variable, may_be_infinite, member, names_index, obligations, ratio,
+    subjects,
 };
 use crate::place::{Place, fine};
 use crate::token::Node;
@@ -82,7 +83,16 @@ impl<'w, 't> Walk<'w, 't> {
             (Some(Subject::Example(_)), Ok(Point::Real(name))) => Point::Real(name),
             _ => Point::Any,
         };
-        let (declared, ratios) = (ratio(member(&hypotheses)), Vec::new());
+        let known = match may_be_infinite(&hypotheses) {
+            false => member(&hypotheses),
+            true if obligation.subject == Some(Subject::Knots) => {
+                return Err(Reason::NoWindow(
+                    "a hypothesis takes an index for a number that may be infinite",
+                ));
+            }
+            true => None,
+        };
+        let (declared, ratios) = (ratio(known), Vec::new());
         Ok(Walk {
             obligation,
             hypotheses,

@@ -333,6 +333,28 @@ pub(crate) fn ratio<'t>(member: Option<Member>) -> Vec<Node<'t>> {
     declared.into_iter().chain([Node::made("let", vec![Node::name_of("r"), r])]).collect()
 }
 
+/// Whether a formula takes an index for a number that may be ∞: then it may not exist.
+pub(crate) fn may_be_infinite(hypotheses: &[Node<'_>]) -> bool {
+    fn indices<'t>(node: &Node<'t>, found: &mut Vec<&'t str>) {
+        match node.headed("") {
+            Ok(("alpha", [name])) => found.extend(name.name().ok()),
+            // In another member it is no number, and next to ∞ none is asked for.
+            Ok(("of", _)) => {}
+            Ok(("chain", [_, step]))
+                if step.headed("").is_ok_and(|(_, of)| of.iter().all(|b| b.is_word("infinity"))) => {}
+            Ok((_, parts)) => parts.iter().for_each(|part| indices(part, found)),
+            _ => {}
+        }
+    }
+    let mut all = Vec::new();
+    hypotheses.iter().for_each(|hypothesis| indices(hypothesis, &mut all));
+    all.into_iter().any(|name| {
+        let index = Node::made("alpha", vec![Node::name_of(name)]);
+        let infinity = Node::made("/=", vec![Node::name_of("infinity")]);
+        !hypotheses.contains(&Node::made("chain", vec![index, infinity]))
+    })
+}
+
 /// Which members of the family a hypothesis leaves.
 pub(crate) fn member(hypotheses: &[Node<'_>]) -> Option<Member> {
     let is_alpha =

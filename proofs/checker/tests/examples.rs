@@ -503,6 +503,55 @@ fn points_refute_examples_and_weights() {
     assert_eq!(wrong(&table), "");
 }
 
+#[test]
+fn a_hypothesis_on_an_index_has_to_exist() {
+    let bent = |hypotheses: &str| {
+        weights(
+            "(real a) (real b) (point x (open (var a) open (var b)))",
+            &format!("(chain (var a) (< (var b))) {hypotheses}"),
+            "(=> (chain (alpha alpha) (< (int 0))) (chain (of (D (phi (var a) (var b)) 2) (at (var x))) (> (int 0))))",
+        )
+    };
+    let knots = |hypotheses: &str| {
+        on_knots(
+            "(knots) (real x)",
+            &format!("(chain (var x) (< (t 0))) {hypotheses}"),
+            "(chain (of (G 0) (at (var x))) (= (int 0)))",
+        )
+    };
+    let finite = "(chain (alpha alpha) (/= infinity))";
+    let table = [
+        ("of weights", bent(finite), NONE, "accepted"),
+        // For ∞ it makes no sense to ask whether α < 0.
+        ("where it may be infinite", bent(""), NONE, "not decided"),
+        ("where it is", bent("(chain (alpha alpha) (= infinity))"), NONE, "not decided"),
+        ("of knots", knots(&format!("{finite} (chain (alpha alpha) (< (int 0)))")), NONE, "accepted"),
+        (
+            "where it may be infinite",
+            knots("(chain (alpha alpha) (< (int 0)))"),
+            NONE,
+            "that may be infinite",
+        ),
+        ("between 0 and 1", knots("(chain (int 0) (< (alpha alpha)))"), NONE, "that may be infinite"),
+        ("in a term", knots("(chain (+ (alpha alpha) (int 1)) (< (int 0)))"), NONE, "that may be infinite"),
+        (
+            "in a disjunction",
+            knots("(or (chain (alpha alpha) (< (int 0))) (chain (alpha alpha) (= infinity)))"),
+            NONE,
+            "that may be infinite",
+        ),
+        (
+            "another one that is finite",
+            knots(&format!("{finite} (chain (alpha beta) (< (int 0)))"))
+                .replace("(real x)", "(real x) (index beta)"),
+            NONE,
+            "that may be infinite",
+        ),
+        ("next to infinity", knots("(chain (alpha alpha) (= infinity))"), NONE, "accepted"),
+    ];
+    assert_eq!(wrong(&table), "");
+}
+
 /// A sentence about all knots in degree 1.
 fn on_knots(binders: &str, hypotheses: &str, conclusion: &str) -> String {
     format!(

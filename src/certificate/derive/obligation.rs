@@ -251,6 +251,19 @@ fn conclusion<'a>(
     }
 }
 
+/// Does a formula take an index for a number that may be ∞? Then it may not exist.
+fn may_be_infinite(assume: &[Formula]) -> bool {
+    let mut found = Found::default();
+    assume.iter().for_each(|f| found.formula(f));
+    let finite = |name: &&Name| {
+        assume.contains(&Formula::Chain(
+            Real::Index((*name).clone()),
+            vec![(Relation::Unequal, Real::Infinity)],
+        ))
+    };
+    !found.numbers.iter().all(finite)
+}
+
 /// Does it speak of an index?
 pub(super) fn names_an_index(f: &Formula) -> bool {
     let mut found = Found::default();
@@ -390,7 +403,13 @@ fn obligation<'a>(
         }
     }
     let coincide = assume.iter().filter_map(coinciding).collect();
-    let member = assume.iter().find_map(ratio);
+    let member = match may_be_infinite(&assume) {
+        false => assume.iter().find_map(ratio),
+        true if given.subject == Subject::Knots => {
+            return Err(NoWindow::because("a hypothesis takes an index for a number that may be infinite"));
+        }
+        true => None,
+    };
     let integers = given.integers.clone();
     let is = |adjective| given.adjectives.contains(&adjective);
     let (symmetric, simple) = (is(Adjective::Symmetric), is(Adjective::Simple));
@@ -515,6 +534,8 @@ struct Found<'f> {
     functions: bool,
     /// An index, or another member by one.
     indices: bool,
+    /// Indices that are numbers.
+    numbers: Vec<&'f Name>,
 }
 
 impl<'f> Found<'f> {
@@ -564,6 +585,9 @@ impl<'f> Found<'f> {
 
     fn formula(&mut self, f: &'f Formula) {
         match f {
+            Formula::Chain(Real::Index(_), rest) if rest.iter().all(|(_, t)| *t == Real::Infinity) => {
+                self.indices = true;
+            }
             Formula::Chain(first, rest) => {
                 self.whole(first);
                 rest.iter().for_each(|(_, t)| self.whole(t));
@@ -625,7 +649,10 @@ impl<'f> Found<'f> {
                 self.knots.push(i);
                 self.int(i);
             }
-            Real::Index(_) => self.indices = true,
+            Real::Index(name) => {
+                self.indices = true;
+                self.numbers.push(name);
+            }
             Real::Number(_) | Real::Ratio | Real::Infinity => {}
             Real::Coefficient(_, of) | Real::Parameter(_, of) | Real::Defined(_, of) => {
                 of.iter().for_each(|i| self.int(i))
