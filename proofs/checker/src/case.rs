@@ -1,7 +1,10 @@
 //! One place of x with what is known there, while the integers of a sentence are chosen; or numbers for everything.
 
+use std::rc::Rc;
+
 use crate::env::Env;
 use crate::error::{Reason, Result};
+use crate::family::Family;
 use crate::fraction::Fraction;
 use crate::place::{Copies, Facts, Form, Gap, Place};
 use crate::poly::Sign;
@@ -56,8 +59,7 @@ pub(crate) struct Numbers<'t> {
     /// Where x is on its span.
     pub(crate) u: Option<Node<'t>>,
     pub(crate) knots: Vec<Node<'t>>,
-    pub(crate) ratio: Node<'t>,
-    /// (points NAME value…) and (index NAME ratio), among others.
+    /// (parameter NAME value…), (points NAME value…) and (index NAME ratio), among others.
     pub(crate) values: Vec<Node<'t>>,
 }
 
@@ -72,6 +74,7 @@ impl<'t> Numbers<'t> {
 }
 
 pub(crate) struct Case<'c, 't> {
+    pub(crate) family: Rc<Family<'t>>,
     pub(crate) definitions: &'c [Node<'t>],
     pub(crate) k: i64,
     pub(crate) place: Place,
@@ -93,8 +96,8 @@ pub(crate) struct Case<'c, 't> {
     pub(crate) symmetric: bool,
     /// Integers run around the mirror image of the span.
     pub(crate) mirrored: bool,
-    /// r of another member of the family.
-    pub(crate) ratio: Option<Node<'t>>,
+    /// Another member of the family: what is replaced.
+    pub(crate) member: Option<Node<'t>>,
     pub(crate) numbers: Option<Numbers<'t>>,
     /// Something was not decided.
     pub(crate) undecided: bool,
@@ -106,13 +109,19 @@ pub(crate) struct Case<'c, 't> {
 
 impl<'c, 't> Case<'c, 't> {
     /// A place of which nothing but itself is known.
-    pub(crate) fn new(definitions: &'c [Node<'t>], k: i64, place: Place) -> Result<Self> {
+    pub(crate) fn new(
+        family: &Rc<Family<'t>>,
+        definitions: &'c [Node<'t>],
+        k: i64,
+        place: Place,
+    ) -> Result<Self> {
         Ok(Case {
+            family: family.clone(),
             definitions,
             k,
             place,
             facts: Facts::at(place, k),
-            section: Section::new(&[], Env::default())?,
+            section: Section::new(&[], Env::new(family.clone()))?,
             parameters: Vec::new(),
             shown: place.shown(k),
             closed: Vec::new(),
@@ -122,7 +131,7 @@ impl<'c, 't> Case<'c, 't> {
             on_knot: false,
             symmetric: false,
             mirrored: false,
-            ratio: None,
+            member: None,
             numbers: None,
             undecided: false,
             far: 0,
@@ -134,7 +143,7 @@ impl<'c, 't> Case<'c, 't> {
     pub(crate) fn open(&mut self) -> Result<Vec<Node<'t>>> {
         let origin = Node::made("real", vec![Node::name_of("o")]);
         let fixed: Vec<_> = [origin].into_iter().chain(self.windows()).collect();
-        self.section = Section::new(&fixed, Env::default())?;
+        self.section = Section::new(&fixed, Env::new(self.family.clone()))?;
         self.parameters.clear();
         Ok(fixed)
     }
@@ -147,10 +156,7 @@ impl<'c, 't> Case<'c, 't> {
             Gap::Any if !self.closed.contains(&e) => Node::name_of("any"),
             _ => Node::whole_of(0),
         };
-        let turn = match self.place {
-            Place::Knot(Copies::Exactly(q)) => -q,
-            _ => 0,
-        };
+        let turn = self.turn();
         let reflected = |e: i64| match turn - e {
             of if !(first..last).contains(&of) => Node::name_of("any"),
             of if gap(of) == Node::whole_of(0) => gap(of),
@@ -163,6 +169,14 @@ impl<'c, 't> Case<'c, 't> {
         let mirror =
             self.symmetric.then(|| window("M", -self.k, (-self.k..=self.k).map(reflected).collect()));
         [window("W", first, (first..last).map(gap).collect())].into_iter().chain(mirror).collect()
+    }
+
+    /// Knot s' + e of the reflected window is s + 1 + turn − e.
+    pub(crate) fn turn(&self) -> i64 {
+        match self.place {
+            Place::Knot(Copies::Exactly(q)) => -q,
+            _ => 0,
+        }
     }
 
     /// A parameter, declared once.

@@ -3,9 +3,11 @@
 //! Whatever is not understood, or not decided, is no derivation. Hypotheses may be left out: what is shown is then stronger.
 
 use std::collections::BTreeSet;
+use std::rc::Rc;
 
 use crate::case::{At, Bound, Case, Stop, read};
 use crate::error::{Reason, Result};
+use crate::family::Family;
 use crate::place::{Place, fine};
 use crate::sentence::adjective;
 use crate::token::{Node, tree};
@@ -300,10 +302,15 @@ fn is_variable(node: &Node<'_>, name: &str) -> bool {
 }
 
 /// The sections of a sentence for degree k.
-pub(crate) fn sections<'t>(definitions: &[Node<'t>], sentence: &Node<'t>, k: i64) -> Result<Vec<Node<'t>>> {
+pub(crate) fn sections<'t>(
+    family: &Rc<Family<'t>>,
+    definitions: &[Node<'t>],
+    sentence: &Node<'t>,
+    k: i64,
+) -> Result<Vec<Node<'t>>> {
     let mut all = Vec::new();
     for (number, obligation) in (1..).zip(obligations(sentence, k, false)?) {
-        let mut walk = Walk::new(&obligation, definitions, k)?;
+        let mut walk = Walk::new(&obligation, family, definitions, k)?;
         let found = match walk.all()? {
             Err(_) if obligation.is("symmetric") => {
                 walk.mirrored = true;
@@ -318,6 +325,7 @@ pub(crate) fn sections<'t>(definitions: &[Node<'t>], sentence: &Node<'t>, k: i64
 
 /// One obligation for one degree.
 struct Walk<'w, 't> {
+    family: &'w Rc<Family<'t>>,
     obligation: &'w Obligation<'t>,
     /// Those of the obligation, and the intervals of its reals.
     hypotheses: Vec<Node<'t>>,
@@ -328,9 +336,14 @@ struct Walk<'w, 't> {
 }
 
 impl<'w, 't> Walk<'w, 't> {
-    fn new(obligation: &'w Obligation<'t>, definitions: &'w [Node<'t>], k: i64) -> Result<Self> {
+    fn new(
+        obligation: &'w Obligation<'t>,
+        family: &'w Rc<Family<'t>>,
+        definitions: &'w [Node<'t>],
+        k: i64,
+    ) -> Result<Self> {
         let hypotheses = obligation.all_hypotheses();
-        Ok(Walk { obligation, hypotheses, point: obligation.point()?, definitions, k, mirrored: false })
+        Ok(Walk { family, obligation, hypotheses, point: obligation.point()?, definitions, k, mirrored: false })
     }
 
     /// The sections of all places, or the place where something is not decided.
@@ -359,7 +372,7 @@ impl<'w, 't> Walk<'w, 't> {
         if self.obligation.forbids(place, self.k)? {
             return Ok(true);
         }
-        let mut case = Case::new(self.definitions, self.k, place)?;
+        let mut case = Case::new(self.family, self.definitions, self.k, place)?;
         case.symmetric = self.obligation.is("symmetric");
         case.mirrored = self.mirrored;
         // Gaps are closed first: the window is one for all cases.

@@ -25,10 +25,10 @@ impl<'t> Case<'_, 't> {
     /// A function at an argument; of numbers, whatever the number is.
     pub(crate) fn of(&mut self, function: &Node<'t>, argument: &Node<'t>) -> Found<Value<'t>> {
         let (side, [x, member @ ..]) = argument.headed("an argument")? else { return Err(Stop::Undecided) };
-        let ratio = match (member.first(), &self.ratio) {
-            (None, ratio) => ratio.clone(),
+        let other = match (member.first(), &self.member) {
+            (None, member) => member.clone(),
             (Some(_), Some(_)) => return Err(Stop::Undecided),
-            (Some(member), None) => Some(self.member(member)?),
+            (Some(member), None) => Some(self.other_member(member)?),
         };
         let (at, moved) = match self.place_of(x) {
             Err(Stop::Undecided) if self.numbers.is_some() => {
@@ -43,31 +43,45 @@ impl<'t> Case<'_, 't> {
             (At::X, "right") => At::Right,
             _ => return Err(Stop::Undecided),
         };
-        let before = (std::mem::replace(&mut self.ratio, ratio), moved.map(|x| self.locate(x)).transpose()?);
+        let before = (std::mem::replace(&mut self.member, other), moved.map(|x| self.locate(x)).transpose()?);
         let value = self.function(function, at, 0);
-        self.ratio = before.0;
+        self.member = before.0;
         if let Some(before) = before.1 {
             self.restore(before);
         }
         value
     }
 
-    pub(crate) fn member(&mut self, member: &Node<'t>) -> Found<Node<'t>> {
+    /// What is replaced for another member of the family.
+    fn other_member(&mut self, member: &Node<'t>) -> Found<Node<'t>> {
         let inverse = || Node::made("/", vec![Node::whole_of(1), Node::name_of("r")]);
-        match member.headed("another index")? {
-            ("alpha", [alpha]) if alpha.is_word("infinity") => Ok(Node::whole_of(1)),
-            ("alpha", [alpha]) if *alpha == tree("(- (int 1) (alpha alpha))")? => Ok(inverse()),
+        let ratio = match member.headed("another index")? {
+            ("dual", []) => return self.dual(),
+            ("alpha", [alpha]) if alpha.is_word("infinity") => Node::whole_of(1),
+            ("alpha", [alpha]) if *alpha == tree("(- (int 1) (alpha alpha))")? => inverse(),
             ("alpha", [alpha]) => match alpha.headed("an index")? {
-                ("alpha", [name]) if !name.is_word("alpha") => self.other(name.name()?),
-                _ => Err(Stop::Undecided),
+                ("alpha", [name]) if !name.is_word("alpha") => self.other(name.name()?)?,
+                _ => return Err(Stop::Undecided),
             },
             ("ratio", [ratio]) => {
                 let value = self.real(ratio)?;
                 let positive = value.plain.as_ref().is_some_and(|plain| self.sign(plain) == Sign::Positive);
-                if positive { Ok(value.term) } else { Err(Stop::Undecided) }
+                if positive { value.term } else { return Err(Stop::Undecided) }
             }
-            _ => Err(Stop::Undecided),
-        }
+            _ => return Err(Stop::Undecided),
+        };
+        Ok(Node::made("r", vec![ratio]))
+    }
+
+    /// (dual WINDOW M): t_i is reflected to t_{m−i}, so that t_{s+e} goes to t_{s'+M−e} for the span s' of the mirror image.
+    fn dual(&self) -> Found<Node<'t>> {
+        let (window, m) = match &self.numbers {
+            // One window has all knots.
+            Some(_) => ("W", self.shown.0 + self.shown.1),
+            None if self.symmetric => ("M", 1 + self.turn()),
+            None => return Err(Stop::Undecided),
+        };
+        Ok(Node::made("dual", vec![Node::name_of(window), Node::whole_of(m)]))
     }
 
     /// r of another index that is bound.
@@ -80,7 +94,7 @@ impl<'t> Case<'_, 't> {
 
     /// An index α = r/(r − 1), as a number; nothing for ∞.
     pub(crate) fn alpha(&mut self, name: &Node<'t>) -> Found<Option<Value<'t>>> {
-        if self.numbers.is_none() || self.ratio.is_some() {
+        if self.numbers.is_none() || self.member.is_some() {
             return Err(Stop::Undecided);
         }
         let name = name.name()?;
@@ -131,7 +145,8 @@ impl<'t> Case<'_, 't> {
                 self.exists(&i, &Form::last(self.k + 1 - degree))?;
                 self.on_window(if order == 0 { "w" } else { "Dw" }, &i, degree, at)
             }
-            (head @ ("phi" | "f"), [a, b]) if at == At::X => {
+            // By the ends alone, as that of knots whose indices it does not give.
+            (head @ ("phi" | "f"), [a, b]) if at == At::X && self.family.is_by_ends() => {
                 let (a, b) = (self.real(a)?, self.real(b)?);
                 self.phi(head == "phi", a, b, order)
             }
@@ -169,6 +184,9 @@ impl<'t> Case<'_, 't> {
             _ if e != 0 => "to",
             (_, Some(on)) => on,
         };
+        if mirrored && self.member.as_ref().is_some_and(|member| member.is("dual")) {
+            return Err(Stop::Undecided);
+        }
         let window = Node::name_of(if mirrored { "M" } else { "W" });
         let place = Node::made(on, vec![window, Node::whole_of(e)]);
         let mut term = Node::made(head, vec![Node::whole_of(i), Node::whole_of(degree), place]);
@@ -177,7 +195,7 @@ impl<'t> Case<'_, 't> {
             let inverse = Node::made("/", vec![Node::whole_of(1), Node::name_of("u")]);
             moved.push(Node::made("u", vec![inverse]));
         }
-        moved.extend(self.ratio.iter().map(|ratio| Node::made("r", vec![ratio.clone()])));
+        moved.extend(self.member.clone());
         if !moved.is_empty() {
             term = Node::made("at", vec![Node::group_of(moved), term]);
         }

@@ -35,6 +35,7 @@ mod derive;
 mod driver;
 mod env;
 mod error;
+mod family;
 mod file;
 mod fraction;
 mod function;

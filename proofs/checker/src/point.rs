@@ -1,9 +1,12 @@
 //! A refutation: numbers for which all hypotheses of a sentence are true, and a conclusion is not.
 
+use std::rc::Rc;
+
 use crate::case::{At, Bound, Case, Numbers};
 use crate::derive::{Obligation, Point, obligations};
 use crate::env::Env;
 use crate::error::{Reason, Result};
+use crate::family::Family;
 use crate::fraction::Fraction;
 use crate::place::{Copies, Facts, Form, Place};
 use crate::poly::Sign;
@@ -15,8 +18,7 @@ use crate::truth::Truth;
 pub(crate) struct Numbered<'n, 't> {
     k: i64,
     knots: &'n [Node<'t>],
-    ratio: &'n Node<'t>,
-    /// (integer NAME value), (real NAME value), (points NAME value…), (index NAME ratio).
+    /// (parameter NAME value…), (integer NAME value), (real NAME value), (points NAME value…), (index NAME ratio).
     values: &'n [Node<'t>],
 }
 
@@ -30,11 +32,9 @@ fn index(at: usize) -> Result<i64> {
 }
 
 impl<'n, 't> Numbered<'n, 't> {
-    pub(crate) fn new(node: &'n Node<'t>) -> Result<Self> {
-        let [k, knots, ratio, values @ ..] = node.fields("point")? else {
-            return node.wrong("k, knots and a ratio");
-        };
-        let ([degree], [ratio]) = (k.part("k")?, ratio.part("ratio")?);
+    pub(crate) fn new(family: &Family<'t>, node: &'n Node<'t>) -> Result<Self> {
+        let [k, knots, values @ ..] = node.fields("point")? else { return node.wrong("k and knots") };
+        let [degree] = k.part("k")?;
         let (k, knots) = (i64::from(degree.degree()?), knots.some("knots")?);
         for (a, b) in knots.iter().zip(knots.iter().skip(1)) {
             if sign(b, a)? < 0 {
@@ -50,7 +50,24 @@ impl<'n, 't> Numbered<'n, 't> {
                 ("real", [_]) => true,
                 ("points", _) => list.len() + usize::from(degree.degree()?) + 1 == knots.len(),
                 // Another member of the family.
-                ("index", [other]) => sign(other, &Node::whole_of(0))? > 0 && sign(other, ratio)? != 0,
+                ("index", [other]) => {
+                    let ratio = values.iter().find_map(|value| match value.fields("parameter") {
+                        Ok([name, ratio]) if name.is_word("r") => Some(ratio),
+                        _ => None,
+                    });
+                    let differs = ratio.map(|ratio| sign(other, ratio)).transpose()?.is_some_and(|sign| sign != 0);
+                    sign(other, &Node::whole_of(0))? > 0 && differs
+                }
+                ("parameter", list) => match family.parameter(name.name()?) {
+                    Some(own) => {
+                        let mut admitted = own.all(index(knots.len())? - 1, k).len() == list.len();
+                        for number in list {
+                            admitted &= own.admits(number)?;
+                        }
+                        admitted
+                    }
+                    None => false,
+                },
                 _ => false,
             };
             let again = values
@@ -58,13 +75,17 @@ impl<'n, 't> Numbered<'n, 't> {
                 .take(at)
                 .any(|other| other.headed("").is_ok_and(|(_, of)| of.first() == Some(name)));
             if !fits || again {
-                return value.wrong("integer, real, points or index with a name of its own and its numbers");
+                return value.wrong("parameter, integer, real, points or index with a name of its own and its numbers");
             }
+        }
+        let given = values.iter().filter(|value| value.is("parameter")).count();
+        if family.is_any() || given != family.parameters.len() {
+            return node.wrong("numbers for all parameters of one family");
         }
         let long = knots.len() >= usize::from(degree.degree()?) + 2;
         match (knots.first(), knots.last()) {
             (Some(first), Some(last)) if long && sign(last, first)? > 0 => {
-                Ok(Numbered { k, knots, ratio, values })
+                Ok(Numbered { k, knots, values })
             }
             _ => node.wrong("k + 2 knots at least, and two that differ"),
         }
@@ -88,16 +109,26 @@ impl<'n, 't> Numbered<'n, 't> {
     ///
     /// # Errors
     /// If none is, or a value is missing.
-    pub(crate) fn refutes(&self, definitions: &[Node<'t>], sentence: &Node<'t>) -> Result<()> {
+    pub(crate) fn refutes(
+        &self,
+        family: &Rc<Family<'t>>,
+        definitions: &[Node<'t>],
+        sentence: &Node<'t>,
+    ) -> Result<()> {
         for obligation in obligations(sentence, self.k, true)? {
-            if self.refuted(definitions, &obligation)? {
+            if self.refuted(family, definitions, &obligation)? {
                 return Ok(());
             }
         }
         Err(Reason::NotShown("no conclusion fails there while all its hypotheses are true"))
     }
 
-    fn refuted(&self, definitions: &[Node<'t>], obligation: &Obligation<'t>) -> Result<bool> {
+    fn refuted(
+        &self,
+        family: &Rc<Family<'t>>,
+        definitions: &[Node<'t>],
+        obligation: &Obligation<'t>,
+    ) -> Result<bool> {
         let point = obligation.point().ok();
         let x = match &point {
             Some(Point::Real(name)) => match self.values("real", name) {
@@ -108,10 +139,9 @@ impl<'n, 't> Numbered<'n, 't> {
         };
         // Without a point any number does.
         let Some(any) = self.knots.first() else { return Ok(false) };
-        let mut case = Case::new(definitions, self.k, Place::Inside)?;
+        let mut case = Case::new(family, definitions, self.k, Place::Inside)?;
         let values = self.values.to_vec();
-        case.numbers =
-            Some(Numbers { x: None, u: None, knots: self.knots.to_vec(), ratio: self.ratio.clone(), values });
+        case.numbers = Some(Numbers { x: None, u: None, knots: self.knots.to_vec(), values });
         case.locate(x.unwrap_or(any).clone())?;
         for range in &obligation.integers {
             let [name, ..] = range.as_slice() else { return Ok(false) };
@@ -189,8 +219,24 @@ impl<'t> Case<'_, 't> {
         };
         let window =
             [Node::name_of("W"), Node::whole_of(-s)].into_iter().chain(numbers.knots.iter().cloned());
-        let ratio = Node::made("let", vec![Node::name_of("r"), numbers.ratio.clone()]);
-        let section = Section::new(&[Node::made("knots", window.collect()), ratio], Env::default())?;
+        let mut declared = vec![Node::made("knots", window.collect())];
+        for own in &self.family.parameters {
+            let mut items = Vec::new();
+            for (at, indices) in own.all(m, self.k).into_iter().enumerate() {
+                let value = numbers.of("parameter", own.name, at).ok_or(Reason::Limits("a parameter"))?;
+                let shifted = own.indices.iter().zip(indices).map(|(kind, i)| if *kind == "i" { i - s } else { i });
+                let indices = shifted.map(Node::whole_of);
+                items.push(Node::group_of(indices.chain([value]).collect()));
+            }
+            declared.push(match (own.indices.as_slice(), items.as_slice()) {
+                ([], [one]) => Node::made("let", vec![Node::name_of(own.name), one.list("a number")?[0].clone()]),
+                _ => {
+                    let head = [Node::name_of("W"), Node::name_of(own.name)];
+                    Node::made("values", head.into_iter().chain(items).collect())
+                }
+            });
+        }
+        let section = Section::new(&declared, Env::new(self.family.clone()))?;
         (numbers.x, numbers.u) = (Some(x), u);
         Ok(Located {
             place: std::mem::replace(&mut self.place, place),

@@ -95,7 +95,7 @@ impl<'t> Context<'_, 't> {
     }
 
     /// A place in a span, with u free on it.
-    fn inside(&self, place: &Node<'t>, env: &Env<'t>) -> Result<(Evaluator, Spot)> {
+    fn inside(&self, place: &Node<'t>, env: &Env<'t>) -> Result<(Evaluator, Spot<'t>)> {
         let evaluator = Evaluator::new(&self.section.signs, Mode::default());
         let spot = place.fields("in").and_then(|_| evaluator.spot(place, env))?;
         Ok((evaluator, spot))
