@@ -75,6 +75,13 @@ impl Spot<'_> {
         known(&self.window, name, indices)
     }
 
+    /// The weight is a function of x: at a knot it is one from both sides.
+    fn any(&self, what: &'static str, of: [i64; 2]) -> Result<Key> {
+        let at = [self.scaled()?, self.unit()?];
+        keep(at.iter().map(Poly::size).sum())?;
+        Ok(Key::Any(what, of, self.window.name.clone(), at))
+    }
+
     fn key(&self, what: &'static str, of: [i64; 3]) -> Result<Key> {
         let mut place = vec![self.u.clone()];
         for (_, value) in &self.parameters {
@@ -145,11 +152,11 @@ impl Evaluator {
         if spot.family.is_any() {
             // Of all families at once only the sign of a weight is known, and that it has a complement.
             let signs = [self.share(p, q), self.share(q, p)];
-            let rise = self.unknown(spot.key("w", [i, d, 0])?, signs[0])?;
+            let rise = self.unknown(spot.any("w", [i, d])?, signs[0])?;
             if self.mode.equation {
                 return Ok([rise.clone(), one.minus(&rise)?]);
             }
-            return Ok([rise, self.unknown(spot.key("v", [i, d, 0])?, signs[1])?]);
+            return Ok([rise, self.unknown(spot.any("v", [i, d])?, signs[1])?]);
         }
         if self.mode.weights.is_none_or(|least| d < least) {
             let over = |part: &Poly| Fraction::new(part.clone(), shares.whole(), &self.signs);
@@ -179,7 +186,7 @@ impl Evaluator {
     pub(crate) fn slope(&mut self, i: i64, d: i64, spot: &Spot) -> Result<Fraction> {
         let shares = self.ends(i, d, spot)?;
         if spot.family.is_any() {
-            return self.unknown(spot.key("Dw", [i, d, 0])?, Sign::Real);
+            return self.unknown(spot.any("Dw", [i, d])?, Sign::Real);
         }
         let Shares { rise: p, fall: q, slopes: [rising, falling] } = &shares;
         let num = rising.times(q)?.minus(&p.times(falling)?);

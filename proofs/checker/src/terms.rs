@@ -36,8 +36,9 @@ pub(crate) enum Key {
     Weight(Poly, Poly),
     /// p, q, and the numerator over the square of their sum.
     Slope(Poly, Poly, Poly),
-    /// G, DG or de-boor, or what is known of a weight by its name alone, with its integers; the window and the span; the dual; u and the
-    /// parameters of the family.
+    /// A weight that is known by its name alone, or its derivative: i and d; the window; x and its unit.
+    Any(&'static str, [i64; 2], String, [Poly; 2]),
+    /// G, DG or de-boor with its integers; the window and the span; the dual; u and the parameters of the family.
     Function(&'static str, [i64; 3], (String, i64), Option<(String, i64)>, Vec<(Poly, Poly)>),
 }
 
