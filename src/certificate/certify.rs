@@ -1,5 +1,7 @@
 //! From a judged claim to its certificates.
 
+use std::sync::Arc;
+
 use rayon::prelude::*;
 use thiserror::Error;
 
@@ -12,6 +14,7 @@ use super::proof::{SectionProof, to_sexp};
 use super::prove::{ProofError, prove};
 use super::sexp::Sexp;
 use super::statement::{Shown, Statement};
+use super::weights::Weighted;
 use super::windows::{Argued, Windows, WindowsError, listed, windows};
 
 /// A statement with its proof.
@@ -57,11 +60,19 @@ pub enum Uncertified {
 }
 
 impl Certificate {
-    /// Proves a statement.
+    /// Proves a statement: where that can be, for any weights at all.
     ///
     /// # Errors
     /// [`CertificateError`], if no proof is found.
     pub fn of(statement: Statement) -> Result<Self, CertificateError> {
+        let statement = match statement.for_any_weights() {
+            // The least degree with something to show tells mostly whether that is in vain.
+            Some(any) if any.least().is_none_or(|least| prove(&least).is_ok()) => match prove(&any) {
+                Ok(proof) => return Ok(Self { statement: any, proof }),
+                Err(_) => statement,
+            },
+            _ => statement,
+        };
         match prove(&statement) {
             Ok(proof) => Ok(Self { statement, proof }),
             Err(error) => Err(failed(&statement.claim, statement.form, error)),
@@ -156,16 +167,19 @@ fn stated(
         (Some(Windows { form: of, degrees, .. }), _) => {
             return proved(claim, of, sentence, &degrees).map(Some);
         }
-        (None, Some(witness)) => match (point(witness), witness.k) {
+        (None, Some(witness)) => match (point(witness, &claim.paper.about.family), witness.k) {
             (Some(point), Some(k)) => (Scope::Instance, vec![k], Shown::Point(point)),
             _ => return Ok(None),
         },
         (None, None) => return Ok(None),
     };
     let sentence = in_brackets(claim, form, sentence)?;
+    let (weighted, family) = weights(claim, form)?;
     Ok(Some(Statement {
         claim: id.to_owned(),
         form,
+        weighted,
+        family,
         refuted: witness.is_some(),
         scope,
         degrees,
@@ -184,7 +198,8 @@ pub fn derived(
     sentence: &Sentence,
     degrees: &[usize],
 ) -> Result<Statement, CertificateError> {
-    let sections = degrees.par_iter().map(|k| derive(sentence, claim.definitions, claim, *k));
+    let weighted = Weighted::Family(Arc::clone(&claim.paper.about.family));
+    let sections = degrees.par_iter().map(|k| derive(sentence, claim.definitions, claim, *k, &weighted));
     let sections =
         sections.collect::<Result<_, _>>().map_err(|error: NoWindow| failed(claim.id(), form, error))?;
     Ok(Statement { shown: Shown::Derived(sections), ..said(claim, form, sentence, degrees)? })
@@ -197,15 +212,27 @@ fn said(
     sentence: &Sentence,
     degrees: &[usize],
 ) -> Result<Statement, CertificateError> {
+    let (weighted, family) = weights(claim, form)?;
     Ok(Statement {
         claim: claim.id().to_owned(),
         form,
+        weighted,
+        family,
         refuted: false,
         scope: Scope::Knots,
         degrees: degrees.to_vec(),
         sentence: in_brackets(claim, form, sentence)?,
         shown: Shown::Derived(Vec::new()),
     })
+}
+
+/// The weights of the paper, and how a certificate says them.
+fn weights(claim: Claim<'_>, form: Form) -> Result<(Weighted, Sexp), CertificateError> {
+    let weighted = Weighted::Family(Arc::clone(&claim.paper.about.family));
+    match weighted.to_sexp() {
+        Ok(family) => Ok((weighted, family)),
+        Err(what) => Err(failed(claim.id(), form, Uncertified::Unprintable(what.to_string()))),
+    }
 }
 
 /// A sentence in canonical brackets, with the definitions and the other claims that it names.
@@ -255,9 +282,9 @@ pub fn certify(
     Ok(Some(certificate).filter(|certificate| !is_point || certificate.check().is_ok()))
 }
 
-/// Certificates are about the weights of an index.
+/// Can a certificate say the weights of the paper?
 fn has_format(claim: Claim<'_>) -> bool {
-    claim.paper.about.family.moebius().is_some()
+    Weighted::Family(Arc::clone(&claim.paper.about.family)).to_sexp().is_ok()
 }
 
 /// A paper that says nothing of windows: what follows from the sentence in degrees up to this one is proved, where that is

@@ -15,6 +15,7 @@ mod prove;
 mod sexp;
 mod statement;
 mod term;
+mod weights;
 mod windows;
 
 pub use certify::{
@@ -29,4 +30,5 @@ pub use prove::{GoalError, ProofError, prove};
 pub use sexp::{Sexp, SyntaxError};
 pub use statement::{Class, Gap, Hint, Section, Shown, Statement, Window};
 pub use term::{Formula, OfWeight, Place, Term, Where};
+pub use weights::Weighted;
 pub use windows::{Numbers, Windows, WindowsError, window_fault, windows};

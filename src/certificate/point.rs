@@ -1,16 +1,17 @@
 //! A refutation as a point: the numbers at which a sentence fails.
 
 use crate::judge::{Bind, Bound, Witness};
+use crate::language::{Family, Parameter};
 use crate::scalar::parse_rational;
 use crate::spline::Index;
 
 use super::sexp::Sexp;
 
-/// `(point (k K) (knots …) (ratio r) …)`; `None` if the witness has no knots, or a number that is irrational.
-pub(super) fn point(witness: &Witness) -> Option<Sexp> {
+/// `(point (k K) (knots …) (parameter NAME …) …)`; `None` if the witness has no knots, or a number that is irrational.
+pub(super) fn point(witness: &Witness, family: &Family) -> Option<Sexp> {
     let number = |text: &str| parse_rational(text).ok().map(Sexp::Number);
     let ratio = |alpha: &str| Some(Sexp::Number(alpha.parse::<Index>().ok()?.ratio().clone()));
-    let k = i64::try_from(witness.k?).ok()?;
+    let k = witness.k?;
     let knots: Vec<_> = witness.knots.iter().map(|t| number(t)).collect::<Option<_>>()?;
     let bound = |Bound { name, value }: &Bound| {
         let (head, values) = match value {
@@ -22,11 +23,37 @@ pub(super) fn point(witness: &Witness) -> Option<Sexp> {
         };
         Some(Sexp::form(head, std::iter::once(Sexp::name(name)).chain(values)))
     };
-    let mut parts = vec![
-        Sexp::form("k", [Sexp::int(k)]),
-        Sexp::form("knots", knots),
-        Sexp::form("ratio", [ratio(&witness.alpha)?]),
-    ];
+    let m = knots.len().checked_sub(1)?;
+    let parameter = |own: &Parameter| {
+        let values = match &witness.family {
+            None => vec![ratio(&witness.alpha)?],
+            Some(of) => numbers(of.parameters.get(&*own.name)?, own, m, k)?,
+        };
+        Some(Sexp::form("parameter", std::iter::once(Sexp::name(&own.name)).chain(values)))
+    };
+    let mut parts =
+        vec![Sexp::form("k", [Sexp::int(i64::try_from(k).ok()?)]), Sexp::form("knots", knots.clone())];
+    parts.extend(family.parameters.iter().map(parameter).collect::<Option<Vec<_>>>()?);
     parts.extend(witness.given.iter().map(bound).collect::<Option<Vec<_>>>()?);
     Some(Sexp::form("point", parts))
+}
+
+/// The numbers of a parameter as behind `--set`, those that there are on knots t_0, …, t_m: for i from 0, for d from 1, or for each d a
+/// row by i. `None` if there are too few.
+fn numbers(text: &str, own: &Parameter, m: usize, k: usize) -> Option<Vec<Sexp>> {
+    let has = |which: &str| own.indices.iter().any(|index| **index == *which);
+    let rows: Vec<Vec<_>> = text.split(';').map(|row| row.split(',').collect()).collect();
+    let wanted = match (has("i"), has("d")) {
+        (false, false) => vec![1],
+        (true, false) => vec![m + 1],
+        (false, true) => vec![k],
+        (true, true) => (1..=k).map(|d| (m + 1).saturating_sub(d)).collect(),
+    };
+    let mut all = Vec::new();
+    for (at, wanted) in wanted.into_iter().enumerate() {
+        for text in rows.get(at)?.get(..wanted)? {
+            all.push(Sexp::Number(parse_rational(text).ok()?));
+        }
+    }
+    Some(all)
 }

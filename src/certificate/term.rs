@@ -86,6 +86,11 @@ pub enum Term {
     },
     /// The term with parameters replaced.
     At(Vec<(String, Term)>, Box<Term>),
+    /// The term for the member of the family that a reflection leads to: the window with the parameters that there were before, and
+    /// the index of t_m there.
+    Dual(String, i64, Box<Term>),
+    /// A parameter of the family that belongs to a window, with its indices.
+    Parameter(String, String, Vec<i64>),
     /// The determinant of these rows.
     Determinant(Vec<Vec<Term>>),
 }
@@ -200,6 +205,10 @@ pub(super) fn term(sexp: &Sexp, ints: &Integers) -> Result<Term, StatementError>
             degree: natural(k)?,
             place: place(p, ints)?,
         },
+        ("parameter", [Sexp::Name(window), Sexp::Name(name), indices @ ..]) => {
+            let indices = indices.iter().map(|index| ints.value(index)).collect::<Result<_, _>>()?;
+            Term::Parameter(window.clone(), name.clone(), indices)
+        }
         ("at", [Sexp::List(pairs), body]) => {
             let pair = |pair: &Sexp| match pair {
                 Sexp::List(items) => match items.as_slice() {
@@ -266,6 +275,8 @@ impl Term {
             Self::Knot(window, _) => window == name,
             Self::Point(place) | Self::Weight(_, _, _, place) => at(place),
             Self::Function { place, .. } | Self::DeBoor { place, .. } => at(place),
+            Self::Parameter(window, ..) => window == name,
+            Self::Dual(window, _, body) => window == name || body.names(name),
             Self::At(replaced, body) => {
                 body.names(name) || replaced.iter().any(|(_, value)| value.names(name))
             }
@@ -349,6 +360,14 @@ impl Term {
                 let pair =
                     |(name, value): &(String, Self)| Sexp::List(vec![Sexp::name(name), value.to_sexp()]);
                 Sexp::form("at", [Sexp::List(pairs.iter().map(pair).collect()), body.to_sexp()])
+            }
+            Self::Dual(window, m, body) => {
+                let dual = Sexp::form("dual", [Sexp::name(window), Sexp::int(*m)]);
+                Sexp::form("at", [Sexp::List(vec![dual]), body.to_sexp()])
+            }
+            Self::Parameter(window, name, indices) => {
+                let head = [Sexp::name(window), Sexp::name(name)];
+                Sexp::form("parameter", head.into_iter().chain(indices.iter().copied().map(Sexp::int)))
             }
             Self::Determinant(rows) => Sexp::form("det", rows.iter().map(|row| Sexp::List(all(row)))),
         }

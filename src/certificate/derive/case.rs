@@ -1,8 +1,11 @@
 //! What a formula says at a place: decided by the place, or goals on the window, or not to be said there.
 
+use std::sync::Arc;
+
 use crate::certificate::evaluate::sign;
 use crate::certificate::statement::Class;
 use crate::certificate::term::{self, OfWeight, Term, Where};
+use crate::certificate::weights::Weighted;
 use crate::language::{
     Argument, Definition, Fold, Formula, Function, Int, Interval, Item, Member, Name, Over, Pattern, Range,
     Real, Relation, Side, Use, Word,
@@ -235,6 +238,15 @@ pub(super) struct Scope {
     pub(super) reals: Vec<(Name, Bound)>,
 }
 
+/// Another member of the family.
+#[derive(Debug, Clone)]
+pub(super) enum Other {
+    /// That of this r.
+    Ratio(Term),
+    /// The one that reflection leads to.
+    Dual,
+}
+
 /// One case at a place: what is known of s and n there, and what the integers are.
 pub(super) struct Case<'a> {
     pub(super) k: i64,
@@ -249,8 +261,9 @@ pub(super) struct Case<'a> {
     pub(super) symmetric: bool,
     /// Integers run around the span of x, or of its mirror image.
     pub(super) mirrored: bool,
-    /// The ratio of another member of the family.
-    pub(super) ratio: Option<Term>,
+    pub(super) weighted: &'a Weighted,
+    /// Another member of the family.
+    pub(super) member: Option<Other>,
     /// Integers beyond what is shown.
     pub(super) beyond: usize,
     /// x is the knot of this index: all from there to t_s are x.
@@ -672,7 +685,8 @@ impl Case<'_> {
             },
             Real::Ratio => self.own_ratio()?,
             Real::Index(_) | Real::Infinity => return undecided("an index α as a number"),
-            Real::Parameter(..) => return undecided("a parameter of a family"),
+            Real::Parameter(..) if self.member.is_some() => return undecided("a parameter of another member"),
+            Real::Parameter(name, of) => self.family_parameter(name, of)?,
             Real::Knot(i) => {
                 let i = self.int(i)?;
                 self.knot(&i)?
@@ -714,10 +728,10 @@ impl Case<'_> {
             }
             Real::Fold(fold, range, body) => self.fold(*fold, range, &|own| own.real(body))?,
             Real::Value(f, argument) => {
-                let (at, ratio) = self.argument(argument)?;
-                let before = std::mem::replace(&mut self.ratio, ratio);
+                let (at, member) = self.argument(argument)?;
+                let before = std::mem::replace(&mut self.member, member);
                 let value = self.function(f, at, 0, 0);
-                self.ratio = before;
+                self.member = before;
                 value?
             }
             Real::Absolute(_)
@@ -731,6 +745,56 @@ impl Case<'_> {
         })
     }
 
+    /// A parameter of the family: a number, or one of a knot of the window.
+    fn family_parameter(&mut self, name: &Name, of: &[Int]) -> Known<Value> {
+        let Weighted::Family(family) = self.weighted else { return undecided("a parameter of any weights") };
+        let family = Arc::clone(family);
+        let own = family.parameters.iter().find(|own| own.name == *name);
+        let (Some(own), Some(class)) = (own, self.weighted.class(name)) else {
+            return undecided(format!("no parameter {name}"));
+        };
+        if own.indices.is_empty() {
+            return self.parameters.value(name.to_string(), class);
+        }
+        let forms: Vec<_> = of.iter().map(|i| self.int(i)).collect::<Known<_>>()?;
+        let degree = own.indices.iter().zip(&forms).find(|(index, _)| ***index == *"d");
+        let degree = match degree.map(|(_, form)| self.facts.value(form)) {
+            None => 0,
+            Some(Some(degree)) if (0..=self.k).contains(&degree) => degree,
+            Some(Some(_)) => return Err(Stop::Undefined(format!("{name} of such a degree"))),
+            Some(None) => return undecided("a degree that is not known"),
+        };
+        if self.place.on_span().is_none() {
+            return undecided("a parameter of a knot");
+        }
+        let (from, to) = self.place.shown(self.k);
+        let mut indices = Vec::new();
+        for (index, form) in own.indices.iter().zip(&forms) {
+            if **index == *"d" {
+                indices.push(degree);
+                continue;
+            }
+            let last = Index::last(self.k + 1 - degree);
+            self.exists(&[form.clone(), last.minus(form)], || format!("{name}[…]"))?;
+            match self.relative(form) {
+                Some(e) if (from..=to).contains(&e) => indices.push(e),
+                _ => return undecided("where the knot of a parameter is"),
+            }
+        }
+        let numbers: Vec<_> = indices.iter().map(ToString::to_string).collect();
+        let key = format!("(parameter {WINDOW} {name} {})", numbers.join(" "));
+        let value = self.parameters.value(key, class)?;
+        Ok(Value { term: Term::Parameter(WINDOW.into(), name.to_string(), indices), ..value })
+    }
+
+    /// Knot s' + e of the reflected window is s + 1 + turn − e.
+    pub(super) fn turn(&self) -> i64 {
+        match self.place {
+            Place::Knot(Copies::Exactly(q)) => -q,
+            _ => 0,
+        }
+    }
+
     fn bound(&self, name: &Name) -> Known<Bound> {
         match self.scope.reals.iter().rev().find(|(known, _)| known == name) {
             Some((_, bound)) => Ok(bound.clone()),
@@ -740,7 +804,7 @@ impl Case<'_> {
 
     fn own_ratio(&mut self) -> Known<Value> {
         let r = self.parameters.value("r".into(), Class::Positive)?;
-        match &self.ratio {
+        match &self.member {
             None => Ok(r),
             Some(_) => undecided("r of another member"),
         }
@@ -795,29 +859,30 @@ impl Case<'_> {
         Ok(all)
     }
 
-    /// Where an argument is, and the ratio of its member.
-    fn argument(&mut self, argument: &Argument) -> Known<(At, Option<Term>)> {
-        let ratio = match &argument.member {
-            None => self.ratio.clone(),
-            Some(_) if self.ratio.is_some() => return undecided("a member of a member"),
+    /// Where an argument is, and its member.
+    fn argument(&mut self, argument: &Argument) -> Known<(At, Option<Other>)> {
+        let member = match &argument.member {
+            None => self.member.clone(),
+            Some(_) if self.member.is_some() => return undecided("a member of a member"),
             Some(Member::Ratio(t)) => {
                 let value = self.real(t)?;
                 match &value.plain {
-                    Some(plain) if self.parameters.class(plain) == Class::Positive => Some(value.term),
+                    Some(plain) if self.parameters.class(plain) == Class::Positive => Some(Other::Ratio(value.term)),
                     _ => return undecided("a ratio that may not be positive"),
                 }
             }
-            Some(Member::Index(Real::Infinity)) => Some(Term::Number(integer(1))),
+            Some(Member::Dual) => Some(Other::Dual),
+            Some(Member::Index(Real::Infinity)) => Some(Other::Ratio(Term::Number(integer(1)))),
             Some(Member::Index(Real::Index(name))) if &**name != "alpha" => {
                 own_name(name)?;
-                Some(self.parameters.value(format!("({name} 0)"), Class::Positive)?.term)
+                Some(Other::Ratio(self.parameters.value(format!("({name} 0)"), Class::Positive)?.term))
             }
             Some(Member::Index(Real::Minus(a, b)))
                 if matches!(&**a, Real::Whole(Int::Number(1)))
                     && matches!(&**b, Real::Index(name) if &**name == "alpha") =>
             {
                 let one = Term::Number(integer(1));
-                Some(Term::Ratio(Box::new(one), Box::new(Term::Named("r".into()))))
+                Some(Other::Ratio(Term::Ratio(Box::new(one), Box::new(Term::Named("r".into())))))
             }
             Some(_) => return undecided("another member of the family"),
         };
@@ -826,7 +891,11 @@ impl Case<'_> {
             at if argument.side.is_none() => at,
             _ => return undecided("a side of a side"),
         };
-        Ok((at, ratio))
+        match (at, &member) {
+            (At::Mirrored, Some(Other::Dual)) => undecided("the dual at a mirror image"),
+            (_, Some(Other::Dual)) if !self.symmetric => undecided("the dual of knots that are not symmetric"),
+            _ => Ok((at, member)),
+        }
     }
 
     /// x itself, t_0 + t_m − x, or what a definition was applied to.
@@ -929,9 +998,12 @@ impl Case<'_> {
     fn slope(&mut self, t: &Real, variable: &Name, depth: usize) -> Known<Value> {
         Ok(match t {
             Real::Bound(name) => Value::whole(i64::from(name == variable)),
-            Real::Number(_) | Real::Whole(_) | Real::Knot(_) | Real::Coefficient(..) | Real::Ratio => {
-                Value::whole(0)
-            }
+            Real::Number(_)
+            | Real::Whole(_)
+            | Real::Knot(_)
+            | Real::Coefficient(..)
+            | Real::Ratio
+            | Real::Parameter(..) => Value::whole(0),
             Real::Plus(a, b) => self.slope(a, variable, depth)?.plus(self.slope(b, variable, depth)?),
             Real::Minus(a, b) => self.slope(a, variable, depth)?.minus(self.slope(b, variable, depth)?),
             Real::Negated(a) => self.slope(a, variable, depth)?.times(Value::whole(-1)),
@@ -965,8 +1037,17 @@ impl Case<'_> {
             let (one, u) = (Term::Number(integer(1)), Term::Named("u".into()));
             replaced.push(("u".to_owned(), Term::Ratio(Box::new(one), Box::new(u))));
         }
-        if let Some(ratio) = &self.ratio {
-            replaced.push(("r".to_owned(), ratio.clone()));
+        let dual = match &self.member {
+            Some(Other::Ratio(ratio)) => {
+                replaced.push(("r".to_owned(), ratio.clone()));
+                false
+            }
+            Some(Other::Dual) => true,
+            None => false,
+        };
+        if dual {
+            // t_{s+e} is reflected to t_{s'+1+turn−e}.
+            return Term::Dual(MIRROR.into(), 1 + self.turn(), Box::new(term));
         }
         if replaced.is_empty() { term } else { Term::At(replaced, Box::new(term)) }
     }

@@ -14,6 +14,7 @@ use crate::scalar::integer;
 
 use super::statement::{Class, Gap, Section, Window};
 use super::term::{Formula, Term};
+use super::weights::Weighted;
 use case::{Bound, Case, MIRROR, Parameters, Scope, Stop, Truth, WINDOW, gap_name};
 use index::Contradiction;
 use obligation::{Obligation, Point, Ratio, obligations};
@@ -44,16 +45,17 @@ pub fn derive(
     definitions: &[Definition],
     claim: Claim<'_>,
     k: usize,
+    weighted: &Weighted,
 ) -> Result<Vec<Section>, NoWindow> {
     let all = obligations(sentence, definitions, claim, k)?;
     let k = i64::try_from(k).map_err(|_| NoWindow::because("a degree that is too large"))?;
     let mut sections = Vec::new();
     for obligation in all {
-        let straight = of_obligation(&obligation, k, false);
+        let straight = of_obligation(&obligation, weighted, k, false);
         let found = match straight {
             Err(straight) if obligation.symmetric => {
                 // Of two reasons the first one, in the order of what is tried first.
-                of_obligation(&obligation, k, true).map_err(|_| straight)
+                of_obligation(&obligation, weighted, k, true).map_err(|_| straight)
             }
             other => other,
         };
@@ -65,17 +67,23 @@ pub fn derive(
 /// How far r is from 1, where α < 0 or α > 1 is assumed.
 const RHO: &str = "(rho 0)";
 
-fn of_obligation(obligation: &Obligation<'_>, k: i64, mirrored: bool) -> Result<Vec<Section>, NoWindow> {
+fn of_obligation(
+    obligation: &Obligation<'_>,
+    weighted: &Weighted,
+    k: i64,
+    mirrored: bool,
+) -> Result<Vec<Section>, NoWindow> {
+    let at = |place| at(obligation, weighted, k, place, mirrored);
     let mut sections = Vec::new();
     for coarse in Place::COARSE {
         let finer = coarse.finer(k + 3);
-        match at(obligation, k, coarse, mirrored) {
+        match at(coarse) {
             Ok(section) => sections.extend(section),
             Err(stop) if finer.is_empty() => return Err(no_window(&stop, coarse)),
             Err(_) => {
                 for place in finer {
                     let section =
-                        at(obligation, k, place, mirrored).map_err(|stop| no_window(&stop, place))?;
+                        at(place).map_err(|stop| no_window(&stop, place))?;
                     sections.extend(section);
                 }
             }
@@ -90,7 +98,13 @@ fn no_window(stop: &Stop, place: Place) -> NoWindow {
 }
 
 /// The section of a place; `None` if nothing is to be shown there.
-fn at(obligation: &Obligation<'_>, k: i64, place: Place, mirrored: bool) -> Result<Option<Section>, Stop> {
+fn at(
+    obligation: &Obligation<'_>,
+    weighted: &Weighted,
+    k: i64,
+    place: Place,
+    mirrored: bool,
+) -> Result<Option<Section>, Stop> {
     let mut parameters = Parameters::default();
     let Ok(facts) = place.facts(k) else { return Ok(None) };
     if place.copies().is_some_and(|least| least > obligation.most_inside(k, place)) {
@@ -99,6 +113,7 @@ fn at(obligation: &Obligation<'_>, k: i64, place: Place, mirrored: bool) -> Resu
     let mut case = Case {
         k,
         place,
+        weighted,
         definitions: obligation.definitions,
         parameters: &mut parameters,
         zero: Vec::new(),
@@ -106,7 +121,7 @@ fn at(obligation: &Obligation<'_>, k: i64, place: Place, mirrored: bool) -> Resu
         scope: Scope::default(),
         symmetric: obligation.symmetric,
         mirrored,
-        ratio: None,
+        member: None,
         beyond: 0,
         copies_from: None,
     };
@@ -131,7 +146,7 @@ fn at(obligation: &Obligation<'_>, k: i64, place: Place, mirrored: bool) -> Resu
         return Ok(None);
     }
     let windows = case.windows(&goals)?;
-    Ok(Some(section(parameters, obligation.member.as_ref(), windows, goals)))
+    Ok(Some(section(parameters, weighted, obligation.member.as_ref(), windows, goals)))
 }
 
 /// All cases of the integers from one binder on.
@@ -228,10 +243,7 @@ impl Case<'_> {
         }
         if names(MIRROR) {
             // t_{s'+e+1} − t_{s'+e} is the gap −e, or with q copies inside −q−e, of the window.
-            let turn = match self.place {
-                Place::Knot(place::Copies::Exactly(q)) => -q,
-                _ => 0,
-            };
+            let turn = self.turn();
             let gap = |e: i64| match turn - e {
                 of if !(first..last).contains(&of) => Gap::Parameter(Class::Nonnegative),
                 of => match self.gap(of) {
@@ -252,6 +264,7 @@ impl Case<'_> {
 /// With those parameters that occur.
 fn section(
     parameters: Parameters,
+    weighted: &Weighted,
     member: Option<&Ratio>,
     windows: Vec<Window>,
     goals: Vec<Formula>,
@@ -263,11 +276,11 @@ fn section(
         Ratio::Above => Term::Sum(vec![one(), rho()]),
     });
     let is_gap = |name: &str| windows.iter().any(|window| name.starts_with(&format!("({} ", window.name)));
-    let always = |name: &str| matches!(name, "u" | "r");
+    let single: Vec<_> = weighted.single().into_iter().map(|(name, _)| name.to_string()).collect();
+    let always = |name: &String| name == "u" || single.contains(name);
     let declared = parameters.kept.into_iter().filter(|(name, _)| !always(name) && !is_gap(name));
-    let own = ["u", "r"].map(|name| (name.to_owned(), Class::Positive));
     let rho = member.filter(|member| **member != Ratio::One).map(|_| (RHO.to_owned(), Class::Positive));
-    let parameters = own.into_iter().chain(rho).chain(declared).collect();
+    let parameters = rho.into_iter().chain(declared).collect();
     let lets = ratio.map(|ratio| ("r".to_owned(), ratio)).into_iter().collect();
     Section { parameters, lets, windows, goals, hints: Vec::new() }
 }
