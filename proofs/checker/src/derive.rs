@@ -343,7 +343,15 @@ impl<'w, 't> Walk<'w, 't> {
         k: i64,
     ) -> Result<Self> {
         let hypotheses = obligation.all_hypotheses();
-        Ok(Walk { family, obligation, hypotheses, point: obligation.point()?, definitions, k, mirrored: false })
+        Ok(Walk {
+            family,
+            obligation,
+            hypotheses,
+            point: obligation.point()?,
+            definitions,
+            k,
+            mirrored: false,
+        })
     }
 
     /// The sections of all places, or the place where something is not decided.

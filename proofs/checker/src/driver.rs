@@ -47,7 +47,8 @@ pub struct Checked {
 
 impl fmt::Display for Checked {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Checked { claim, form, verdict, scope, degrees, sections, goals, lemmas, any_weights, goals_are } = self;
+        let Checked { claim, form, verdict, scope, degrees, sections, goals, lemmas, any_weights, goals_are } =
+            self;
         write!(f, "{claim} ({form}): {verdict}, scope {scope}, degrees")?;
         degrees.iter().try_for_each(|degree| write!(f, " {degree}"))?;
         if *any_weights {

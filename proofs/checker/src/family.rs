@@ -151,7 +151,9 @@ impl<'t> Family<'t> {
         let ([rise], [fall]) = (rise.part("rise")?, fall.part("fall")?);
         let mut family = Family { parameters: Vec::new(), weight: Some([rise, fall]), dual };
         for node in parameters {
-            let [name, indices, bounds @ ..] = node.fields("parameter")? else { return node.wrong("a name and indices") };
+            let [name, indices, bounds @ ..] = node.fields("parameter")? else {
+                return node.wrong("a name and indices");
+            };
             let Kind::List(indices) = &indices.kind else { return indices.wrong("indices") };
             let indices = indices.iter().map(Node::name).collect::<Result<Vec<_>>>()?;
             if !matches!(indices.as_slice(), [] | ["i"] | ["d"] | ["i", "d"]) {
@@ -164,7 +166,9 @@ impl<'t> Family<'t> {
             for bound in bounds {
                 let (relation, [number]) = bound.headed("a bound")? else { return bound.wrong("a bound") };
                 let found = match (relation, number.ratio()?.0.sign(&[])) {
-                    (">", Sign::Positive | Sign::Nonnegative) | (">=" | "=", Sign::Positive) => Sign::Positive,
+                    (">", Sign::Positive | Sign::Nonnegative) | (">=" | "=", Sign::Positive) => {
+                        Sign::Positive
+                    }
                     (">=" | "=", Sign::Nonnegative) => Sign::Nonnegative,
                     ("=" | "/=" | "<" | "<=" | ">" | ">=", _) => Sign::Real,
                     _ => return bound.wrong("a bound"),
@@ -252,7 +256,11 @@ impl<'t> Family<'t> {
                 _ => *index == at.d,
             };
             let all = parameter.indices.iter().zip(indices).all(is_own);
-            if all { known(name, indices) } else { Err(Reason::NotShown("a weight looks beyond its interval")) }
+            if all {
+                known(name, indices)
+            } else {
+                Err(Reason::NotShown("a weight looks beyond its interval"))
+            }
         };
         let (rise, fall) = (at.quantity(rise, &own)?, at.quantity(fall, &own)?);
         let lengths = rise.lengths.max(fall.lengths);
@@ -275,7 +283,12 @@ impl<'t> Family<'t> {
         for pair in dual {
             let (own, [term]) = pair.headed("a parameter and a term")? else { return pair.wrong("a term") };
             if own == name {
-                return at.quantity(term, known).map(|quantity| Some(quantity.value));
+                let Quantity { value, lengths, .. } = at.quantity(term, known)?;
+                return if lengths == 0 {
+                    Ok(Some(value))
+                } else {
+                    term.wrong("a number, which no length is")
+                };
             }
         }
         Ok(None)
@@ -298,11 +311,14 @@ impl Interval<'_> {
             },
             ("int", [int]) => Ok(Quantity::constant(Fraction::integer(self.integer(int, false)?))),
             ("parameter", [name, indices @ ..]) => {
-                let indices = indices.iter().map(|index| self.integer(index, true)).collect::<Result<Vec<_>>>()?;
+                let indices =
+                    indices.iter().map(|index| self.integer(index, true)).collect::<Result<Vec<_>>>()?;
                 Ok(Quantity::constant(known(name.name()?, &indices)?))
             }
             ("+", [a, b]) => of(a)?.plus(of(b)?, &self.unit),
-            ("-", [a, b]) => of(a)?.plus(of(b)?.times(&Quantity::constant(Fraction::integer(-1)))?, &self.unit),
+            ("-", [a, b]) => {
+                of(a)?.plus(of(b)?.times(&Quantity::constant(Fraction::integer(-1)))?, &self.unit)
+            }
             ("neg", [a]) => of(a)?.times(&Quantity::constant(Fraction::integer(-1))),
             ("*", [a, b]) => of(a)?.times(&of(b)?),
             ("/", [a, b]) => match (of(a)?, of(b)?) {

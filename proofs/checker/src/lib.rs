@@ -6,6 +6,7 @@
 //!
 //! ```
 //! let statement = r#"(statement 2 (claim "example") (form printed) (verdict proved) (scope knots) (degrees 1 3)
+//!     (family "mobius" (parameter r () (> 0)) (rise (* (parameter r) (- (var x) (var a)))) (fall (- (var b) (var x))))
 //!     (sentence (for (degree 1) (knots) (integer j k n) (real x)) (if (chain (t j) (<= (var x)) (< (t (+ j 1)))))
 //!         (then (chain (sum i 0 n (of (G i) (at (var x)))) (= (int 1)))))
 //!     (because "The goal says so, on every knot vector.")

@@ -55,7 +55,8 @@ impl<'n, 't> Numbered<'n, 't> {
                         Ok([name, ratio]) if name.is_word("r") => Some(ratio),
                         _ => None,
                     });
-                    let differs = ratio.map(|ratio| sign(other, ratio)).transpose()?.is_some_and(|sign| sign != 0);
+                    let differs =
+                        ratio.map(|ratio| sign(other, ratio)).transpose()?.is_some_and(|sign| sign != 0);
                     sign(other, &Node::whole_of(0))? > 0 && differs
                 }
                 ("parameter", list) => match family.parameter(name.name()?) {
@@ -75,7 +76,9 @@ impl<'n, 't> Numbered<'n, 't> {
                 .take(at)
                 .any(|other| other.headed("").is_ok_and(|(_, of)| of.first() == Some(name)));
             if !fits || again {
-                return value.wrong("parameter, integer, real, points or index with a name of its own and its numbers");
+                return value.wrong(
+                    "parameter, integer, real, points or index with a name of its own and its numbers",
+                );
             }
         }
         let given = values.iter().filter(|value| value.is("parameter")).count();
@@ -84,9 +87,7 @@ impl<'n, 't> Numbered<'n, 't> {
         }
         let long = knots.len() >= usize::from(degree.degree()?) + 2;
         match (knots.first(), knots.last()) {
-            (Some(first), Some(last)) if long && sign(last, first)? > 0 => {
-                Ok(Numbered { k, knots, values })
-            }
+            (Some(first), Some(last)) if long && sign(last, first)? > 0 => Ok(Numbered { k, knots, values }),
             _ => node.wrong("k + 2 knots at least, and two that differ"),
         }
     }
@@ -224,12 +225,15 @@ impl<'t> Case<'_, 't> {
             let mut items = Vec::new();
             for (at, indices) in own.all(m, self.k).into_iter().enumerate() {
                 let value = numbers.of("parameter", own.name, at).ok_or(Reason::Limits("a parameter"))?;
-                let shifted = own.indices.iter().zip(indices).map(|(kind, i)| if *kind == "i" { i - s } else { i });
+                let shifted =
+                    own.indices.iter().zip(indices).map(|(kind, i)| if *kind == "i" { i - s } else { i });
                 let indices = shifted.map(Node::whole_of);
                 items.push(Node::group_of(indices.chain([value]).collect()));
             }
             declared.push(match (own.indices.as_slice(), items.as_slice()) {
-                ([], [one]) => Node::made("let", vec![Node::name_of(own.name), one.list("a number")?[0].clone()]),
+                ([], [one]) => {
+                    Node::made("let", vec![Node::name_of(own.name), one.list("a number")?[0].clone()])
+                }
                 _ => {
                     let head = [Node::name_of("W"), Node::name_of(own.name)];
                     Node::made("values", head.into_iter().chain(items).collect())

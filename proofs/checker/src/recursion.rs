@@ -53,11 +53,13 @@ impl Spot<'_> {
 
     /// A parameter of the family, if need be that of the member that a reflection leads to.
     fn parameter(&self, name: &str, indices: &[i64], signs: &[Sign]) -> Result<Fraction> {
-        let known = |window: &Window, name: &str, indices: &[i64]| {
-            match self.parameters.iter().find(|(known, _)| *known == name && indices.is_empty()) {
-                Some((_, value)) => Ok(value.clone()),
-                None => window.parameter(name, indices),
-            }
+        let known = |window: &Window, name: &str, indices: &[i64]| match self
+            .parameters
+            .iter()
+            .find(|(known, _)| *known == name && indices.is_empty())
+        {
+            Some((_, value)) => Ok(value.clone()),
+            None => window.parameter(name, indices),
         };
         if let Some((before, m)) = &self.dual {
             let of = |index: &str| {

@@ -128,7 +128,9 @@ impl<'t> Section<'t> {
         let value = self.term(term, &self.env)?;
         let value = match self.env.family.unindexed(name) {
             // It is known already, and means something else from here on: a constant, where x moves with u.
-            Some(_) if !value.is_only_in(|variable| variable != U) => return Err(Reason::Moving(name.to_owned())),
+            Some(_) if !value.is_only_in(|variable| variable != U) => {
+                return Err(Reason::Moving(name.to_owned()));
+            }
             Some(own) => value.at_least(own.sign, name, &self.signs)?,
             None => self.env.check_free(name, &[]).map(|()| value)?,
         };

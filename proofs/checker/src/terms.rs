@@ -157,7 +157,8 @@ impl Evaluator {
                 continue;
             }
             let [name, value] = pair.group("a replacement")?;
-            let again = pairs.iter().take(at).any(|other| other.group::<2>("").is_ok_and(|[own, _]| own == name));
+            let again =
+                pairs.iter().take(at).any(|other| other.group::<2>("").is_ok_and(|[own, _]| own == name));
             let sign = match (name.name()?, env.family.unindexed(name.name()?)) {
                 _ if again => return name.wrong("u or a parameter of the family, each once"),
                 ("u", _) => Sign::Positive,
@@ -165,7 +166,11 @@ impl Evaluator {
                 _ => return name.wrong("u or a parameter of the family, each once"),
             };
             let (name, value) = (name.name()?, self.term(value, env)?);
-            inside.set(name, Vec::new(), Meaning::Value(Rc::new(value.at_least(sign, name, &self.signs)?)))?;
+            inside.set(
+                name,
+                Vec::new(),
+                Meaning::Value(Rc::new(value.at_least(sign, name, &self.signs)?)),
+            )?;
         }
         Ok(inside)
     }

@@ -86,7 +86,9 @@ impl<'t> Case<'_, 't> {
                 let i = self.int(i)?;
                 self.knot(&i)
             }
-            ("parameter", [name, indices @ ..]) if self.member.is_none() => self.family_parameter(name, indices),
+            ("parameter", [name, indices @ ..]) if self.member.is_none() => {
+                self.family_parameter(name, indices)
+            }
             ("coefficient", [name, i]) => {
                 let i = self.int(i)?;
                 self.exists(&i, &Form::last(0))?;

@@ -6,6 +6,7 @@ use knotproof_checker::{WORK, check, check_within};
 fn statement(sections: &str) -> String {
     format!(
         r#"(statement 2 (claim "test") (form printed) (verdict proved) (scope knots) (degrees 1 2)
+    (family "mobius" (parameter r () (> 0)) (rise (* (parameter r) (- (var x) (var a)))) (fall (- (var b) (var x))))
             (sentence (for (degree 1) (knots)) (if) (then (chain (int 0) (= (int 0))))) (because "It says so.") {sections})"#
     )
 }
