@@ -6,14 +6,14 @@
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::LazyLock;
+use std::sync::{Arc, LazyLock};
 
 use knotproof::certificate::{
     Certificate, Class, EvaluationError, Evaluator, Formula, GoalError, ProofError, Section, Sexp, Shown,
-    Statement, StatementError, Unfolding, derived, prove, statement,
+    Statement, StatementError, Unfolding, Weighted, derived, prove, statement,
 };
 use knotproof::judge::Scope;
-use knotproof::language::{Form, claims};
+use knotproof::language::{Form, claims, paper};
 use knotproof::report::{Baseline, Finding};
 use knotproof::scalar::{BigRational, Jet, integer, rational};
 use knotproof::spline::{Basis, Curve, Index, KnotVector, Side, weight};
@@ -462,11 +462,19 @@ const LAST: &str = "(window A (- 0 k) (each s 1 k any) some (each s 1 k 0))";
 /// A simple knot t_0 with free neighbours.
 const SIMPLE: &str = "(window A (- -1 k) (each s 1 k any) some some (each s 1 k any))";
 
+/// The weights of the paper.
+fn of_paper() -> Weighted {
+    Weighted::Family(Arc::clone(&paper().about.family))
+}
+
 /// A statement about every knot vector with one section that has these declarations and goals.
 fn about(degrees: &[usize], declarations: &str, goals: &str) -> Statement {
     let sections = Sexp::parse_all(&format!("(section {declarations} (goals {goals}))")).unwrap();
+    let weighted = of_paper();
     Statement {
         claim: "test".into(),
+        family: weighted.to_sexp().unwrap(),
+        weighted,
         form: Form::Printed,
         refuted: false,
         scope: Scope::Knots,
@@ -852,7 +860,8 @@ impl Numbers {
 
     /// The value of each term at these numbers.
     fn values(&self, section: &Section) -> Vec<BigRational> {
-        let evaluator = Evaluator::new(section, Unfolding::default()).unwrap();
+        let weighted = of_paper();
+        let evaluator = Evaluator::new(section, &weighted, Unfolding::default()).unwrap();
         let mut at = HashMap::new();
         let mut set = |name: String, value| at.insert(evaluator.variable_of(&name).unwrap(), value);
         set("u".into(), self.u.clone());
@@ -957,7 +966,8 @@ fn arithmetic_terms_have_their_values() {
         let statement =
             about(&[1], "(positive a b) (let c (* a a)) (window A 0 a b)", &format!("(= {term} 0)"));
         let sections = statement.expand().unwrap();
-        let evaluator = Evaluator::new(&sections[0], Unfolding::default()).unwrap();
+        let weighted = of_paper();
+        let evaluator = Evaluator::new(&sections[0], &weighted, Unfolding::default()).unwrap();
         let Formula::Equal(left, _) = &sections[0].goals[0] else { panic!("an equation") };
         let at = |name: &str| evaluator.variable_of(name).unwrap();
         let (a, b, u) = (at("a"), at("b"), at("u"));
@@ -995,7 +1005,8 @@ fn signs_are_read_from_the_coefficients() {
     ] {
         let declarations = "(real c) (nonnegative b) (positive a) (window A 0 some any)";
         let sections = about(&[1], declarations, &format!("(= {term} 0)")).expand().unwrap();
-        let evaluator = Evaluator::new(&sections[0], Unfolding::default()).unwrap();
+        let weighted = of_paper();
+        let evaluator = Evaluator::new(&sections[0], &weighted, Unfolding::default()).unwrap();
         let Formula::Equal(left, _) = &sections[0].goals[0] else { panic!("an equation") };
         assert_eq!(evaluator.class_of(&evaluator.term(left).unwrap()), sign, "{term}");
     }

@@ -1,12 +1,13 @@
 //! From a judged claim to its certificates.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use rayon::prelude::*;
 use thiserror::Error;
 
 use crate::judge::{Scope, Witness};
-use crate::language::{Claim, Form, Sentence, canonical};
+use crate::language::{Binder, Claim, Form, Sentence, canonical};
 
 use super::derive::{NoWindow, derive};
 use super::point::point;
@@ -146,7 +147,8 @@ fn stated(
 ) -> Result<Option<Statement>, CertificateError> {
     let id = claim.id();
     let failed = move |error: Uncertified| failed(id, form, error);
-    let Some(sentence) = claim.sentence(form) else { return Ok(None) };
+    let Some(sentence) = sentence_of(claim, form) else { return Ok(None) };
+    let sentence = &*sentence;
     let found = windows(claim, form, witness).map_err(|error| failed(error.into()))?;
     let parse = |text: &str| {
         Sexp::parse_all(text).map_err(|error| failed(ProofError::Statement(error.into()).into()))
@@ -226,6 +228,21 @@ fn said(
     })
 }
 
+/// The sentence of a form; where the family is for some knots only, its knots are of that kind.
+fn sentence_of(claim: Claim<'_>, form: Form) -> Option<Cow<'_, Sentence>> {
+    let (sentence, knots) = (claim.sentence(form)?, &claim.paper.about.family.knots);
+    if knots.is_empty() {
+        return Some(Cow::Borrowed(sentence));
+    }
+    let mut sentence = sentence.clone();
+    for binder in &mut sentence.given {
+        if let Binder::Knots(own) = binder {
+            own.extend(knots.iter().filter(|adjective| !own.contains(adjective)).copied().collect::<Vec<_>>());
+        }
+    }
+    Some(Cow::Owned(sentence))
+}
+
 /// The weights of the paper, and how a certificate says them.
 fn weights(claim: Claim<'_>, form: Form) -> Result<(Weighted, Sexp), CertificateError> {
     let weighted = Weighted::Family(Arc::clone(&claim.paper.about.family));
@@ -294,7 +311,7 @@ const UNASKED: usize = 3;
 /// The certificate in those degrees in which windows follow from the sentence and all goals have a proof that the checker
 /// accepts.
 fn unasked(claim: Claim<'_>, form: Form) -> Option<Certificate> {
-    let sentence = claim.sentence(form)?;
+    let sentence = &*sentence_of(claim, form)?;
     let proved = |degrees: &[usize]| {
         let certificate = Certificate::of(derived(claim, form, sentence, degrees).ok()?).ok()?;
         certificate.check().is_ok().then_some(certificate)

@@ -1,5 +1,6 @@
 //! The way through a certificate: every section for every degree, every goal with its rule, nothing left over.
 
+use std::cell::RefCell;
 use std::fmt;
 use std::rc::Rc;
 
@@ -225,7 +226,7 @@ fn prove<'t>(
     let [label, steps @ ..] = proof.fields("section")? else { return proof.wrong("a number") };
     is_number(label, "section", checked.sections)?;
     let (lemmas, proofs) = steps.split_at(steps.iter().take_while(|step| step.is("lemma")).count());
-    let mut context = Context { section, lemmas: Vec::new() };
+    let mut context = Context { section, lemmas: Vec::new(), kept: RefCell::default() };
     let mut step = |what, number, label, rule: &Node<'t>| {
         *place = format!("{here}, {what} {number}, rule {}", rule.headed("a rule")?.0);
         is_number(label, what, number)

@@ -19,7 +19,7 @@ const VARIABLES: usize = 500;
 const ROWS: usize = 8;
 
 /// How far the definition is unfolded, and what the formula is.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) struct Mode {
     /// Weights of this degree and above stay unknowns.
     pub(crate) weights: Option<i64>,

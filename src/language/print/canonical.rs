@@ -32,11 +32,8 @@ pub fn canonical<'a>(
 /// `(family "NAME" (parameter …)… (rise …) (fall …) (dual …))`, with the name that it has in its file.
 ///
 /// # Errors
-/// What a certificate can't say of its weights: the knots that it is for, what both shares are divided by, or the name of a definition.
+/// What a certificate can't say of its weights: what both shares are divided by, or the name of a definition.
 pub fn canonical_family(family: &Family) -> Result<String, Name> {
-    if let Some(adjective) = family.knots.first() {
-        return Err(adjective.name().into());
-    }
     if family.over.is_some() {
         return Err("over".into());
     }
