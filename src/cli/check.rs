@@ -188,6 +188,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
                 check.of = Some(basis.weights().to_string());
                 check.knots = basis.knots().knots().iter().map(ToString::to_string).collect();
                 check.label = label;
+                let points = points.map(|(points, _)| points);
                 let on = Instance::on(basis).map_err(member)?.with_points(points);
                 all.push((on.degree(), None, Cases::only(on)));
                 Subjects { label: None, cases: Vec::new() }

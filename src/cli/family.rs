@@ -54,6 +54,9 @@ impl FamilyArgs {
             if given.iter().any(|(other, _)| *other == name) {
                 return Err(CliError::SetTwice(name));
             }
+            if matches!(text.trim(), "symbolic" | "all") {
+                return Err(CliError::Letter { name, value: text.trim().to_owned() });
+            }
             let values = values(text, &family, &name)?;
             given.push((name, values));
         }
