@@ -5,9 +5,11 @@ use std::ffi::OsString;
 use std::ops::RangeInclusive;
 use std::path::Path;
 use std::str::FromStr;
+use std::sync::Arc;
 
 use num_rational::BigRational;
 
+use crate::language::Family;
 use crate::meaning::{Example, Weighting, examples};
 use crate::spline::{AnyWeights, Basis, Curve, CurveError, Index, IndexError, KnotError, KnotVector, Point};
 
@@ -167,15 +169,19 @@ impl InstanceArgs {
     /// # Errors
     /// [`CliError`], for the first thing that is wrong.
     pub(super) fn resolve_any(&self) -> Result<Resolved, CliError> {
-        self.resolve_among(examples())
+        self.resolve_among(examples(), None)
     }
 
-    /// The same, with these instances for names.
+    /// The same, with these instances for names, and a paper's `own` family where no other is named.
     ///
     /// # Errors
     /// [`CliError`], for the first thing that is wrong.
-    pub(super) fn resolve_among(&self, examples: &[Example]) -> Result<Resolved, CliError> {
-        let member = self.family()?.as_ref().map(ChosenFamily::member).transpose()?;
+    pub(super) fn resolve_among(
+        &self,
+        examples: &[Example],
+        own: Option<&Arc<Family>>,
+    ) -> Result<Resolved, CliError> {
+        let member = self.family(own)?.as_ref().map(ChosenFamily::member).transpose()?;
         let given = match &self.instance {
             Some(name) => self.named(name, examples)?,
             None => Given::default(),
@@ -199,7 +205,13 @@ impl InstanceArgs {
             knots.ok_or_else(|| missing("--knots", "give the knots, such as --knots \"0 0 0 1 2 2 2\""))?;
         let member = member.map(|member| vec![member]);
         let alpha = self.indices()?.map(|list| list.into_iter().map(Weighting::Index).collect());
-        let weights = member.or(alpha).unwrap_or(given.weights);
+        let mut weights = member.or(alpha).unwrap_or(given.weights);
+        // What an index α is missing for, --alpha gives: only another family asks for its own parameters.
+        if let (true, Some(own)) =
+            (weights.is_empty(), own.filter(|own| !matches!(own.moebius(), Some(Some(_)))))
+        {
+            weights.push(ChosenFamily { family: Arc::clone(own), given: Vec::new() }.member()?);
+        }
         if let Some(weights @ Weighting::Family(_)) = weights.first() {
             let basis = Basis::over(knots, degree, weights.clone())
                 .map_err(|error| CliError::Basis { place: place.clone(), error })?;
@@ -234,8 +246,8 @@ impl InstanceArgs {
     ///
     /// # Errors
     /// [`CliError`], where it is not there or not well formed, or a setting is not.
-    pub(super) fn family(&self) -> Result<Option<ChosenFamily>, CliError> {
-        self.family.chosen()
+    pub(super) fn family(&self, own: Option<&Arc<Family>>) -> Result<Option<ChosenFamily>, CliError> {
+        self.family.chosen(own)
     }
 
     /// Is nothing said at all?
