@@ -172,10 +172,10 @@ fn triangle(case: &Probe, terms: impl Fn(usize, usize) -> [f64; 3]) -> Vec<f64> 
     let mut values = [1.0; HIGHEST_DEGREE + 1];
     for d in 1..=degree {
         let mut own = 0.0;
-        for c in 0..d {
+        for (c, value) in values.iter_mut().enumerate().take(d) {
             let [left, right, over] = terms(d, c);
-            let share = values[c] / over;
-            values[c] = own + right * share;
+            let share = *value / over;
+            *value = own + right * share;
             own = left * share;
         }
         values[d] = own;
