@@ -8,7 +8,7 @@ use thiserror::Error;
 
 use crate::analysis::determinant;
 use crate::language::Name;
-use crate::scalar::{Jet, Multivariate, Quotient, RationalAlgebra, Ring};
+use crate::scalar::{Jet, Multivariate, Quotient, RationalAlgebra, Ring, integer};
 use crate::spline::{Active, Span, Triangle, Weights, de_boor};
 
 use super::statement::{Class, Gap, Section};
@@ -40,6 +40,9 @@ pub enum EvaluationError {
         /// The span.
         span: i64,
     },
+    /// A derivative of order 2 and more of what is an unknown.
+    #[error("a higher derivative of an unknown")]
+    Order,
     /// Weights that a certificate can't say.
     #[error("a certificate does not say it of weights: {0}")]
     Weight(String),
@@ -237,9 +240,10 @@ impl<'a> Evaluator<'a> {
                     OfWeight::Derivative => w.coefficients()[1].clone(),
                 })
             }
-            Term::Function { derivative, i, degree, place } => {
-                let order = usize::from(*derivative);
-                Ok(self.function(place, *i, *degree, order)?.coefficients()[order].clone())
+            Term::Function { order, i, degree, place } => {
+                let coefficient = self.function(place, *i, *degree, *order)?.coefficients()[*order].clone();
+                let factorial = (1..=*order).fold(integer(1), |product, factor| product * integer(factor));
+                Ok(coefficient.times(&coefficient.embed(&factorial)))
             }
             Term::DeBoor { i, level, degree, place } => {
                 let first = place.span - to_i64(*degree);
@@ -303,6 +307,9 @@ impl<'a> Evaluator<'a> {
             Some(d) => {
                 let (first, last) = (j.saturating_sub(d), j.min(m - d - 1));
                 let unknown = |at: usize| {
+                    if order > 1 {
+                        return Err(EvaluationError::Order);
+                    }
                     let value = |derivative| {
                         let unknown = Unknown::Function(derivative, i + to_i64(at), d, place.clone());
                         self.unknown(unknown, Class::Real)
@@ -494,9 +501,15 @@ impl PlaceWeights<'_, '_> {
         evaluator.definite(whole.numerator())?;
         let is_end = p.is_zero() || q.is_zero();
         if *evaluator.weighted == Weighted::Any {
+            if order > 1 {
+                return Err(EvaluationError::Order);
+            }
             return self.of_any(i, d, [p, q], [at_x(&zero()), measure]);
         }
         if evaluator.unfolding.weights_from.is_some_and(|from| d >= from) && !is_end {
+            if order > 1 {
+                return Err(EvaluationError::Order);
+            }
             let (p, q) = integral(&p, &q);
             let value = || {
                 let [rising, falling] = [&rise, &fall].map(|share| share.coefficients()[1].clone());

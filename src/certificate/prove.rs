@@ -144,7 +144,7 @@ fn rule_for(subject: Subject<'_>, formula: &Formula) -> Result<Rule, GoalError> 
             for weights in ways() {
                 let unfolding = Unfolding { weights_from: weights, functions_to: None, related: true };
                 let evaluator = subject.evaluator(unfolding)?;
-                if evaluator.term(left)? == evaluator.term(right)? {
+                if sides(&evaluator, left, right)?.is_some_and(|[left, right]| left == right) {
                     return Ok(by(weights));
                 }
             }
@@ -167,6 +167,14 @@ fn rule_for(subject: Subject<'_>, formula: &Formula) -> Result<Rule, GoalError> 
     }
 }
 
+/// Both sides; `None` if they have higher derivatives of what is an unknown: those are for expanded weights.
+fn sides(evaluator: &Evaluator<'_>, left: &Term, right: &Term) -> Result<Option<[Quotient; 2]>, EvaluationError> {
+    match (evaluator.term(left), evaluator.term(right)) {
+        (Err(EvaluationError::Order), _) | (_, Err(EvaluationError::Order)) => Ok(None),
+        (left, right) => Ok(Some([left?, right?])),
+    }
+}
+
 fn by(weights: Option<usize>) -> Rule {
     Rule::By { weights, functions: None, using: Vec::new() }
 }
@@ -180,7 +188,8 @@ fn compare(subject: Subject<'_>, large: &Term, small: &Term, wanted: Class) -> R
     for weights in ways() {
         let unfolding = Unfolding { weights_from: weights, ..Unfolding::default() };
         let evaluator = subject.evaluator(unfolding)?;
-        let difference = evaluator.term(large)?.minus(&evaluator.term(small)?);
+        let Some([large, small]) = sides(&evaluator, large, small)? else { continue };
+        let difference = large.minus(&small);
         if enough(evaluator.class_of(&difference), wanted) {
             return Ok(by(weights));
         }

@@ -65,7 +65,7 @@ pub enum Term {
     /// G_i^d, or DG_i^d.
     Function {
         /// DG rather than G.
-        derivative: bool,
+        order: usize,
         /// i.
         i: i64,
         /// d.
@@ -194,7 +194,13 @@ pub(super) fn term(sexp: &Sexp, ints: &Integers) -> Result<Term, StatementError>
             Term::Weight(of, ints.value(i)?, natural(d)?, place(p, ints)?)
         }
         ("G" | "DG", [i, d, p]) => Term::Function {
-            derivative: head == "DG",
+            order: usize::from(head == "DG"),
+            i: ints.value(i)?,
+            degree: natural(d)?,
+            place: place(p, ints)?,
+        },
+        ("DG", [i, d, p, order]) => Term::Function {
+            order: natural(order)?,
             i: ints.value(i)?,
             degree: natural(d)?,
             place: place(p, ints)?,
@@ -348,9 +354,11 @@ impl Term {
                 };
                 Sexp::form(head, [Sexp::int(*i), natural(*d), place.to_sexp()])
             }
-            Self::Function { derivative, i, degree, place } => {
-                let head = if *derivative { "DG" } else { "G" };
-                Sexp::form(head, [Sexp::int(*i), natural(*degree), place.to_sexp()])
+            Self::Function { order, i, degree, place } => {
+                let head = if *order == 0 { "G" } else { "DG" };
+                let further = (*order > 1).then(|| natural(*order));
+                let fields = [Sexp::int(*i), natural(*degree), place.to_sexp()];
+                Sexp::form(head, fields.into_iter().chain(further))
             }
             Self::DeBoor { i, level, degree, place } => {
                 let parts = [Sexp::int(*i), natural(*level), natural(*degree), place.to_sexp()];

@@ -2,7 +2,7 @@
 
 use std::cell::RefCell;
 
-use crate::env::small;
+use crate::env::{binomial, small};
 use crate::error::{Reason, Result};
 use crate::fraction::{Factors, Fraction};
 use crate::poly::{Poly, Sign};
@@ -44,24 +44,27 @@ pub(crate) struct Interval<'s> {
     pub(crate) signs: &'s [Sign],
 }
 
-/// VALUE/unit^LENGTHS, and its derivative by x.
+/// Its derivatives by x from that of order 0 on, each over unit^LENGTHS. Those that are left out are 0.
 struct Quantity {
-    value: Fraction,
-    slope: Fraction,
+    derivatives: Vec<Fraction>,
     lengths: u16,
 }
 
-/// rise and fall over what is common to both, with their derivatives.
+/// rise and fall over what is common to both, with as many derivatives.
 pub(crate) struct Shares {
-    pub(crate) rise: Poly,
-    pub(crate) fall: Poly,
-    pub(crate) slopes: [Poly; 2],
+    pub(crate) rise: Vec<Poly>,
+    pub(crate) fall: Vec<Poly>,
 }
 
 impl Shares {
-    /// rise + fall.
-    pub(crate) fn whole(&self) -> Poly {
-        self.rise.clone().plus(&self.fall)
+    /// Of an order, or 0.
+    pub(crate) fn of(share: &[Poly], order: usize) -> Poly {
+        share.get(order).cloned().unwrap_or_default()
+    }
+
+    /// rise + fall, its derivative of an order.
+    pub(crate) fn whole(&self, order: usize) -> Poly {
+        Shares::of(&self.rise, order).plus(&Shares::of(&self.fall, order))
     }
 }
 
@@ -103,33 +106,57 @@ impl Parameter<'_> {
 
 impl Quantity {
     fn constant(value: Fraction) -> Self {
-        Quantity { value, slope: Fraction::integer(0), lengths: 0 }
+        Quantity { derivatives: vec![value], lengths: 0 }
     }
 
     fn length(value: Poly, slope: Poly) -> Self {
-        Quantity { value: value.into(), slope: slope.into(), lengths: 1 }
+        Quantity { derivatives: vec![value.into(), slope.into()], lengths: 1 }
     }
 
     /// As so many lengths, at least as many as it has.
     fn of_lengths(self, lengths: u16, unit: &Poly) -> Result<Self> {
+        if self.lengths == lengths {
+            return Ok(self);
+        }
         let by = Fraction::from(unit.to_power(lengths - self.lengths)?);
-        Ok(match self.lengths == lengths {
-            true => self,
-            false => Quantity { value: self.value.times(&by)?, slope: self.slope.times(&by)?, lengths },
-        })
+        let derivatives = self.derivatives.iter().map(|derivative| derivative.times(&by)).collect::<Result<_>>()?;
+        Ok(Quantity { derivatives, lengths })
     }
 
     fn plus(self, other: Self, unit: &Poly) -> Result<Self> {
         let lengths = self.lengths.max(other.lengths);
-        let (a, b) = (self.of_lengths(lengths, unit)?, other.of_lengths(lengths, unit)?);
-        Ok(Quantity { value: a.value.plus(&b.value)?, slope: a.slope.plus(&b.slope)?, lengths })
+        let (mut a, b) = (self.of_lengths(lengths, unit)?, other.of_lengths(lengths, unit)?);
+        a.derivatives.resize(a.derivatives.len().max(b.derivatives.len()), Fraction::integer(0));
+        for (sum, derivative) in a.derivatives.iter_mut().zip(&b.derivatives) {
+            *sum = sum.plus(derivative)?;
+        }
+        Ok(a)
     }
 
+    /// By the rule of Leibniz.
     fn times(&self, other: &Self) -> Result<Self> {
-        let slope = self.slope.times(&other.value)?.plus(&self.value.times(&other.slope)?)?;
+        let orders = self.derivatives.len() + other.derivatives.len() - 1;
         let lengths = self.lengths.checked_add(other.lengths).ok_or(Reason::Limits("an exponent"))?;
-        Ok(Quantity { value: self.value.times(&other.value)?, slope, lengths })
+        let mut derivatives = vec![Fraction::integer(0); orders];
+        for (i, a) in self.derivatives.iter().enumerate() {
+            for (derivative, (j, b)) in derivatives.iter_mut().skip(i).zip(other.derivatives.iter().enumerate()) {
+                *derivative = derivative.plus(&Fraction::integer(choices(i + j, i)?).times(&a.times(b)?)?)?;
+            }
+        }
+        Ok(Quantity { derivatives, lengths })
     }
+
+    /// The value, if there is no x in it.
+    fn value(&self) -> Option<&Fraction> {
+        let (value, derivatives) = self.derivatives.split_first()?;
+        derivatives.iter().all(Fraction::is_zero).then_some(value)
+    }
+}
+
+/// The number of choices of i among n.
+pub(crate) fn choices(n: usize, i: usize) -> Result<i64> {
+    let number = |value: usize| i64::try_from(value).map_err(|_| Reason::Limits("the order of a derivative"));
+    binomial(number(n)?, number(i)?)
 }
 
 impl<'t> Family<'t> {
@@ -227,7 +254,7 @@ impl<'t> Family<'t> {
         let at = Interval { b: x.clone().plus(&q), x, a, unit: Poly::constant(1), d, ..Interval::default() };
         let shares = self.shares(&at, &known)?;
         let signs: Vec<_> = signs.into_iter().chain(met.take().into_iter().map(|(_, sign)| sign)).collect();
-        for (part, own, other) in [(shares.rise, P, Q), (shares.fall, Q, P)] {
+        for (part, own, other) in [(Shares::of(&shares.rise, 0), P, Q), (Shares::of(&shares.fall, 0), Q, P)] {
             if part.sign(&signs) == Sign::Real {
                 return Err(Reason::Weight("has a coefficient below 0, or a without x or b", d));
             }
@@ -244,9 +271,8 @@ impl<'t> Family<'t> {
     /// rise and fall; those of any family are known by their zeros alone.
     pub(crate) fn shares(&self, at: &Interval<'_>, known: &Known<'_>) -> Result<Shares> {
         let (from, to) = (at.x.clone().minus(&at.a), at.b.clone().minus(&at.x));
-        let unit = || at.unit.clone();
         let Some([rise, fall]) = self.weight else {
-            return Ok(Shares { rise: from, fall: to, slopes: [unit(), unit().negated()] });
+            return Ok(Shares { rise: vec![from], fall: vec![to] });
         };
         // No other parameters than those of the ends and of the degree: a weight is known where its interval is.
         let own = |name: &str, indices: &[i64]| {
@@ -266,15 +292,9 @@ impl<'t> Family<'t> {
         let lengths = rise.lengths.max(fall.lengths);
         let (rise, fall) = (rise.of_lengths(lengths, &at.unit)?, fall.of_lengths(lengths, &at.unit)?);
         let mut common = Factors::new();
-        for part in [&rise.value, &rise.slope, &fall.value, &fall.slope] {
-            part.widen(&mut common);
-        }
-        let over = |part: &Fraction| part.over_common(&common);
-        Ok(Shares {
-            rise: over(&rise.value)?,
-            fall: over(&fall.value)?,
-            slopes: [over(&rise.slope)?, over(&fall.slope)?],
-        })
+        rise.derivatives.iter().chain(&fall.derivatives).for_each(|part| part.widen(&mut common));
+        let over = |share: Quantity| share.derivatives.iter().map(|part| part.over_common(&common)).collect::<Result<_>>();
+        Ok(Shares { rise: over(rise)?, fall: over(fall)? })
     }
 
     /// What a parameter is after a reflection, if it changes: `at` has its indices, `known` those that there were before.
@@ -283,11 +303,10 @@ impl<'t> Family<'t> {
         for pair in dual {
             let (own, [term]) = pair.headed("a parameter and a term")? else { return pair.wrong("a term") };
             if own == name {
-                let Quantity { value, lengths, .. } = at.quantity(term, known)?;
-                return if lengths == 0 {
-                    Ok(Some(value))
-                } else {
-                    term.wrong("a number, which no length is")
+                let quantity = at.quantity(term, known)?;
+                return match quantity.value() {
+                    Some(value) if quantity.lengths == 0 => Ok(Some(value.clone())),
+                    _ => term.wrong("a number, which no length is"),
                 };
             }
         }
@@ -322,9 +341,10 @@ impl Interval<'_> {
             ("neg", [a]) => of(a)?.times(&Quantity::constant(Fraction::integer(-1))),
             ("*", [a, b]) => of(a)?.times(&of(b)?),
             ("/", [a, b]) => match (of(a)?, of(b)?) {
-                (a, b) if b.lengths == 0 && b.slope.is_zero() => {
-                    a.times(&Quantity::constant(Fraction::integer(1).over(&b.value, self.signs)?))
-                }
+                (a, b) if b.lengths == 0 => match b.value() {
+                    Some(b) => a.times(&Quantity::constant(Fraction::integer(1).over(b, self.signs)?)),
+                    None => node.wrong("a divisor without x, a and b"),
+                },
                 _ => node.wrong("a divisor without x, a and b"),
             },
             ("^", [a, power]) => match self.integer(power, false)? {

@@ -1,6 +1,7 @@
 //! The functions of a sentence in a case: basis functions, weights and definitions at x.
 
 use crate::case::{At, Bound, Case, Found, Stop};
+use crate::integers::RANGE;
 use crate::place::{Copies, Form, Place};
 use crate::poly::Sign;
 use crate::token::{Kind, Node, tree};
@@ -125,7 +126,7 @@ impl<'t> Case<'_, 't> {
     pub(crate) fn function(&mut self, node: &Node<'t>, at: At, order: i64) -> Found<Value<'t>> {
         match node.headed("a function")? {
             ("D", [of, by]) => match self.fixed(by)? {
-                by @ 0..=1 if order + by <= 1 => self.function(of, at, order + by),
+                by @ 0..=RANGE if order + by <= RANGE => self.function(of, at, order + by),
                 _ => Err(Stop::Undecided),
             },
             ("G", [i, degree @ ..]) => {
@@ -135,7 +136,7 @@ impl<'t> Case<'_, 't> {
                     return Err(Stop::Undefined);
                 }
                 self.exists(&i, &Form::last(self.k - degree))?;
-                self.on_window(if order == 0 { "G" } else { "DG" }, &i, degree, at)
+                self.on_window(if order == 0 { "G" } else { "DG" }, &i, degree, at, order)
             }
             ("w", [i, degree]) => {
                 let (i, degree) = (self.int(i)?, self.fixed(degree)?);
@@ -143,10 +144,13 @@ impl<'t> Case<'_, 't> {
                     return Err(Stop::Undecided);
                 }
                 self.exists(&i, &Form::last(self.k + 1 - degree))?;
-                self.on_window(if order == 0 { "w" } else { "Dw" }, &i, degree, at)
+                if order > 1 {
+                    return Err(Stop::Undecided);
+                }
+                self.on_window(if order == 0 { "w" } else { "Dw" }, &i, degree, at, order)
             }
             // By the ends alone, as that of knots whose indices it does not give.
-            (head @ ("phi" | "f"), [a, b]) if at == At::X && self.family.is_by_ends() => {
+            (head @ ("phi" | "f"), [a, b]) if at == At::X && order <= 1 && self.family.is_by_ends() => {
                 let (a, b) = (self.real(a)?, self.real(b)?);
                 self.phi(head == "phi", a, b, order)
             }
@@ -170,11 +174,17 @@ impl<'t> Case<'_, 't> {
             }
         }
         let (Some(a @ ..=0), Some(b @ 1..)) = (a.knot, b.knot) else { return Err(Stop::Undecided) };
-        self.term(if order == 0 { "w" } else { "Dw" }, a, b - a, 0, At::X)
+        self.term(if order == 0 { "w" } else { "Dw" }, [a, b - a, order], 0, At::X)
     }
 
     /// A function at the place of span e.
-    pub(crate) fn term(&self, head: &'static str, i: i64, degree: i64, e: i64, at: At) -> Found<Value<'t>> {
+    pub(crate) fn term(
+        &self,
+        head: &'static str,
+        [i, degree, order]: [i64; 3],
+        e: i64,
+        at: At,
+    ) -> Found<Value<'t>> {
         let mirrored = at == At::Mirrored;
         let on = match (self.place, self.place.on_span()) {
             (_, None) => return Err(Stop::Undecided),
@@ -189,7 +199,9 @@ impl<'t> Case<'_, 't> {
         }
         let window = Node::name_of(if mirrored { "M" } else { "W" });
         let place = Node::made(on, vec![window, Node::whole_of(e)]);
-        let mut term = Node::made(head, vec![Node::whole_of(i), Node::whole_of(degree), place]);
+        let mut fields = vec![Node::whole_of(i), Node::whole_of(degree), place];
+        fields.extend((order > 1).then(|| Node::whole_of(order)));
+        let mut term = Node::made(head, fields);
         let mut moved = Vec::new();
         if mirrored && self.place == Place::Inside {
             let inverse = Node::made("/", vec![Node::whole_of(1), Node::name_of("u")]);
@@ -206,7 +218,14 @@ impl<'t> Case<'_, 't> {
     }
 
     /// A function that exists, at the place: 0 if it does not live on the span.
-    fn on_window(&mut self, head: &'static str, i: &Form, degree: i64, at: At) -> Found<Value<'t>> {
+    fn on_window(
+        &mut self,
+        head: &'static str,
+        i: &Form,
+        degree: i64,
+        at: At,
+        order: i64,
+    ) -> Found<Value<'t>> {
         let basis = head.ends_with('G');
         let (span, e) = match (self.place, at) {
             (Place::Before | Place::After, _) | (Place::First(_), At::Left) => return Ok(Value::whole(0)),
@@ -231,7 +250,7 @@ impl<'t> Case<'_, 't> {
         if !basis && (i < first || i + degree > last) {
             return Err(Stop::Undecided);
         }
-        self.term(head, i, degree, e, at)
+        self.term(head, [i, degree, order], e, at)
     }
 
     /// A definition for some indices, its variable at a place; or its derivative.
@@ -260,7 +279,11 @@ impl<'t> Case<'_, 't> {
                 let reals = vec![(variable.name()?, Bound::Point(at))];
                 let outer =
                     (std::mem::replace(&mut self.ints, ints), std::mem::replace(&mut self.reals, reals));
-                let value = if order == 0 { self.real(body) } else { self.slope(body) };
+                let value = match order {
+                    0 => self.real(body),
+                    1 => self.slope(body),
+                    _ => Err(Stop::Undecided),
+                };
                 (self.ints, self.reals) = outer;
                 return value;
             }

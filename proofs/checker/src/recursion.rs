@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use crate::env::{Env, Window};
+use crate::env::{Env, Window, binomial};
 use crate::error::{Reason, Result};
-use crate::family::{Family, Interval, Shares};
+use crate::family::{Family, Interval, Shares, choices};
 use crate::fraction::Fraction;
 use crate::poly::{Poly, Sign};
 use crate::section::U;
@@ -136,14 +136,14 @@ impl Evaluator {
         let at = Interval { x, a, b, unit, i, d, m: None, signs };
         let shares = spot.family.shares(&at, &|name, indices| spot.parameter(name, indices, signs))?;
         // Positive wherever the span is: said again here, as everything else rests on it.
-        let positive = shares.whole().sign(signs) == Sign::Positive;
+        let positive = shares.whole(0).sign(signs) == Sign::Positive;
         if positive { Ok(shares) } else { Err(Reason::Divisor) }
     }
 
     /// w_i^d and 1 − w_i^d.
     pub(crate) fn weight(&mut self, i: i64, d: i64, spot: &Spot) -> Result<[Fraction; 2]> {
         let shares = self.ends(i, d, spot)?;
-        let (p, q) = (&shares.rise, &shares.fall);
+        let (p, q) = (&Shares::of(&shares.rise, 0), &Shares::of(&shares.fall, 0));
         let one = Fraction::integer(1);
         if p.is_zero() {
             return Ok([Fraction::integer(0), one]);
@@ -161,7 +161,7 @@ impl Evaluator {
             return Ok([rise, self.unknown(spot.any("v", [i, d])?, signs[1])?]);
         }
         if self.mode.weights.is_none_or(|least| d < least) {
-            let over = |part: &Poly| Fraction::new(part.clone(), shares.whole(), &self.signs);
+            let over = |part: &Poly| Fraction::new(part.clone(), shares.whole(0), &self.signs);
             return Ok([over(p)?, over(q)?]);
         }
         if !self.mode.equation || p == q {
@@ -184,49 +184,73 @@ impl Evaluator {
         self.unknown(Key::Weight(p.clone(), q.clone()), sign)
     }
 
-    /// The derivative of w_i^d, by the rule for quotients.
-    pub(crate) fn slope(&mut self, i: i64, d: i64, spot: &Spot) -> Result<Fraction> {
+    /// The derivative of w_i^d of an order from 1 on: rise = w·(rise + fall), differentiated so often.
+    pub(crate) fn slope(&mut self, i: i64, d: i64, spot: &Spot, order: usize) -> Result<Fraction> {
         let shares = self.ends(i, d, spot)?;
         if spot.family.is_any() {
-            return self.unknown(spot.any("Dw", [i, d])?, Sign::Real);
+            // They have a derivative; nothing is said of others.
+            return match order {
+                1 => self.unknown(spot.any("Dw", [i, d])?, Sign::Real),
+                _ => Err(Reason::NotShown("a higher derivative of a weight that is not known")),
+            };
         }
-        let Shares { rise: p, fall: q, slopes: [rising, falling] } = &shares;
-        let num = rising.times(q)?.minus(&p.times(falling)?);
-        if self.mode.weights.is_some_and(|least| d >= least) && !p.is_zero() && !q.is_zero() {
-            return self.unknown(Key::Slope(p.clone(), q.clone(), num), Sign::Real);
+        let [p, q] = [&shares.rise, &shares.fall].map(|share| Shares::of(share, 0));
+        if order == 1 {
+            let (rising, falling) = (Shares::of(&shares.rise, 1), Shares::of(&shares.fall, 1));
+            let num = rising.times(&q)?.minus(&p.times(&falling)?);
+            if self.mode.weights.is_some_and(|least| d >= least) && !p.is_zero() && !q.is_zero() {
+                return self.unknown(Key::Slope(p, q, num), Sign::Real);
+            }
+            let inverse = Fraction::new(Poly::constant(1), shares.whole(0), &self.signs)?;
+            return Fraction::from(num).times(&inverse)?.times(&inverse);
         }
-        let inverse = Fraction::new(Poly::constant(1), shares.whole(), &self.signs)?;
-        Fraction::from(num).times(&inverse)?.times(&inverse)
+        let over = |part: Poly| Fraction::new(part, shares.whole(0), &self.signs);
+        let mut found = vec![over(p)?];
+        for order in 1..=order {
+            let mut rest = over(Shares::of(&shares.rise, order))?;
+            for (lower, value) in found.iter().enumerate() {
+                let whole = over(shares.whole(order - lower))?.times(&Fraction::integer(choices(order, lower)?))?;
+                rest = rest.minus(&value.times(&whole)?)?;
+            }
+            found.push(rest);
+        }
+        found.pop().ok_or(Reason::Limits("the order of a derivative"))
     }
 
-    /// G_i^d, or its derivative.
-    pub(crate) fn basis(&mut self, i: i64, d: i64, spot: &Spot, derived: bool) -> Result<Fraction> {
+    /// G_i^d, or its derivative of an order.
+    pub(crate) fn basis(&mut self, i: i64, d: i64, spot: &Spot, order: i64) -> Result<Fraction> {
         check_degree(d)?;
         if i > spot.span || i + d < spot.span {
             return Ok(Fraction::integer(0));
         }
-        let key = spot.key(if derived { "DG" } else { "G" }, [i, d, 0])?;
+        let key = spot.key("DG", [i, d, order])?;
         if self.mode.functions.is_some_and(|most| d <= most) {
             return self.unknown(key, Sign::Real);
         }
         if d == 0 {
-            return Ok(Fraction::integer(i64::from(!derived)));
+            return Ok(Fraction::integer(i64::from(order == 0)));
         }
         if let Some(known) = self.known.get(&key) {
             return Ok(known.clone());
         }
         let mut sum = Fraction::integer(0);
         for (j, rising) in [(i, true), (i + 1, false)] {
-            let value = self.basis(j, d - 1, spot, false)?;
-            let factor = if derived { self.basis(j, d - 1, spot, true)? } else { value.clone() };
-            // A summand with G = 0 is 0: its weight need not be known.
-            if !factor.is_zero() || !value.is_zero() {
-                let [rise, fall] = self.weight(j, d, spot)?;
-                sum = sum.plus(&factor.times(if rising { &rise } else { &fall })?)?;
-            }
-            if derived && !value.is_zero() {
-                let change = self.slope(j, d, spot)?.times(&value)?;
-                sum = if rising { sum.plus(&change)? } else { sum.minus(&change)? };
+            for lower in 0..=order {
+                let value = self.basis(j, d - 1, spot, lower)?;
+                // A summand with G = 0 is 0: its weight need not be known.
+                if value.is_zero() {
+                    continue;
+                }
+                let of_weight = usize::try_from(order - lower).map_err(|_| Reason::Limits("the order of a derivative"))?;
+                let [rise, fall] = match of_weight {
+                    0 => self.weight(j, d, spot)?,
+                    of_weight => {
+                        let slope = self.slope(j, d, spot, of_weight)?;
+                        [slope.clone(), slope.negated()]
+                    }
+                };
+                let times = value.times(if rising { &rise } else { &fall })?;
+                sum = sum.plus(&times.times(&Fraction::integer(binomial(order, lower)?))?)?;
             }
         }
         self.known.insert(key, sum.clone());
@@ -264,10 +288,10 @@ impl Evaluator {
             let last = i + d - degree;
             for (j, order) in level.range(i..=last + 1) {
                 let shares = self.ends(*j, degree, spot)?;
-                let whole = shares.whole();
+                let whole = shares.whole(0);
                 for (index, part) in [(*j, &shares.rise), (j - 1, &shares.fall)] {
                     if i <= index && index <= last {
-                        let order = order + self.lowest(part)? - self.lowest(&whole)?;
+                        let order = order + self.lowest(&Shares::of(part, 0))? - self.lowest(&whole)?;
                         let least = next.entry(index).or_insert(order);
                         *least = order.min(*least);
                     }

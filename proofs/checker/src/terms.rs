@@ -11,6 +11,8 @@ use crate::poly::{Poly, Sign};
 use crate::token::{Kind, Node};
 use crate::work::spend;
 
+/// Higher derivatives are not computed.
+const ORDER: i64 = 20;
 /// Larger exponents are not computed.
 const EXPONENT: u16 = 1_000;
 /// Parameters and unknowns of one formula.
@@ -112,10 +114,14 @@ impl Evaluator {
                 let [_, fall] = self.weight(env.integer(i)?, env.integer(d)?, &self.spot(place, env)?)?;
                 Ok(fall)
             }
-            ("Dw", [i, d, place]) => self.slope(env.integer(i)?, env.integer(d)?, &self.spot(place, env)?),
+            ("Dw", [i, d, place]) => self.slope(env.integer(i)?, env.integer(d)?, &self.spot(place, env)?, 1),
             (of @ ("G" | "DG"), [i, d, place]) => {
-                self.basis(env.integer(i)?, env.integer(d)?, &self.spot(place, env)?, of == "DG")
+                self.basis(env.integer(i)?, env.integer(d)?, &self.spot(place, env)?, i64::from(of == "DG"))
             }
+            ("DG", [i, d, place, order]) => match env.integer(order)? {
+                order @ 0..=ORDER => self.basis(env.integer(i)?, env.integer(d)?, &self.spot(place, env)?, order),
+                _ => Err(Reason::Limits("the order of a derivative")),
+            },
             ("de-boor", [i, q, k, place]) => {
                 let of = [env.integer(i)?, env.integer(q)?, env.integer(k)?];
                 self.de_boor(of, &self.spot(place, env)?, env)

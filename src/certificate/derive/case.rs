@@ -275,6 +275,8 @@ pub(super) const WINDOW: &str = "W";
 pub(super) const MIRROR: &str = "M";
 /// The first knot.
 const ORIGIN: &str = "o";
+/// Higher derivatives are not looked at.
+const HIGHEST: usize = 20;
 /// A definition that leads on and on.
 const DEEPEST: usize = 40;
 
@@ -916,13 +918,13 @@ impl Case<'_> {
         if self.is_point(t)? { Ok(At::Point(None)) } else { undecided("a function at another point than x") }
     }
 
-    /// The derivative of an order, 0 or 1, of a function.
+    /// The derivative of an order of a function.
     fn function(&mut self, f: &Function, at: At, order: usize, depth: usize) -> Known<Value> {
         match f {
             Function::Derivative(f, more) => {
                 let more = self.int(more)?;
                 match self.facts.value(&more).map(usize::try_from) {
-                    Some(Ok(more)) if order + more <= 1 => self.function(f, at, order + more, depth),
+                    Some(Ok(more)) if order + more <= HIGHEST => self.function(f, at, order + more, depth),
                     _ => undecided("a derivative of higher order"),
                 }
             }
@@ -938,7 +940,10 @@ impl Case<'_> {
                         }
                     }
                 };
-                self.basis(&i, d, at, order == 1)
+                self.basis(&i, d, at, order)
+            }
+            Function::Weight { .. } | Function::Phi { .. } if order > 1 => {
+                undecided("a higher derivative of a weight")
             }
             Function::Weight { i, degree } => {
                 let (i, d) = (self.int(i)?, self.int(degree)?);
@@ -981,6 +986,7 @@ impl Case<'_> {
             let outer = std::mem::replace(&mut self.scope, scope);
             let value = match order {
                 0 => self.real_at(&definition.body, depth + 1),
+                2.. => undecided("a higher derivative of a definition"),
                 _ => self.slope(&definition.body, variable, depth + 1),
             };
             self.scope = outer;
@@ -1077,7 +1083,7 @@ impl Case<'_> {
         }
     }
 
-    fn basis(&mut self, i: &Index, d: i64, at: At, derivative: bool) -> Known<Value> {
+    fn basis(&mut self, i: &Index, d: i64, at: At, order: usize) -> Known<Value> {
         let last = Index::last(self.k - d);
         let degree = usize::try_from(d).ok().filter(|_| d <= self.k);
         let Some(degree) = degree else { return Err(Stop::Undefined(format!("a function of degree {d}"))) };
@@ -1097,8 +1103,8 @@ impl Case<'_> {
         let Some(e) = self.facts.value(&e) else { return undecided("whether a function lives on the span") };
         let mirrored = at == At::Mirrored;
         let i = e + place.span;
-        let term = self.moved(Term::Function { derivative, i, degree, place }, mirrored);
-        if mirrored && derivative {
+        let term = self.moved(Term::Function { order, i, degree, place }, mirrored);
+        if mirrored && order > 0 {
             return undecided("a derivative at the mirror image");
         }
         Ok(Value { term, plain: None, knot: None })
