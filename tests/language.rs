@@ -478,7 +478,7 @@ fn every_sentence_of_the_paper_has_canonical_brackets_of_its_own() {
     for claim in claims() {
         let said = [Some(&claim.stanza.printed), claim.stanza.amended.as_ref(), claim.stanza.fails.as_ref()];
         for sentence in said.into_iter().flatten().filter_map(|said| said.sentence()) {
-            let text = canonical(sentence, claim.definitions, &named).unwrap();
+            let text = canonical(sentence, claim.definitions, &claim.paper.examples, &named).unwrap();
             assert!(has_tokens_of_certificates(&text), "{}: {text}", claim.id());
             let own = claim.definitions.iter().map(source).collect::<String>();
             if let Some((others, other)) = seen.insert(text.clone(), (own.clone(), sentence.clone())) {
@@ -494,7 +494,7 @@ fn every_sentence_of_the_paper_has_canonical_brackets_of_its_own() {
 fn no_two_have_the_same_brackets() {
     let bracket = |tree: &Sentence| {
         // Random trees name claims that are not there.
-        canonical(tree, &[], &|_, _| None).unwrap_or_else(|_| source(tree))
+        canonical(tree, &[], &[], &|_, _| None).unwrap_or_else(|_| source(tree))
     };
     injective((0..4_000).map(|seed| Trees::new(seed).sentence(seed as usize % 3)), bracket);
 }

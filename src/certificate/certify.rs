@@ -169,9 +169,10 @@ fn stated(
         (Some(Windows { form: of, degrees, .. }), _) => {
             return proved(claim, of, sentence, &degrees).map(Some);
         }
-        (None, Some(witness)) => match (point(witness, &claim.paper.about.family), witness.k) {
-            (Some(point), Some(k)) => (Scope::Instance, vec![k], Shown::Point(point)),
-            _ => return Ok(None),
+        // What is about weights alone stands for degree 1.
+        (None, Some(witness)) => match point(witness, &claim.paper.about.family) {
+            Some(point) => (Scope::Instance, vec![witness.k.unwrap_or(1)], Shown::Point(point)),
+            None => return Ok(None),
         },
         (None, None) => return Ok(None),
     };
@@ -221,7 +222,7 @@ fn said(
         weighted,
         family,
         refuted: false,
-        scope: Scope::Knots,
+        scope: reach(sentence),
         degrees: degrees.to_vec(),
         sentence: in_brackets(claim, form, sentence)?,
         shown: Shown::Derived(Vec::new()),
@@ -237,7 +238,9 @@ fn sentence_of(claim: Claim<'_>, form: Form) -> Option<Cow<'_, Sentence>> {
     let mut sentence = sentence.clone();
     for binder in &mut sentence.given {
         if let Binder::Knots(own) = binder {
-            own.extend(knots.iter().filter(|adjective| !own.contains(adjective)).copied().collect::<Vec<_>>());
+            own.extend(
+                knots.iter().filter(|adjective| !own.contains(adjective)).copied().collect::<Vec<_>>(),
+            );
         }
     }
     Some(Cow::Owned(sentence))
@@ -252,9 +255,15 @@ fn weights(claim: Claim<'_>, form: Form) -> Result<(Weighted, Sexp), Certificate
     }
 }
 
+/// How far it reaches, if it follows from windows: these are for every α.
+fn reach(sentence: &Sentence) -> Scope {
+    let about_examples = sentence.given.iter().any(|binder| matches!(binder, Binder::Instances(_)));
+    if about_examples { Scope::Alpha } else { Scope::Knots }
+}
+
 /// A sentence in canonical brackets, with the definitions and the other claims that it names.
 fn in_brackets(claim: Claim<'_>, form: Form, sentence: &Sentence) -> Result<Vec<Sexp>, CertificateError> {
-    let text = canonical(sentence, claim.definitions, &|id, printed| {
+    let text = canonical(sentence, claim.definitions, &claim.paper.examples, &|id, printed| {
         let named = Claim::of(claim.paper).find(|other| other.id() == id)?;
         let form = if printed { Form::Printed } else { named.strongest() };
         Some((named.sentence(form)?, named.definitions))

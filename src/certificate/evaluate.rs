@@ -149,7 +149,9 @@ impl<'a> Evaluator<'a> {
 
     /// The same of the member at hand.
     fn own_parameter(&self, window: &str, name: &Name, indices: &[i64]) -> Evaluated {
-        let Weighted::Family(family) = self.weighted else { return Err(EvaluationError::Unknown(name.to_string())) };
+        let Weighted::Family(family) = self.weighted else {
+            return Err(EvaluationError::Unknown(name.to_string()));
+        };
         if let Some((before, m)) = &self.dual {
             let Some(dual) = &family.dual else { return Err(EvaluationError::Weight("its dual".into())) };
             if let Some((_, term)) = dual.iter().find(|(own, _)| own == name) {
@@ -269,9 +271,7 @@ impl<'a> Evaluator<'a> {
                 }
                 self.inside(names, self.dual.clone(), body)
             }
-            Term::Dual(window, m, body) => {
-                self.inside(self.names.clone(), Some((window.clone(), *m)), body)
-            }
+            Term::Dual(window, m, body) => self.inside(self.names.clone(), Some((window.clone(), *m)), body),
             Term::Parameter(window, name, indices) => self.parameter(window, name, indices),
             Term::Determinant(rows) => {
                 let rows: Evaluated<Vec<_>> = rows.iter().map(|row| terms(row)).collect();
@@ -281,7 +281,12 @@ impl<'a> Evaluator<'a> {
     }
 
     /// A term where names mean something else.
-    fn inside(&self, names: HashMap<String, Quotient>, dual: Option<(String, i64)>, body: &Term) -> Evaluated {
+    fn inside(
+        &self,
+        names: HashMap<String, Quotient>,
+        dual: Option<(String, i64)>,
+        body: &Term,
+    ) -> Evaluated {
         let inner = Self {
             section: self.section,
             weighted: self.weighted,
@@ -520,7 +525,9 @@ impl PlaceWeights<'_, '_> {
             };
             let slope = |sign: i64| match order {
                 0 => Ok(zero()),
-                _ => Ok(evaluator.unknown(Unknown::Slope(value()?), Class::Real)?.times(&evaluator.integer(sign))),
+                _ => Ok(evaluator
+                    .unknown(Unknown::Slope(value()?), Class::Real)?
+                    .times(&evaluator.integer(sign))),
             };
             let w = jet([evaluator.share(&p, &q), slope(1)])?;
             return Ok((w, jet([evaluator.share(&q, &p), slope(-1)])?));

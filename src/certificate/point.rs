@@ -7,12 +7,16 @@ use crate::spline::Index;
 
 use super::sexp::Sexp;
 
-/// `(point (k K) (knots …) (parameter NAME …) …)`; `None` if the witness has no knots, or a number that is irrational.
+/// `(point (k K) (knots …) (parameter NAME …) …)`, without k and knots if it is about weights; `None` if it has a number that is
+/// irrational.
 pub(super) fn point(witness: &Witness, family: &Family) -> Option<Sexp> {
     let number = |text: &str| parse_rational(text).ok().map(Sexp::Number);
     let ratio = |alpha: &str| Some(Sexp::Number(alpha.parse::<Index>().ok()?.ratio().clone()));
-    let k = witness.k?;
     let knots: Vec<_> = witness.knots.iter().map(|t| number(t)).collect::<Option<_>>()?;
+    let own = match witness.k {
+        Some(k) => vec![Sexp::form("k", [Sexp::int(i64::try_from(k).ok()?)]), Sexp::form("knots", knots)],
+        None => Vec::new(),
+    };
     let bound = |Bound { name, value }: &Bound| {
         let (head, values) = match value {
             Bind::Integer(i) => ("integer", vec![Sexp::int(*i)]),
@@ -23,16 +27,17 @@ pub(super) fn point(witness: &Witness, family: &Family) -> Option<Sexp> {
         };
         Some(Sexp::form(head, std::iter::once(Sexp::name(name)).chain(values)))
     };
-    let m = knots.len().checked_sub(1)?;
     let parameter = |own: &Parameter| {
         let values = match &witness.family {
             None => vec![ratio(&witness.alpha)?],
-            Some(of) => numbers(of.parameters.get(&*own.name)?, own, m, k)?,
+            Some(of) => {
+                numbers(of.parameters.get(&*own.name)?, own, witness.knots.len(), witness.k.unwrap_or(1))?
+            }
         };
         Some(Sexp::form("parameter", std::iter::once(Sexp::name(&own.name)).chain(values)))
     };
-    let mut parts =
-        vec![Sexp::form("k", [Sexp::int(i64::try_from(k).ok()?)]), Sexp::form("knots", knots.clone())];
+    let mut parts = own;
+    parts.extend(witness.instance.iter().map(|name| Sexp::form("instance", [Sexp::name(name)])));
     parts.extend(family.parameters.iter().map(parameter).collect::<Option<Vec<_>>>()?);
     parts.extend(witness.given.iter().map(bound).collect::<Option<Vec<_>>>()?);
     Some(Sexp::form("point", parts))
@@ -40,14 +45,14 @@ pub(super) fn point(witness: &Witness, family: &Family) -> Option<Sexp> {
 
 /// The numbers of a parameter as behind `--set`, those that there are on knots t_0, …, t_m: for i from 0, for d from 1, or for each d a
 /// row by i. `None` if there are too few.
-fn numbers(text: &str, own: &Parameter, m: usize, k: usize) -> Option<Vec<Sexp>> {
+fn numbers(text: &str, own: &Parameter, knots: usize, k: usize) -> Option<Vec<Sexp>> {
     let has = |which: &str| own.indices.iter().any(|index| **index == *which);
     let rows: Vec<Vec<_>> = text.split(';').map(|row| row.split(',').collect()).collect();
     let wanted = match (has("i"), has("d")) {
         (false, false) => vec![1],
-        (true, false) => vec![m + 1],
+        (true, false) => vec![knots],
         (false, true) => vec![k],
-        (true, true) => (1..=k).map(|d| (m + 1).saturating_sub(d)).collect(),
+        (true, true) => (1..=k).map(|d| knots.saturating_sub(d)).collect(),
     };
     let mut all = Vec::new();
     for (at, wanted) in wanted.into_iter().enumerate() {

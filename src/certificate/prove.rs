@@ -12,7 +12,7 @@ use crate::scalar::{BigRational, Multivariate, Quotient, Ring, integer};
 use super::error::StatementError;
 use super::evaluate::{EvaluationError, Evaluator, Unfolding, sign};
 use super::proof::{Lemma, Rule, SectionProof};
-use super::statement::{Class, Hint, Section, Statement};
+use super::statement::{Class, Gap, Hint, Section, Statement};
 use super::term::{Formula, OfWeight, Place, Term};
 use super::weights::Weighted;
 
@@ -62,7 +62,8 @@ pub(super) fn prove_sections(
     weighted: &Weighted,
 ) -> Result<Vec<SectionProof>, ProofError> {
     let numbered: Vec<_> = (1..).zip(sections).collect();
-    let proofs: Vec<_> = numbered.par_iter().map(|(number, section)| of_section(*number, section, weighted)).collect();
+    let proofs: Vec<_> =
+        numbered.par_iter().map(|(number, section)| of_section(*number, section, weighted)).collect();
     proofs.into_iter().collect()
 }
 
@@ -132,16 +133,20 @@ fn by_hint(subject: Subject<'_>, hint: &Hint, lemmas: &[(Formula, Lemma)]) -> Re
     }
 }
 
-/// The degrees from which on weights are left alone, the cheapest way first; at last none.
-fn ways() -> impl Iterator<Item = Option<usize>> {
+/// The degrees from which on weights are left alone, the cheapest way first; at last none. Where u is something else on knots
+/// that are numbers, p and q of a weight have factors in common that the checker keeps: all is unfolded.
+fn ways(section: &Section, sides: [&Term; 2]) -> impl Iterator<Item = Option<usize>> {
     const HIGHEST: usize = 8;
-    (1..=HIGHEST).map(Some).chain([None])
+    let is_number = |gap: &Gap| matches!(gap, Gap::Term(Term::Number(_)));
+    let numbers = section.windows.iter().all(|window| window.gaps.iter().all(is_number));
+    let highest = if numbers && sides.iter().any(|side| side.moves_u()) { 0 } else { HIGHEST };
+    (1..=highest).map(Some).chain([None])
 }
 
 fn rule_for(subject: Subject<'_>, formula: &Formula) -> Result<Rule, GoalError> {
     match formula {
         Formula::Equal(left, right) => {
-            for weights in ways() {
+            for weights in ways(subject.section, [left, right]) {
                 let unfolding = Unfolding { weights_from: weights, functions_to: None, related: true };
                 let evaluator = subject.evaluator(unfolding)?;
                 if sides(&evaluator, left, right)?.is_some_and(|[left, right]| left == right) {
@@ -168,7 +173,11 @@ fn rule_for(subject: Subject<'_>, formula: &Formula) -> Result<Rule, GoalError> 
 }
 
 /// Both sides; `None` if they have higher derivatives of what is an unknown: those are for expanded weights.
-fn sides(evaluator: &Evaluator<'_>, left: &Term, right: &Term) -> Result<Option<[Quotient; 2]>, EvaluationError> {
+fn sides(
+    evaluator: &Evaluator<'_>,
+    left: &Term,
+    right: &Term,
+) -> Result<Option<[Quotient; 2]>, EvaluationError> {
     match (evaluator.term(left), evaluator.term(right)) {
         (Err(EvaluationError::Order), _) | (_, Err(EvaluationError::Order)) => Ok(None),
         (left, right) => Ok(Some([left?, right?])),
@@ -185,7 +194,7 @@ fn enough(found: Class, wanted: Class) -> bool {
 
 /// large > small, or ≥.
 fn compare(subject: Subject<'_>, large: &Term, small: &Term, wanted: Class) -> Result<Rule, GoalError> {
-    for weights in ways() {
+    for weights in ways(subject.section, [large, small]) {
         let unfolding = Unfolding { weights_from: weights, ..Unfolding::default() };
         let evaluator = subject.evaluator(unfolding)?;
         let Some([large, small]) = sides(&evaluator, large, small)? else { continue };

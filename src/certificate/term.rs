@@ -1,6 +1,6 @@
 //! Terms and formulas with all integers worked out (`proofs/FORMAT.md`, "Terms" and "Formulas").
 
-use crate::scalar::BigRational;
+use crate::scalar::{BigRational, integer};
 
 use super::error::StatementError;
 use super::expansion::Integers;
@@ -287,6 +287,21 @@ impl Term {
                 body.names(name) || replaced.iter().any(|(_, value)| value.names(name))
             }
             Self::Determinant(rows) => rows.iter().flatten().any(|term| term.names(name)),
+        }
+    }
+
+    /// Is u something else in a part of it, and not only 1/u?
+    pub(super) fn moves_u(&self) -> bool {
+        let inverse = Self::Ratio(Box::new(Self::Number(integer(1))), Box::new(Self::Named("u".into())));
+        match self {
+            Self::At(replaced, body) => {
+                replaced.iter().any(|(name, value)| name == "u" && *value != inverse) || body.moves_u()
+            }
+            Self::Sum(all) | Self::Product(all) => all.iter().any(Self::moves_u),
+            Self::Difference(a, b) | Self::Ratio(a, b) => a.moves_u() || b.moves_u(),
+            Self::Power(a, _) => a.moves_u(),
+            Self::Determinant(rows) => rows.iter().flatten().any(Self::moves_u),
+            _ => false,
         }
     }
 }

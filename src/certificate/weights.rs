@@ -79,11 +79,7 @@ fn unsaid<T>(what: impl Into<String>) -> Evaluated<T> {
 
 impl Interval {
     /// rise and fall, as products of equally many lengths.
-    pub(super) fn shares(
-        &self,
-        family: &Family,
-        known: &Parameters<'_>,
-    ) -> Evaluated<[Jet<Quotient>; 2]> {
+    pub(super) fn shares(&self, family: &Family, known: &Parameters<'_>) -> Evaluated<[Jet<Quotient>; 2]> {
         let (rise, fall) = (self.quantity(&family.rise, known)?, self.quantity(&family.fall, known)?);
         let lengths = rise.1.max(fall.1);
         Ok([self.of_lengths(rise, lengths), self.of_lengths(fall, lengths)])
@@ -127,7 +123,9 @@ impl Interval {
                 (a.times(&b), of_a + of_b)
             }
             Real::Over(a, b) => {
-                let ((a, lengths), (b, 0)) = (of(a)?, of(b)?) else { return unsaid("a divisor with a length") };
+                let ((a, lengths), (b, 0)) = (of(a)?, of(b)?) else {
+                    return unsaid("a divisor with a length");
+                };
                 match a.over(&b) {
                     Some(value) => (value, lengths),
                     None => return Err(EvaluationError::Division("a weight".into())),

@@ -73,7 +73,7 @@ impl TryFrom<Entry> for Windows {
     }
 }
 
-/// Windows and goals that don't follow from the sentence: it has a word, or is about examples.
+/// Windows and goals that don't follow from the sentence: it has a word, or says what no rule derives.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Argued {
     /// Why the goals are the claim, or refute it.

@@ -165,11 +165,10 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         .into_par_iter()
         .map(|(statement, proof, path)| {
             let items = Sexp::parse_all(&statement).unwrap_or_default();
-            let is_it =
-                |own: &Own| match (items.as_slice(), &own.statement) {
-                    ([item], Some(own)) => Statement::is_said_by(own, item),
-                    _ => false,
-                };
+            let is_it = |own: &Own| match (items.as_slice(), &own.statement) {
+                ([item], Some(own)) => Statement::is_said_by(own, item),
+                _ => false,
+            };
             let known = own.iter().position(is_it);
             (knotproof_checker::check(&statement, &proof), known, path.to_string_lossy().into_owned())
         })

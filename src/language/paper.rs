@@ -173,6 +173,11 @@ fn family(
 }
 
 impl Paper {
+    /// The examples of these names, one after the other.
+    pub fn rows_of<'a>(&'a self, names: &[Name]) -> impl Iterator<Item = &'a Row> {
+        names.iter().flat_map(|name| self.examples.iter().filter(move |row| row.name.as_ref() == Some(name)))
+    }
+
     /// Reads a folder: its files by their names, below it.
     ///
     /// # Errors

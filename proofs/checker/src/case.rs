@@ -1,7 +1,8 @@
-//! One place of x with what is known there, while the integers of a sentence are chosen; or numbers for everything.
+//! One place of x with what is known there, while the integers of a sentence are chosen.
 
 use std::rc::Rc;
 
+use crate::derive::Subject;
 use crate::env::Env;
 use crate::error::{Reason, Result};
 use crate::family::Family;
@@ -9,6 +10,7 @@ use crate::fraction::Fraction;
 use crate::place::{Copies, Facts, Form, Gap, Place};
 use crate::poly::Sign;
 use crate::section::Section;
+use crate::sentence::Example;
 use crate::token::Node;
 use crate::value::Value;
 use crate::work::spend;
@@ -52,24 +54,42 @@ pub(crate) enum Bound<'t> {
     Free(Value<'t>),
 }
 
-/// Numbers for everything, where a sentence is refuted.
+/// Knots that are numbers, of an example or where a sentence is refuted.
 #[derive(Clone)]
 pub(crate) struct Numbers<'t> {
     pub(crate) x: Option<Node<'t>>,
-    /// Where x is on its span.
+    /// Where x is on its span, if that is not u.
     pub(crate) u: Option<Node<'t>>,
     pub(crate) knots: Vec<Node<'t>>,
-    /// (parameter NAME value…), (points NAME value…) and (index NAME ratio), among others.
-    pub(crate) values: Vec<Node<'t>>,
+    /// The example that they are of.
+    pub(crate) example: Option<Node<'t>>,
+    /// Where all is a number: (parameter NAME value…), (points NAME value…) and (index NAME ratio), among others.
+    pub(crate) values: Option<Vec<Node<'t>>>,
 }
 
 impl<'t> Numbers<'t> {
+    pub(crate) fn of_knots(knots: &[Node<'t>], of: &Subject<'t>, values: Option<Vec<Node<'t>>>) -> Self {
+        let example = if let Subject::Example(row) = of { Some(row.clone()) } else { None };
+        Numbers { x: None, u: None, knots: knots.to_vec(), example, values }
+    }
+
     pub(crate) fn of(&self, kind: &'static str, name: &str, at: usize) -> Option<Node<'t>> {
         let list = |value: &Node<'t>| match value.fields(kind) {
             Ok([own, list @ ..]) if own.is_word(name) => list.get(at).cloned(),
             _ => None,
         };
-        self.values.iter().find_map(list)
+        self.values.as_ref()?.iter().find_map(list)
+    }
+
+    /// A coordinate of a control point of the example.
+    pub(crate) fn coordinate(&self, i: i64, coordinate: i64) -> Option<Node<'t>> {
+        Example::new(self.example.as_ref()?).ok()?.coordinate(i, coordinate).cloned()
+    }
+
+    /// (knots W 0 t_0 …), which counts as the knots are counted.
+    pub(crate) fn window(&self) -> Node<'t> {
+        let head = [Node::name_of("W"), Node::whole_of(0)];
+        Node::made("knots", head.into_iter().chain(self.knots.iter().cloned()).collect())
     }
 }
 

@@ -5,15 +5,62 @@
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
-use crate::case::{At, Bound, Case, Stop, read};
+use crate::case::{At, Bound, Case, Found, Numbers, Stop, read};
+use crate::env::Env;
 use crate::error::{Reason, Result};
 use crate::family::Family;
 use crate::place::{Place, fine};
-use crate::sentence::adjective;
+use crate::section::Section;
+use crate::sentence::{Example, adjective, examples};
 use crate::token::{Node, tree};
 use crate::truth::Truth;
 use crate::value::Value;
 use crate::work::spend;
+
+/// What a sentence is about.
+#[derive(Clone, PartialEq)]
+pub(crate) enum Subject<'t> {
+    /// All knots.
+    Knots,
+    /// One of its examples.
+    Example(Node<'t>),
+    /// No knots at all.
+    Weights,
+}
+
+/// What a sentence is about in degree k.
+fn subjects<'t>(definitions: &[Node<'t>], sentence: &Node<'t>, k: i64) -> Result<Vec<Subject<'t>>> {
+    let [given, ..] = sentence.part::<3>("sentence")?;
+    if let Some(rows) = examples(sentence)? {
+        let of_degree = |row: &&Node<'t>| Example::new(row).is_ok_and(|example| example.degree == k);
+        return match rows.iter().filter(of_degree).cloned().map(Subject::Example).collect::<Vec<_>>() {
+            none if none.is_empty() => sentence.wrong("an example of this degree"),
+            found => Ok(found),
+        };
+    }
+    if given.fields("for")?.iter().any(|binder| binder.is("knots") || binder.is("gaps")) {
+        return Ok(vec![Subject::Knots]);
+    }
+    check_weights(definitions, sentence, k)?;
+    Ok(vec![Subject::Weights])
+}
+
+/// A sentence about weights names nothing that belongs to knots. It stands for degree 1.
+pub(crate) fn check_weights<'t>(definitions: &[Node<'t>], sentence: &Node<'t>, k: i64) -> Result<()> {
+    let of_knots = |node: &Node<'t>| {
+        ["k", "n", "m"].iter().any(|name| node.is_word(name))
+            || ["t", "G", "w", "coefficient", "mult", "degree", "knots"].iter().any(|head| node.is(head))
+    };
+    match definitions.iter().chain([sentence]).find(|node| node.any(&mut |node| of_knots(node))) {
+        None if k == 1 => Ok(()),
+        _ => sentence.wrong("knots, or degree 1 and nothing but weights"),
+    }
+}
+
+/// How far a derivation of a sentence reaches.
+pub(crate) fn reach(sentence: &Node<'_>) -> Result<&'static str> {
+    Ok(if examples(sentence)?.is_some() { "alpha" } else { "knots" })
+}
 
 /// What a sentence asks for: one formula, under hypotheses, for all values of what is bound.
 #[derive(Clone, Default)]
@@ -28,12 +75,19 @@ pub(crate) struct Obligation<'t> {
     pub(crate) conclusion: Option<Node<'t>>,
     /// Adjectives say all that they mean: hypotheses have to be true, not only to be left out.
     refuting: bool,
+    subject: Option<Subject<'t>>,
 }
 
 /// The obligations of a sentence for degree k, in order.
-pub(crate) fn obligations<'t>(sentence: &Node<'t>, k: i64, refuting: bool) -> Result<Vec<Obligation<'t>>> {
+pub(crate) fn obligations<'t>(
+    sentence: &Node<'t>,
+    k: i64,
+    subject: &Subject<'t>,
+    refuting: bool,
+) -> Result<Vec<Obligation<'t>>> {
     let mut found = Vec::new();
-    if !open(sentence, k, Obligation { refuting, ..Obligation::default() }, &mut found)? {
+    let of = Obligation { refuting, subject: Some(subject.clone()), ..Obligation::default() };
+    if !open(sentence, k, of, &mut found)? {
         return sentence.wrong("a sentence about this degree");
     }
     Ok(found)
@@ -47,7 +101,7 @@ fn open<'t>(
     found: &mut Vec<Obligation<'t>>,
 ) -> Result<bool> {
     let [given, assume, then] = node.part("sentence")?;
-    let mut knots = false;
+    let mut knots = of.subject == Some(Subject::Weights);
     for binder in given.fields("for")? {
         match binder.headed("a binder")? {
             ("degree", [low]) if k < low.whole()? => return Ok(false),
@@ -64,7 +118,20 @@ fn open<'t>(
                 }
             }
             ("integer" | "point" | "real", _) => of.bind(binder)?,
-            _ => return Err(Reason::NoWindow("it is about examples")),
+            ("instances", rows) => match &of.subject {
+                Some(Subject::Example(row)) if rows.contains(row) => knots = true,
+                _ => return Err(Reason::NoWindow("it is about other examples")),
+            },
+            // Without this more is shown.
+            ("alphas", _) if !of.refuting => {}
+            ("alphas", list) => {
+                let is = |alpha: &Node<'t>| {
+                    let own = Node::made("alpha", vec![Node::name_of("alpha")]);
+                    Node::made("chain", vec![own, Node::made("=", vec![alpha.clone()])])
+                };
+                of.hypotheses.push(Node::made("or", list.iter().map(is).collect()));
+            }
+            _ => return Err(Reason::NoWindow("it is about gaps")),
         }
     }
     if !knots {
@@ -164,34 +231,51 @@ pub(crate) enum Point<'t> {
     Real(&'t str),
     /// A knot.
     Knot(Node<'t>),
+    /// At whatever they say.
+    Any,
+}
+
+/// α = ∞, α < 0, α > 1: these are all.
+#[derive(Clone, Copy, PartialEq)]
+enum Member {
+    Classical,
+    Below,
+    Above,
+}
+
+/// What r is for such an α.
+fn ratio<'t>(member: Option<Member>) -> Vec<Node<'t>> {
+    let (one, rho) = (|| Node::whole_of(1), || Node::made("rho", vec![Node::whole_of(0)]));
+    let above = || Node::made("+", vec![one(), rho()]);
+    let r = match member {
+        None => return Vec::new(),
+        Some(Member::Classical) => one(),
+        Some(Member::Below) => Node::made("/", vec![one(), above()]),
+        Some(Member::Above) => above(),
+    };
+    let declared = r.any(&mut |node| node.is("rho")).then(|| Node::made("positive", vec![rho()]));
+    declared.into_iter().chain([Node::made("let", vec![Node::name_of("r"), r])]).collect()
 }
 
 /// Which members of the family a hypothesis leaves.
-fn ratio<'t>(hypotheses: &[Node<'t>]) -> Vec<Node<'t>> {
-    let (one, rho) = (|| Node::whole_of(1), || Node::made("rho", vec![Node::whole_of(0)]));
-    let above = || Node::made("+", vec![one(), rho()]);
+fn member(hypotheses: &[Node<'_>]) -> Option<Member> {
     let is_alpha =
-        |node: &Node<'t>| matches!(node.headed(""), Ok(("alpha", [name])) if name.is_word("alpha"));
-    let of = |hypothesis: &Node<'t>| {
+        |node: &Node<'_>| matches!(node.headed(""), Ok(("alpha", [name])) if name.is_word("alpha"));
+    hypotheses.iter().find_map(|hypothesis| {
         let Ok(("chain", [a, step])) = hypothesis.headed("") else { return None };
         let (relation, [b]) = step.headed("").ok()? else { return None };
         let number = match b.headed("") {
             Ok(("int", [number])) => number.whole().ok(),
             _ => None,
         };
-        let r = match (relation, number) {
-            _ if !is_alpha(a) => return None,
-            ("=", _) if b.is_word("infinity") => one(),
-            ("<", Some(0)) => Node::made("/", vec![one(), above()]),
-            (">", Some(1)) => above(),
-            _ => return None,
-        };
-        Some(Node::made("let", vec![Node::name_of("r"), r]))
-    };
-    let Some(found) = hypotheses.iter().find_map(of) else { return Vec::new() };
-    let moves = found.any(&mut |node| node.is("rho"));
-    let declared = moves.then(|| Node::made("positive", vec![rho()]));
-    declared.into_iter().chain([found]).collect()
+        match (relation, number) {
+            _ if !is_alpha(a) => None,
+            ("=", _) if b.is_word("infinity") => Some(Member::Classical),
+            ("<", Some(0)) => Some(Member::Below),
+            (">", Some(1)) => Some(Member::Above),
+            _ => None,
+        }
+    })
 }
 
 impl<'t> Obligation<'t> {
@@ -301,6 +385,78 @@ fn is_variable(node: &Node<'_>, name: &str) -> bool {
     matches!(node.headed(""), Ok(("var", [of])) if of.is_word(name))
 }
 
+/// All places of x against knots that are numbers.
+fn around<'t>(knots: &[Node<'t>]) -> Vec<Node<'t>> {
+    let outside = || Node::name_of("outside");
+    let beyond =
+        |head, knot: Option<&Node<'t>>| knot.map(|knot| Node::made(head, vec![knot.clone(), outside()]));
+    let mut all: Vec<_> = beyond("-", knots.first()).into_iter().collect();
+    for (left, right) in knots.iter().zip(knots.iter().skip(1)) {
+        if left != right {
+            all.extend([left.clone(), inside(left, right)]);
+        }
+    }
+    all.into_iter().chain(knots.last().cloned()).chain(beyond("+", knots.last())).collect()
+}
+
+/// (a + u·b)/(1 + u): all numbers between a and b.
+fn inside<'t>(a: &Node<'t>, b: &Node<'t>) -> Node<'t> {
+    let u = || Node::name_of("u");
+    let sum = |a: Node<'t>, b| Node::made("+", vec![a, b]);
+    let above = sum(a.clone(), Node::made("*", vec![u(), b.clone()]));
+    Node::made("/", vec![above, sum(Node::whole_of(1), u())])
+}
+
+/// All orders of so many numbers, the same ones next to each other: the ranks of each, from 0 without a gap.
+fn orders(count: usize) -> Result<Vec<Vec<i64>>> {
+    const MOST: usize = 5;
+    if count > MOST {
+        return Err(Reason::NoWindow("it has more reals than are put in order"));
+    }
+    let mut all = vec![Vec::new()];
+    for _ in 0..count {
+        let longer = |order: &Vec<i64>| {
+            (0..).take(count).map(|rank| order.iter().copied().chain([rank]).collect()).collect::<Vec<_>>()
+        };
+        all = all.iter().flat_map(longer).collect();
+    }
+    all.retain(|order| order.iter().all(|rank| *rank == 0 || order.contains(&(rank - 1))));
+    Ok(all)
+}
+
+/// The number of a rank: o, and what each is more than the one before.
+fn ranked<'t>(case: &mut Case<'_, 't>, rank: i64) -> Result<Value<'t>> {
+    let mut value = case.parameter("real", Node::name_of("o"))?;
+    for step in 0..rank {
+        let name = Node::made("W", vec![Node::whole_of(step)]);
+        value = value.plus(case.parameter("positive", name)?)?;
+    }
+    Ok(value)
+}
+
+impl<'t> Case<'_, 't> {
+    /// The left end of an interval, any number inside, or the right end, by 0, 1, 2; nothing, if there is none.
+    fn between(&mut self, interval: &Node<'t>, part: usize) -> Found<Option<Value<'t>>> {
+        let [from, a, to, b] = interval.group("an interval")?;
+        let (left, right) = (self.real(a)?, self.real(b)?);
+        let both = from.is_word("closed") && to.is_word("closed");
+        if self.compare(left.clone(), "<", right.clone())?.is_true() {
+            return Ok(match part {
+                0 => from.is_word("closed").then_some(left),
+                1 => Some(self.leaf(inside(&left.term, &right.term))?),
+                _ => to.is_word("closed").then_some(right),
+            });
+        }
+        match self.compare(left.clone(), ">=", right.clone())? {
+            truth if !truth.is_true() => Err(Stop::Undecided),
+            // It is empty, or its ends are the same.
+            _ if part > 0 || !both => Ok(None),
+            _ if self.compare(left.clone(), "=", right)?.is_true() => Ok(Some(left)),
+            _ => Ok(None),
+        }
+    }
+}
+
 /// The sections of a sentence for degree k.
 pub(crate) fn sections<'t>(
     family: &Rc<Family<'t>>,
@@ -309,16 +465,22 @@ pub(crate) fn sections<'t>(
     k: i64,
 ) -> Result<Vec<Node<'t>>> {
     let mut all = Vec::new();
-    for (number, obligation) in (1..).zip(obligations(sentence, k, false)?) {
-        let mut walk = Walk::new(&obligation, family, definitions, k)?;
-        let found = match walk.all()? {
-            Err(_) if obligation.is("symmetric") => {
-                walk.mirrored = true;
-                walk.all()?
-            }
-            found => found,
-        };
-        all.extend(found.map_err(|place| Reason::Undecided(number, place.to_string()))?);
+    for subject in subjects(definitions, sentence, k)? {
+        for (number, obligation) in (1..).zip(obligations(sentence, k, &subject, false)?) {
+            let mut walk = Walk::new(&obligation, family, definitions, k)?;
+            let found = match subject {
+                Subject::Example(_) | Subject::Weights => walk.numbers(&subject)?,
+                Subject::Knots => match walk.all()? {
+                    Err(_) if obligation.is("symmetric") => {
+                        walk.mirrored = true;
+                        walk.all()?
+                    }
+                    found => found,
+                }
+                .map_err(|place| place.to_string()),
+            };
+            all.extend(found.map_err(|place| Reason::Undecided(number, place))?);
+        }
     }
     Ok(all)
 }
@@ -333,6 +495,7 @@ struct Walk<'w, 't> {
     definitions: &'w [Node<'t>],
     k: i64,
     mirrored: bool,
+    member: Option<Member>,
 }
 
 impl<'w, 't> Walk<'w, 't> {
@@ -343,15 +506,13 @@ impl<'w, 't> Walk<'w, 't> {
         k: i64,
     ) -> Result<Self> {
         let hypotheses = obligation.all_hypotheses();
-        Ok(Walk {
-            family,
-            obligation,
-            hypotheses,
-            point: obligation.point()?,
-            definitions,
-            k,
-            mirrored: false,
-        })
+        let point = match (&obligation.subject, obligation.point()) {
+            (Some(Subject::Knots), point) => point?,
+            (Some(Subject::Example(_)), Ok(Point::Real(name))) => Point::Real(name),
+            _ => Point::Any,
+        };
+        let member = member(&hypotheses);
+        Ok(Walk { family, obligation, hypotheses, point, definitions, k, mirrored: false, member })
     }
 
     /// The sections of all places, or the place where something is not decided.
@@ -393,17 +554,139 @@ impl<'w, 't> Walk<'w, 't> {
         }
         let fixed = case.open()?;
         for (name, of) in &self.obligation.reals {
-            let own = Node::name_of(name);
-            let bound = match of {
-                _ if self.point == Point::Real(name) => Bound::Point(At::X),
-                Some(sign) if sign.is_word(">") => Bound::Free(case.parameter("positive", own)?),
-                Some(sign) if sign.is_word("<") => {
-                    Bound::Free(case.parameter("positive", own)?.times(Value::whole(-1))?)
-                }
-                _ => Bound::Free(case.parameter("real", own)?),
-            };
+            let bound = self.real(&mut case, name, of.as_ref())?;
             case.reals.push((name, bound));
         }
+        self.show(case, fixed, found)
+    }
+
+    /// What a real is: x, or any number of its sign.
+    fn real(&self, case: &mut Case<'w, 't>, name: &'t str, of: Option<&Node<'t>>) -> Result<Bound<'t>> {
+        let own = Node::name_of(name);
+        Ok(match of {
+            _ if self.point == Point::Real(name) => Bound::Point(At::X),
+            Some(sign) if sign.is_word(">") => Bound::Free(case.parameter("positive", own)?),
+            Some(sign) if sign.is_word("<") => {
+                Bound::Free(case.parameter("positive", own)?.times(Value::whole(-1))?)
+            }
+            _ => Bound::Free(case.parameter("real", own)?),
+        })
+    }
+
+    /// The sections of numbers: if something is not decided for all r, for each kind of α.
+    fn numbers(&mut self, subject: &Subject<'t>) -> Result<std::result::Result<Vec<Node<'t>>, String>> {
+        let all = |own: &Self| match subject {
+            Subject::Example(row) => own.example(row),
+            _ => own.weights(),
+        };
+        let found = all(self)?;
+        if found.is_ok() || self.member.is_some() {
+            return Ok(found);
+        }
+        let mut together = Vec::new();
+        for member in [Member::Classical, Member::Below, Member::Above] {
+            self.member = Some(member);
+            match all(self)? {
+                Ok(sections) => together.extend(sections),
+                Err(_) => return Ok(found),
+            }
+        }
+        Ok(Ok(together))
+    }
+
+    /// The sections of all places among the knots of an example, or the place where something is not decided.
+    fn example(&self, row: &Node<'t>) -> Result<std::result::Result<Vec<Node<'t>>, String>> {
+        let mut found = Vec::new();
+        let Example { name: example, knots, .. } = Example::new(row)?;
+        for x in if matches!(self.point, Point::Real(_)) { around(knots) } else { knots[..1].to_vec() } {
+            let numbers = Numbers::of_knots(knots, &Subject::Example(row.clone()), None);
+            let fixed = vec![numbers.window()];
+            let mut case = self.case(numbers, &fixed)?;
+            if x.any(&mut |node| node.is_word("outside")) {
+                case.parameter("positive", Node::name_of("outside"))?;
+            }
+            let x = case.leaf(x)?;
+            let located = read(case.locate(x))?.is_some();
+            for (name, of) in &self.obligation.reals {
+                let bound = self.real(&mut case, name, of.as_ref())?;
+                case.reals.push((name, bound));
+            }
+            let place = case.place;
+            if !located || !self.show(case, fixed, &mut found)? {
+                return Ok(Err(format!("{place} of {example}")));
+            }
+        }
+        Ok(Ok(found))
+    }
+
+    /// A case of numbers, with x nowhere yet, and r as far as it is known.
+    fn case(&self, numbers: Numbers<'t>, fixed: &[Node<'t>]) -> Result<Case<'w, 't>> {
+        let mut case = Case::new(self.family, self.definitions, self.k, Place::Inside)?;
+        let declared: Vec<_> = ratio(self.member).into_iter().chain(fixed.iter().cloned()).collect();
+        case.section = Section::new(&declared, Env::new(self.family.clone()))?;
+        case.numbers = Some(numbers);
+        Ok(case)
+    }
+
+    /// The sections of all orders of the reals, each with all places of the one that has an interval.
+    fn weights(&self) -> Result<std::result::Result<Vec<Node<'t>>, String>> {
+        let mut found = Vec::new();
+        let reals = &self.obligation.reals;
+        let interval = |of: &Option<Node<'t>>| of.as_ref().filter(|of| of.list("").is_ok()).cloned();
+        let located = reals.iter().rev().find_map(|(name, of)| Some((*name, interval(of)?)));
+        let ordered: Vec<_> =
+            reals.iter().filter(|(name, of)| of.is_none() && self.stands_alone(name)).collect();
+        for order in orders(ordered.len())? {
+            // The ends of the interval, x between them, or neither.
+            for part in 0..if located.is_some() { 3 } else { 1 } {
+                let mut case = self.case(Numbers::of_knots(&[], &Subject::Weights, None), &[])?;
+                let mut ranks = order.iter();
+                for (name, of) in reals {
+                    if located.as_ref().is_some_and(|(x, _)| x == name) {
+                        continue;
+                    }
+                    let bound = match ordered.iter().any(|(known, _)| known == name).then(|| ranks.next()) {
+                        Some(Some(rank)) => Bound::Free(ranked(&mut case, *rank)?),
+                        _ => self.real(&mut case, name, of.as_ref())?,
+                    };
+                    case.reals.push((name, bound));
+                }
+                if self.is_false(&mut case)? {
+                    continue;
+                }
+                if let Some((name, interval)) = &located {
+                    match read(case.between(interval, part))? {
+                        Some(Some(x)) => case.reals.push((name, Bound::Free(x))),
+                        Some(None) => continue,
+                        None => {
+                            return Ok(
+                                Err("an interval of which it is not known whether it is empty".into()),
+                            );
+                        }
+                    }
+                }
+                if !self.show(case, Vec::new(), &mut found)? {
+                    return Ok(Err(format!("{}: {order:?}", "an order of the reals")));
+                }
+            }
+        }
+        Ok(Ok(found))
+    }
+
+    /// Whether a real is compared, an end, or what a function is taken at, and not only part of a term.
+    fn stands_alone(&self, name: &str) -> bool {
+        const ARITHMETIC: [&str; 9] = ["+", "-", "*", "/", "^", "neg", "abs", "min", "max"];
+        let mut alone = |node: &Node<'t>| match node.headed("") {
+            Ok((head, fields)) => {
+                !ARITHMETIC.contains(&head) && fields.iter().any(|field| is_variable(field, name))
+            }
+            Err(_) => false,
+        };
+        self.hypotheses.iter().chain(&self.obligation.conclusion).any(|node| node.any(&mut alone))
+    }
+
+    /// The section of a case, if anything is to be shown there; `false` if something is not decided that has to be.
+    fn show(&self, mut case: Case<'w, 't>, fixed: Vec<Node<'t>>, found: &mut Vec<Node<'t>>) -> Result<bool> {
         if self.is_false(&mut case)? {
             return Ok(true);
         }
@@ -417,7 +700,7 @@ impl<'w, 't> Walk<'w, 't> {
         let named = |name: &Node<'t>| goals.iter().any(|goal: &Node<'t>| goal.any(&mut |node| node == name));
         let declared = case.parameters.iter().filter(|(_, name)| named(name));
         let mut fields: Vec<_> = declared.map(|(sign, name)| Node::made(sign, vec![name.clone()])).collect();
-        fields.extend(ratio(&self.hypotheses));
+        fields.extend(ratio(self.member));
         fields.extend(fixed);
         fields.push(Node::made("goals", goals));
         found.push(Node::made("section", fields));
@@ -509,6 +792,7 @@ impl<'w, 't> Walk<'w, 't> {
 
     fn names_point(&self, hypothesis: &Node<'t>) -> bool {
         hypothesis.any(&mut |node| match &self.point {
+            Point::Any => false,
             Point::Real(name) => is_variable(node, name),
             Point::Knot(knot) => node == knot,
         })

@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::fmt;
 use std::rc::Rc;
 
-use crate::derive::sections;
+use crate::derive::{reach, sections};
 use crate::env::Env;
 use crate::error::{Reason, Rejected, Result};
 use crate::family::Family;
@@ -148,8 +148,10 @@ fn header<'n>(node: &'n Node<'n>) -> Result<(Checked, Rc<Family<'n>>, Body<'n>)>
     let Some((sentence, rest)) = rest.split_first() else { return node.wrong("a sentence") };
     read(&family, definitions, sentence)?;
     let body = match rest {
-        [] if verdict.is_word("proved") && scope.is_word("knots") => Body::Derived(definitions, sentence),
-        [] => return node.wrong("proved, scope knots, for what is derived"),
+        [] if verdict.is_word("proved") && scope.is_word(reach(sentence)?) => {
+            Body::Derived(definitions, sentence)
+        }
+        [] => return node.wrong("proved, and the scope of the sentence: alpha of examples, otherwise knots"),
         [point] if point.is("point") => {
             if !verdict.is_word("refuted") || !scope.is_word("instance") {
                 return point.wrong("refuted, scope instance, for a point");

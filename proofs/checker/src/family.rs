@@ -6,7 +6,7 @@ use crate::env::{binomial, small};
 use crate::error::{Reason, Result};
 use crate::fraction::{Factors, Fraction};
 use crate::poly::{Poly, Sign};
-use crate::token::{Kind, Node};
+use crate::token::{Kind, Node, tree};
 
 /// Larger exponents of a parameter are not computed.
 const EXPONENT: i64 = 100;
@@ -119,7 +119,8 @@ impl Quantity {
             return Ok(self);
         }
         let by = Fraction::from(unit.to_power(lengths - self.lengths)?);
-        let derivatives = self.derivatives.iter().map(|derivative| derivative.times(&by)).collect::<Result<_>>()?;
+        let derivatives =
+            self.derivatives.iter().map(|derivative| derivative.times(&by)).collect::<Result<_>>()?;
         Ok(Quantity { derivatives, lengths })
     }
 
@@ -139,7 +140,9 @@ impl Quantity {
         let lengths = self.lengths.checked_add(other.lengths).ok_or(Reason::Limits("an exponent"))?;
         let mut derivatives = vec![Fraction::integer(0); orders];
         for (i, a) in self.derivatives.iter().enumerate() {
-            for (derivative, (j, b)) in derivatives.iter_mut().skip(i).zip(other.derivatives.iter().enumerate()) {
+            for (derivative, (j, b)) in
+                derivatives.iter_mut().skip(i).zip(other.derivatives.iter().enumerate())
+            {
                 *derivative = derivative.plus(&Fraction::integer(choices(i + j, i)?).times(&a.times(b)?)?)?;
             }
         }
@@ -233,6 +236,12 @@ impl<'t> Family<'t> {
         self.weight.is_some_and(|weight| !weight.iter().any(|node| node.any(&mut |node| index(node))))
     }
 
+    /// Whether these are the weights of D2.3.
+    pub(crate) fn is_mobius(&self) -> Result<bool> {
+        let own = [tree("(* (parameter r) (- (var x) (var a)))")?, tree("(- (var b) (var x))")?];
+        Ok(self.weight.is_some_and(|weight| weight.into_iter().eq(&own)))
+    }
+
     /// What the rest rests on, for the weights of degree d: as polynomials in x − a and b − x neither has a coefficient below 0; rise is
     /// 0 where x = a, and not where x = b, and fall the other way round.
     pub(crate) fn check(&self, d: i64) -> Result<()> {
@@ -293,7 +302,9 @@ impl<'t> Family<'t> {
         let (rise, fall) = (rise.of_lengths(lengths, &at.unit)?, fall.of_lengths(lengths, &at.unit)?);
         let mut common = Factors::new();
         rise.derivatives.iter().chain(&fall.derivatives).for_each(|part| part.widen(&mut common));
-        let over = |share: Quantity| share.derivatives.iter().map(|part| part.over_common(&common)).collect::<Result<_>>();
+        let over = |share: Quantity| {
+            share.derivatives.iter().map(|part| part.over_common(&common)).collect::<Result<_>>()
+        };
         Ok(Shares { rise: over(rise)?, fall: over(fall)? })
     }
 

@@ -23,7 +23,7 @@ impl<'t> Case<'_, 't> {
         }
     }
 
-    /// A function at an argument; of numbers, whatever the number is.
+    /// A function at an argument; where knots are numbers, whatever the argument is.
     pub(crate) fn of(&mut self, function: &Node<'t>, argument: &Node<'t>) -> Found<Value<'t>> {
         let (side, [x, member @ ..]) = argument.headed("an argument")? else { return Err(Stop::Undecided) };
         let other = match (member.first(), &self.member) {
@@ -32,10 +32,7 @@ impl<'t> Case<'_, 't> {
             (Some(member), None) => Some(self.other_member(member)?),
         };
         let (at, moved) = match self.place_of(x) {
-            Err(Stop::Undecided) if self.numbers.is_some() => {
-                let plain = self.real(x)?.plain.ok_or(Stop::Undecided)?;
-                (At::X, Node::number_of(&plain.num, &plain.denominator()?))
-            }
+            Err(Stop::Undecided) if self.numbers.is_some() => (At::X, Some(self.real(x)?)),
             at => (at?, None),
         };
         let at = match (at, side) {
@@ -44,11 +41,12 @@ impl<'t> Case<'_, 't> {
             (At::X, "right") => At::Right,
             _ => return Err(Stop::Undecided),
         };
-        let before = (std::mem::replace(&mut self.member, other), moved.map(|x| self.locate(x)).transpose()?);
+        let place = moved.map(|x| self.locate(x)).transpose()?;
+        let member = std::mem::replace(&mut self.member, other);
         let value = self.function(function, at, 0);
-        self.member = before.0;
-        if let Some(before) = before.1 {
-            self.restore(before);
+        self.member = member;
+        if let Some(place) = place {
+            self.restore(place);
         }
         value
     }
@@ -77,8 +75,8 @@ impl<'t> Case<'_, 't> {
     /// (dual WINDOW M): t_i is reflected to t_{m−i}, so that t_{s+e} goes to t_{s'+M−e} for the span s' of the mirror image.
     fn dual(&self) -> Found<Node<'t>> {
         let (window, m) = match &self.numbers {
-            // One window has all knots.
-            Some(_) => ("W", self.shown.0 + self.shown.1),
+            // One window has all knots, which count as they are counted.
+            Some(_) => ("W", self.shown.1 - self.shown.0),
             None if self.symmetric => ("M", 1 + self.turn()),
             None => return Err(Stop::Undecided),
         };
@@ -88,8 +86,8 @@ impl<'t> Case<'_, 't> {
     /// r of another index that is bound.
     pub(crate) fn other(&mut self, name: &'t str) -> Found<Node<'t>> {
         match &self.numbers {
-            Some(numbers) => numbers.of("index", name, 0).ok_or(Stop::Undecided),
-            None => Ok(self.parameter("positive", Node::made(name, vec![Node::whole_of(0)]))?.term),
+            Some(numbers) if numbers.values.is_some() => numbers.of("index", name, 0).ok_or(Stop::Undecided),
+            _ => Ok(self.parameter("positive", Node::made(name, vec![Node::whole_of(0)]))?.term),
         }
     }
 
@@ -122,13 +120,19 @@ impl<'t> Case<'_, 't> {
         if self.is_point(node)? { Ok(At::X) } else { Err(Stop::Undecided) }
     }
 
-    /// A function, or its derivative of order 1.
+    /// A function, or its derivative: of order 1, that of a weight of order 2 as well.
     pub(crate) fn function(&mut self, node: &Node<'t>, at: At, order: i64) -> Found<Value<'t>> {
         match node.headed("a function")? {
             ("D", [of, by]) => match self.fixed(by)? {
                 by @ 0..=RANGE if order + by <= RANGE => self.function(of, at, order + by),
                 _ => Err(Stop::Undecided),
             },
+            // By the ends alone, as that of knots whose indices it does not give.
+            ("phi" | "f", _) if !self.family.is_by_ends() => Err(Stop::Undecided),
+            (head @ ("phi" | "f"), [a, b]) if self.numbers.is_some() => {
+                let (a, b) = (self.real(a)?, self.real(b)?);
+                self.weight(head == "phi", a, b, at, order)
+            }
             ("G", [i, degree @ ..]) => {
                 let i = self.int(i)?;
                 let degree = degree.first().map_or(Ok(self.k), |degree| self.fixed(degree))?;
@@ -149,13 +153,53 @@ impl<'t> Case<'_, 't> {
                 }
                 self.on_window(if order == 0 { "w" } else { "Dw" }, &i, degree, at, order)
             }
-            // By the ends alone, as that of knots whose indices it does not give.
-            (head @ ("phi" | "f"), [a, b]) if at == At::X && order <= 1 && self.family.is_by_ends() => {
+            (head @ ("phi" | "f"), [a, b]) if at == At::X && order <= 1 => {
                 let (a, b) = (self.real(a)?, self.real(b)?);
                 self.phi(head == "phi", a, b, order)
             }
             ("defined", [name, indices @ ..]) => self.defined(name, indices, at, order),
             _ => Err(Stop::Undecided),
+        }
+    }
+
+    /// The weight of any interval, as D2.3 has it, or a derivative of it; φ is 0 outside of it.
+    fn weight(&mut self, cut: bool, a: Value<'t>, b: Value<'t>, at: At, order: i64) -> Found<Value<'t>> {
+        if !self.family.is_mobius()? {
+            return Err(Stop::Undecided);
+        }
+        let x = self.x()?;
+        if cut {
+            let [from, to] = match (at, order) {
+                (At::Left, _) => ["<", "<="],
+                (At::X, 1..) => ["<", "<"],
+                _ => ["<=", "<"],
+            };
+            let inside =
+                self.compare(a.clone(), from, x.clone())?.and(self.compare(x.clone(), to, b.clone())?);
+            match inside {
+                Truth::False if order == 0 => return Ok(Value::whole(0)),
+                inside if inside.is_true() => {}
+                _ => return Err(Stop::Undecided),
+            }
+        }
+        let r = match self.member.as_ref().map(|member| member.headed("")).transpose()? {
+            None => Node::name_of("r"),
+            Some(("r", [other])) => other.clone(),
+            Some(_) => return Err(Stop::Undecided),
+        };
+        let r = self.leaf(r)?;
+        let rise = r.clone().times(x.clone().minus(a.clone())?)?;
+        let below = rise.clone().plus(b.clone().minus(x)?)?;
+        // By the quotient rule: the derivative of what is below is r − 1.
+        let slope = r.clone().times(b.minus(a)?)?;
+        let square = below.clone().times(below.clone())?;
+        match order {
+            0 => self.over(rise, below),
+            1 => self.over(slope, square),
+            _ => {
+                let bend = slope.times(Value::whole(-2))?.times(r.minus(Value::whole(1))?)?;
+                self.over(bend, square.times(below)?)
+            }
         }
     }
 
@@ -198,8 +242,13 @@ impl<'t> Case<'_, 't> {
             return Err(Stop::Undecided);
         }
         let window = Node::name_of(if mirrored { "M" } else { "W" });
-        let place = Node::made(on, vec![window, Node::whole_of(e)]);
-        let mut fields = vec![Node::whole_of(i), Node::whole_of(degree), place];
+        // Numbers are counted as they are, the knots of other windows from t_s.
+        let from = match &self.numbers {
+            Some(_) => self.facts.value(&Form::near(0)).ok_or(Stop::Undecided)?,
+            None => 0,
+        };
+        let place = Node::made(on, vec![window, Node::whole_of(e + from)]);
+        let mut fields = vec![Node::whole_of(i + from), Node::whole_of(degree), place];
         fields.extend((order > 1).then(|| Node::whole_of(order)));
         let mut term = Node::made(head, fields);
         let mut moved = Vec::new();
@@ -207,13 +256,16 @@ impl<'t> Case<'_, 't> {
             let inverse = Node::made("/", vec![Node::whole_of(1), Node::name_of("u")]);
             moved.push(Node::made("u", vec![inverse]));
         }
+        let u = self.numbers.as_ref().and_then(|numbers| numbers.u.clone());
+        moved.extend(u.map(|u| Node::made("u", vec![u])));
         moved.extend(self.member.clone());
         if !moved.is_empty() {
             term = Node::made("at", vec![Node::group_of(moved), term]);
         }
         match &self.numbers {
-            None => Ok(Value { term, plain: None, knot: None }),
-            Some(_) => Ok(self.leaf(self.at_numbers(term))?),
+            // A weight tells where other functions are taken.
+            Some(numbers) if numbers.values.is_some() || head.ends_with('w') => Ok(self.leaf(term)?),
+            _ => Ok(Value { term, plain: None, knot: None }),
         }
     }
 

@@ -1,9 +1,11 @@
-//! A refutation: numbers for which all hypotheses of a sentence are true, and a conclusion is not.
+//! Knots that are numbers: where something is among them, and points, for which all hypotheses of a sentence are true and
+//! a conclusion is not.
 
+use std::cmp::Ordering;
 use std::rc::Rc;
 
-use crate::case::{At, Bound, Case, Numbers};
-use crate::derive::{Obligation, Point, obligations};
+use crate::case::{Bound, Case, Found, Numbers, Stop, read};
+use crate::derive::{Obligation, Subject, check_weights, obligations};
 use crate::env::Env;
 use crate::error::{Reason, Result};
 use crate::family::Family;
@@ -11,44 +13,69 @@ use crate::fraction::Fraction;
 use crate::place::{Copies, Facts, Form, Place};
 use crate::poly::Sign;
 use crate::section::Section;
+use crate::sentence::{Example, examples};
 use crate::token::Node;
 use crate::truth::Truth;
+use crate::value::Value;
 
 /// What stands in `point`.
 pub(crate) struct Numbered<'n, 't> {
-    k: i64,
+    /// Of a sentence about weights there are none.
+    k: Option<i64>,
     knots: &'n [Node<'t>],
-    /// (parameter NAME value…), (integer NAME value), (real NAME value), (points NAME value…), (index NAME ratio).
+    /// (instance NAME), (parameter NAME value…), (integer NAME value), (real NAME value), (points NAME value…), (index NAME ratio).
     values: &'n [Node<'t>],
 }
 
 /// The sign of a − b.
 fn sign<'t>(a: &Node<'t>, b: &Node<'t>) -> Result<i64> {
-    Ok(sign_of(&Fraction::number(a)?.minus(&Fraction::number(b)?)?))
+    let difference = Fraction::number(a)?.minus(&Fraction::number(b)?)?;
+    Ok(match difference.num.sign(&[]) {
+        Sign::Positive => 1,
+        _ if difference.is_zero() => 0,
+        _ => -1,
+    })
 }
 
 fn index(at: usize) -> Result<i64> {
     i64::try_from(at).map_err(|_| Reason::Limits("the knots"))
 }
 
+/// k + 2 knots at least that do not fall, two of which differ.
+pub(crate) fn check_knots<'t>(node: &Node<'t>, knots: &[Node<'t>], k: i64) -> Result<()> {
+    for (a, b) in knots.iter().zip(knots.iter().skip(1)) {
+        if sign(b, a)? < 0 {
+            return b.wrong("knots that do not fall");
+        }
+    }
+    match (knots.first(), knots.last()) {
+        (Some(first), Some(last)) if index(knots.len())? >= k + 2 && sign(last, first)? > 0 => Ok(()),
+        _ => node.wrong("k + 2 knots at least, and two that differ"),
+    }
+}
+
 impl<'n, 't> Numbered<'n, 't> {
     pub(crate) fn new(family: &Family<'t>, node: &'n Node<'t>) -> Result<Self> {
-        let [k, knots, values @ ..] = node.fields("point")? else { return node.wrong("k and knots") };
-        let [degree] = k.part("k")?;
-        let (k, knots) = (i64::from(degree.degree()?), knots.some("knots")?);
-        for (a, b) in knots.iter().zip(knots.iter().skip(1)) {
-            if sign(b, a)? < 0 {
-                return b.wrong("knots that do not fall");
+        let (k, knots, values) = match node.fields("point")? {
+            [k, knots, values @ ..] if k.is("k") => {
+                let [degree] = k.part("k")?;
+                let (k, knots) = (i64::from(degree.degree()?), knots.some("knots")?);
+                check_knots(node, knots, k)?;
+                (Some(k), knots, values)
             }
-        }
+            values => (None, &[][..], values),
+        };
         for (at, value) in values.iter().enumerate() {
             let (kind, [name, list @ ..]) = value.headed("a value")? else { return value.wrong("a name") };
             name.name()?;
             list.iter().try_for_each(|number| number.ratio().map(|_| ()))?;
             let fits = match (kind, list) {
+                ("instance", []) => true,
                 ("integer", [number]) => number.whole().is_ok(),
                 ("real", [_]) => true,
-                ("points", _) => list.len() + usize::from(degree.degree()?) + 1 == knots.len(),
+                ("points", _) => {
+                    k.is_some_and(|k| index(list.len()) == index(knots.len()).map(|m| m - k - 1))
+                }
                 // Another member of the family.
                 ("index", [other]) => {
                     let ratio = values.iter().find_map(|value| match value.fields("parameter") {
@@ -61,7 +88,8 @@ impl<'n, 't> Numbered<'n, 't> {
                 }
                 ("parameter", list) => match family.parameter(name.name()?) {
                     Some(own) => {
-                        let mut admitted = own.all(index(knots.len())? - 1, k).len() == list.len();
+                        let (m, k) = (index(knots.len())? - 1, k.unwrap_or(1));
+                        let mut admitted = own.all(m, k).len() == list.len();
                         for number in list {
                             admitted &= own.admits(number)?;
                         }
@@ -77,7 +105,7 @@ impl<'n, 't> Numbered<'n, 't> {
                 .any(|other| other.headed("").is_ok_and(|(_, of)| of.first() == Some(name)));
             if !fits || again {
                 return value.wrong(
-                    "parameter, integer, real, points or index with a name of its own and its numbers",
+                    "parameter, integer, real, points, instance or index with a name of its own and its numbers",
                 );
             }
         }
@@ -85,25 +113,64 @@ impl<'n, 't> Numbered<'n, 't> {
         if family.is_any() || given != family.parameters.len() {
             return node.wrong("numbers for all parameters of one family");
         }
-        let long = knots.len() >= usize::from(degree.degree()?) + 2;
-        match (knots.first(), knots.last()) {
-            (Some(first), Some(last)) if long && sign(last, first)? > 0 => Ok(Numbered { k, knots, values }),
-            _ => node.wrong("k + 2 knots at least, and two that differ"),
-        }
+        Ok(Numbered { k, knots, values })
     }
 
-    /// The degree.
+    /// The degree; 1 for weights.
     pub(crate) fn degree(&self) -> i64 {
-        self.k
+        self.k.unwrap_or(1)
     }
 
-    /// The numbers of a name.
-    fn values(&self, kind: &'static str, name: &str) -> Option<&'n [Node<'t>]> {
+    /// The number of a name.
+    fn value(&self, kind: &'static str, name: &str) -> Option<&'n Node<'t>> {
         let of = |value: &'n Node<'t>| match value.fields(kind) {
-            Ok([own, list @ ..]) if own.is_word(name) => Some(list),
+            Ok([own, value]) if own.is_word(name) => Some(value),
             _ => None,
         };
         self.values.iter().find_map(of)
+    }
+
+    /// (let NAME NUMBER), and (values W NAME (INDEX… NUMBER)…) for those that belong to knots.
+    fn parameters(&self, family: &Family<'t>) -> Result<Vec<Node<'t>>> {
+        let m = index(self.knots.len())? - 1;
+        let mut declared = Vec::new();
+        for own in &family.parameters {
+            let is_it = |value: &&'n Node<'t>| matches!(value.fields("parameter"), Ok([name, ..]) if name.is_word(own.name));
+            let numbers =
+                self.values.iter().find(is_it).map_or(Ok(&[][..]), |value| value.fields("parameter"))?;
+            let numbers = numbers.iter().skip(1).cloned();
+            let name = Node::name_of(own.name);
+            if own.indices.is_empty() {
+                declared.push(Node::made("let", [name].into_iter().chain(numbers).collect()));
+                continue;
+            }
+            let indices =
+                own.all(m, self.degree()).into_iter().map(|all| all.into_iter().map(Node::whole_of));
+            let items =
+                indices.zip(numbers).map(|(all, number)| Node::group_of(all.chain([number]).collect()));
+            declared
+                .push(Node::made("values", [Node::name_of("W"), name].into_iter().chain(items).collect()));
+        }
+        Ok(declared)
+    }
+
+    /// What these numbers are about: the example that is named, with its knots, if the sentence is about examples.
+    fn subject(&self, definitions: &[Node<'t>], sentence: &Node<'t>) -> Result<Subject<'t>> {
+        let Some(rows) = examples(sentence)? else {
+            return match self.k {
+                Some(_) => Ok(Subject::Knots),
+                None => check_weights(definitions, sentence, 1).map(|()| Subject::Weights),
+            };
+        };
+        let named = self.values.iter().find_map(|value| value.part::<1>("instance").ok());
+        for row in rows {
+            let example = Example::new(row)?;
+            let is_it = named.is_some_and(|[name]| name.is_word(example.name));
+            if is_it && Some(example.degree) == self.k && example.knots == self.knots {
+                return Ok(Subject::Example(row.clone()));
+            }
+        }
+        Err(Reason::NotShown("the numbers are not those of an example of the sentence"))
     }
 
     /// Whether one of the conclusions is refuted.
@@ -116,8 +183,9 @@ impl<'n, 't> Numbered<'n, 't> {
         definitions: &[Node<'t>],
         sentence: &Node<'t>,
     ) -> Result<()> {
-        for obligation in obligations(sentence, self.k, true)? {
-            if self.refuted(family, definitions, &obligation)? {
+        let subject = self.subject(definitions, sentence)?;
+        for obligation in obligations(sentence, self.degree(), &subject, true)? {
+            if self.refuted(family, definitions, &subject, &obligation)? {
                 return Ok(());
             }
         }
@@ -128,41 +196,28 @@ impl<'n, 't> Numbered<'n, 't> {
         &self,
         family: &Rc<Family<'t>>,
         definitions: &[Node<'t>],
+        subject: &Subject<'t>,
         obligation: &Obligation<'t>,
     ) -> Result<bool> {
-        let point = obligation.point().ok();
-        let x = match &point {
-            Some(Point::Real(name)) => match self.values("real", name) {
-                Some([x]) => Some(x),
-                _ => return Ok(false),
-            },
-            _ => None,
-        };
+        let mut case = Case::new(family, definitions, self.degree(), Place::Inside)?;
+        let numbers = Numbers::of_knots(self.knots, subject, Some(self.values.to_vec()));
+        let window = (!self.knots.is_empty()).then(|| numbers.window());
+        let fixed: Vec<_> = window.into_iter().chain(self.parameters(family)?).collect();
+        case.section = Section::new(&fixed, Env::new(family.clone()))?;
+        case.numbers = Some(numbers);
         // Without a point any number does.
-        let Some(any) = self.knots.first() else { return Ok(false) };
-        let mut case = Case::new(family, definitions, self.k, Place::Inside)?;
-        let values = self.values.to_vec();
-        case.numbers = Some(Numbers { x: None, u: None, knots: self.knots.to_vec(), values });
-        case.locate(x.unwrap_or(any).clone())?;
+        if let Some(any) = self.knots.first() {
+            let any = case.leaf(any.clone())?;
+            read(case.locate(any))?;
+        }
         for range in &obligation.integers {
             let [name, ..] = range.as_slice() else { return Ok(false) };
-            let Some([value]) = self.values("integer", name.name()?) else { return Ok(false) };
+            let Some(value) = self.value("integer", name.name()?) else { return Ok(false) };
             case.ints.push((name.name()?, Form::number(value.whole()?)));
         }
-        if let Some(Point::Knot(knot)) = &point {
-            let at = case.index(knot)?.and_then(|form| case.facts.value(&form));
-            let Some(x) = at.and_then(|at| usize::try_from(at).ok()).and_then(|at| self.knots.get(at)) else {
-                return Ok(false);
-            };
-            case.locate(x.clone())?;
-        }
         for (name, _) in &obligation.reals {
-            let Some([value]) = self.values("real", name) else { return Ok(false) };
-            let bound = match point {
-                Some(Point::Real(point)) if point == *name => Bound::Point(At::X),
-                _ => Bound::Free(case.leaf(value.clone())?),
-            };
-            case.reals.push((name, bound));
+            let Some(value) = self.value("real", name) else { return Ok(false) };
+            case.reals.push((name, Bound::Free(case.leaf(value.clone())?)));
         }
         for hypothesis in obligation.all_hypotheses() {
             if !case.truth(&hypothesis)?.is_true() {
@@ -179,89 +234,78 @@ impl<'n, 't> Numbered<'n, 't> {
     }
 }
 
-/// Where a case is at numbers.
+/// Where a case is among numbers.
 pub(crate) struct Located<'t> {
     place: Place,
     facts: Facts,
     shown: (i64, i64),
-    section: Section<'t>,
     numbers: Option<Numbers<'t>>,
 }
 
 impl<'t> Case<'_, 't> {
-    /// Puts x in its place among the knots; what was before.
-    pub(crate) fn locate(&mut self, x: Node<'t>) -> Result<Located<'t>> {
-        let Some(mut numbers) = self.numbers.clone() else {
-            return Err(Reason::NotShown("there are no numbers"));
+    /// Puts x in its place among the knots, if its distances from them have signs; what was before.
+    pub(crate) fn locate(&mut self, x: Value<'t>) -> Found<Located<'t>> {
+        let (Some(mut numbers), Some(plain)) = (self.numbers.clone(), x.plain) else {
+            return Err(Stop::Undecided);
         };
-        // Nothing but numbers and r is in x.
-        let value = |node: &Node<'t>| self.section.term(node, &self.section.env);
-        let sign = |a: &Node<'t>, b: &Node<'t>| Ok::<_, Reason>(sign_of(&value(a)?.minus(&value(b)?)?));
-        let (mut span, mut copies) = (None, 0);
-        for (s, (left, right)) in numbers.knots.iter().zip(numbers.knots.iter().skip(1)).enumerate() {
-            // The last span that begins before x or at it, or the first one.
-            if sign(right, left)? > 0 && (span.is_none() || sign(&x, left)? >= 0) {
-                span = Some((s, left, right));
-            }
-        }
+        let mut beside = Vec::new();
         for knot in &numbers.knots {
-            copies += i64::from(sign(&x, knot)? == 0);
-        }
-        let Some((s, left, right)) = span else { return Err(Reason::Limits("the knots")) };
-        let (s, m, copies) = (index(s)?, index(numbers.knots.len())? - 1, Copies::Exactly(copies));
-        let difference = |a: &Node<'t>, b: &Node<'t>| Node::made("-", vec![a.clone(), b.clone()]);
-        let (place, u) = match (sign(&x, left)?, sign(&x, right)?) {
-            (-1, _) => (Place::Before, None),
-            (_, 1) => (Place::After, None),
-            (0, _) if s + 1 == copies.least() => (Place::First(copies), None),
-            (0, _) => (Place::Knot(copies), None),
-            (_, 0) => (Place::Last(copies), None),
-            _ => (Place::Inside, Some(Node::made("/", vec![difference(&x, left), difference(right, &x)]))),
-        };
-        let window =
-            [Node::name_of("W"), Node::whole_of(-s)].into_iter().chain(numbers.knots.iter().cloned());
-        let mut declared = vec![Node::made("knots", window.collect())];
-        for own in &self.family.parameters {
-            let mut items = Vec::new();
-            for (at, indices) in own.all(m, self.k).into_iter().enumerate() {
-                let value = numbers.of("parameter", own.name, at).ok_or(Reason::Limits("a parameter"))?;
-                let shifted =
-                    own.indices.iter().zip(indices).map(|(kind, i)| if *kind == "i" { i - s } else { i });
-                let indices = shifted.map(Node::whole_of);
-                items.push(Node::group_of(indices.chain([value]).collect()));
-            }
-            declared.push(match (own.indices.as_slice(), items.as_slice()) {
-                ([], [one]) => {
-                    Node::made("let", vec![Node::name_of(own.name), one.list("a number")?[0].clone()])
-                }
-                _ => {
-                    let head = [Node::name_of("W"), Node::name_of(own.name)];
-                    Node::made("values", head.into_iter().chain(items).collect())
-                }
+            let beyond = plain.minus(&Fraction::number(knot)?)?;
+            beside.push(match (self.sign(&beyond), self.sign(&beyond.negated())) {
+                _ if beyond.is_zero() => Some(Ordering::Equal),
+                (Sign::Positive, _) => Some(Ordering::Greater),
+                (_, Sign::Positive) => Some(Ordering::Less),
+                _ => None,
             });
         }
-        let section = Section::new(&declared, Env::new(self.family.clone()))?;
-        (numbers.x, numbers.u) = (Some(x), u);
+        let copies = beside.iter().filter(|order| **order == Some(Ordering::Equal)).count();
+        let (copies, m) = (index(copies)?, index(beside.len())? - 1);
+        let spans = beside.iter().zip(beside.iter().skip(1));
+        let span = spans.enumerate().find_map(|(s, (left, right))| match (left.as_ref()?, right.as_ref()?) {
+            (Ordering::Greater, Ordering::Less) => Some((s, Place::Inside)),
+            (Ordering::Equal, Ordering::Less) if index(s) == Ok(copies - 1) => {
+                Some((s, Place::First(Copies::Exactly(copies))))
+            }
+            (Ordering::Equal, Ordering::Less) => Some((s, Place::Knot(Copies::Exactly(copies)))),
+            (Ordering::Greater, Ordering::Equal) if index(s).map(|s| s + copies) == Ok(m) => {
+                Some((s, Place::Last(Copies::Exactly(copies))))
+            }
+            _ => None,
+        });
+        let (s, place) = match (span, beside.first(), beside.last()) {
+            (Some(found), ..) => found,
+            (None, Some(Some(Ordering::Less)), _) => (0, Place::Before),
+            (None, _, Some(Some(Ordering::Greater))) => (0, Place::After),
+            // There are no knots.
+            (None, None, _) => (0, self.place),
+            _ => return Err(Stop::Undecided),
+        };
+        numbers.u = match (place, numbers.knots.get(s), numbers.knots.get(s + 1)) {
+            (Place::Inside, Some(left), Some(right)) => {
+                let [from, to] = [(&x.term, left), (right, &x.term)]
+                    .map(|(a, b)| Node::made("-", vec![a.clone(), b.clone()]));
+                let u = self.leaf(Node::made("/", vec![from, to]))?;
+                let own = self.leaf(Node::name_of("u"))?;
+                let same = match (&u.plain, own.plain) {
+                    (Some(u), Some(own)) => u.minus(&own)?.is_zero(),
+                    _ => false,
+                };
+                if same { None } else { Some(u.term) }
+            }
+            _ => None,
+        };
+        numbers.x = Some(x.term);
+        let s = index(s)?;
         Ok(Located {
             place: std::mem::replace(&mut self.place, place),
             facts: std::mem::replace(&mut self.facts, Facts::known(s, m - self.k - 1)),
             shown: std::mem::replace(&mut self.shown, (-s, m - s)),
-            section: std::mem::replace(&mut self.section, section),
             numbers: self.numbers.replace(numbers),
         })
     }
 
     pub(crate) fn restore(&mut self, before: Located<'t>) {
-        let Located { place, facts, shown, section, numbers } = before;
-        (self.place, self.facts, self.shown, self.section, self.numbers) =
-            (place, facts, shown, section, numbers);
-    }
-}
-
-fn sign_of(value: &Fraction) -> i64 {
-    match value.num.sign(&[]) {
-        Sign::Positive => 1,
-        _ if value.is_zero() => 0,
-        _ => -1,
+        let Located { place, facts, shown, numbers } = before;
+        (self.place, self.facts, self.shown, self.numbers) = (place, facts, shown, numbers);
     }
 }

@@ -97,7 +97,9 @@ impl Packing {
         }
         let mut terms: Vec<_> = sums.into_iter().filter(|(_, value)| *value != 0).collect();
         terms.sort_unstable_by_key(|(word, _)| *word);
-        Ok(Poly { terms: terms.into_iter().map(|(word, value)| (self.unpacked(word), value.into())).collect() })
+        Ok(Poly {
+            terms: terms.into_iter().map(|(word, value)| (self.unpacked(word), value.into())).collect(),
+        })
     }
 }
 
@@ -116,7 +118,8 @@ impl Hasher for Spread {
 
     fn write_u64(&mut self, word: u64) {
         let wide = u128::from(word) * 0x9E37_79B9_7F4A_7C15;
-        self.0 = u64::try_from(wide >> 64).unwrap_or(0) ^ u64::try_from(wide & u128::from(u64::MAX)).unwrap_or(0);
+        self.0 =
+            u64::try_from(wide >> 64).unwrap_or(0) ^ u64::try_from(wide & u128::from(u64::MAX)).unwrap_or(0);
     }
 }
 
@@ -129,11 +132,6 @@ impl Poly {
         let mut monomial = vec![0; index];
         monomial.push(1);
         Poly { terms: [(monomial, IBig::ONE)].into() }
-    }
-
-    /// The value, if there are no variables.
-    pub(crate) fn number(&self) -> Option<IBig> {
-        self.is_only_in(|_| false).then(|| self.terms.values().next().cloned().unwrap_or(IBig::ZERO))
     }
 
     /// The number of terms.

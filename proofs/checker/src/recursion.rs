@@ -209,7 +209,8 @@ impl Evaluator {
         for order in 1..=order {
             let mut rest = over(Shares::of(&shares.rise, order))?;
             for (lower, value) in found.iter().enumerate() {
-                let whole = over(shares.whole(order - lower))?.times(&Fraction::integer(choices(order, lower)?))?;
+                let whole =
+                    over(shares.whole(order - lower))?.times(&Fraction::integer(choices(order, lower)?))?;
                 rest = rest.minus(&value.times(&whole)?)?;
             }
             found.push(rest);
@@ -241,7 +242,8 @@ impl Evaluator {
                 if value.is_zero() {
                     continue;
                 }
-                let of_weight = usize::try_from(order - lower).map_err(|_| Reason::Limits("the order of a derivative"))?;
+                let of_weight = usize::try_from(order - lower)
+                    .map_err(|_| Reason::Limits("the order of a derivative"))?;
                 let [rise, fall] = match of_weight {
                     0 => self.weight(j, d, spot)?,
                     of_weight => {

@@ -2,6 +2,7 @@
 
 use crate::error::{Reason, Result};
 use crate::family::Family;
+use crate::point::check_knots;
 use crate::token::{Kind, Node, tree};
 
 /// What may stand at a place of a sentence.
@@ -89,6 +90,45 @@ pub(crate) fn adjective<'t>(node: &Node<'t>, refuting: bool) -> Result<Vec<Node<
     }
     let own = own.filter(|at| refuting || *at < 2).and_then(|at| ADJECTIVES.get(at));
     open.then_some(OPEN).into_iter().chain(own.map(|(_, text)| *text)).map(tree).collect()
+}
+
+/// `(instance NAME K (knots …) (points (x y …)…))`: an example of the paper, its points if it is a curve.
+pub(crate) struct Example<'n, 't> {
+    pub(crate) name: &'t str,
+    pub(crate) degree: i64,
+    pub(crate) knots: &'n [Node<'t>],
+    points: &'n [Node<'t>],
+}
+
+impl<'n, 't> Example<'n, 't> {
+    pub(crate) fn new(row: &'n Node<'t>) -> Result<Self> {
+        let [name, degree, knots, points @ ..] = row.fields("instance")? else {
+            return row.wrong("a name, a degree and knots");
+        };
+        let (degree, knots) = (i64::from(degree.degree()?), knots.some("knots")?);
+        check_knots(row, knots, degree)?;
+        let points = match points {
+            [] => &[],
+            [points] => points.some("points")?,
+            _ => return row.wrong("points behind the knots, and nothing else"),
+        };
+        for point in points {
+            point.list("a point")?.iter().try_for_each(|number| number.ratio().map(|_| ()))?;
+        }
+        Ok(Example { name: name.name()?, degree, knots, points })
+    }
+
+    /// A coordinate of a control point, counted from 1.
+    pub(crate) fn coordinate(&self, i: i64, coordinate: i64) -> Option<&'n Node<'t>> {
+        let point = self.points.get(usize::try_from(i).ok()?)?.list("a point").ok()?;
+        point.get(usize::try_from(coordinate - 1).ok()?)
+    }
+}
+
+/// The examples that a sentence is about; none, if it is about all knots.
+pub(crate) fn examples<'n, 't>(sentence: &'n Node<'t>) -> Result<Option<&'n [Node<'t>]>> {
+    let [given, ..] = sentence.part::<3>("sentence")?;
+    Ok(given.fields("for")?.iter().find_map(|binder| binder.fields("instances").ok()))
 }
 
 /// Names that are bound, and what they stand for.
@@ -205,11 +245,11 @@ impl<'t> Reader<'_, 't> {
                 }
                 _ => gap.wrong("a gap"),
             }),
-            ("instances", names @ [_, ..]) => {
+            ("instances", rows @ [_, ..]) => {
                 // The control points of an instance have this name.
                 self.names.push(("P", Coefficients));
                 self.ever.push(("P", Coefficients));
-                names.iter().try_for_each(|name| name.name().map(|_| ()))
+                rows.iter().try_for_each(|row| Example::new(row).map(|_| ()))
             }
             ("alphas", list @ [_, ..]) => {
                 list.iter().try_for_each(|alpha| match alpha.word(&["infinity"], "an index") {

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 use std::rc::Rc;
 
-use crate::derive::{obligations, sections};
+use crate::derive::{Subject, obligations, sections};
 use crate::family::Family;
 use crate::point::Numbered;
 use crate::token::{Node, tree};
@@ -150,7 +150,7 @@ fn refuted(definitions: &str, sentence: &str, k: usize, longest: usize) -> Optio
     let whole = tree(&whole).unwrap();
     let (sentence, definitions) = whole.fields("all").unwrap().split_last().unwrap();
     crate::work::begin(usize::MAX);
-    let obligations = obligations(sentence, i64::try_from(k).unwrap(), true).unwrap();
+    let obligations = obligations(sentence, i64::try_from(k).unwrap(), &Subject::Knots, true).unwrap();
     let mut names = BTreeSet::new();
     for obligation in &obligations {
         names.extend(obligation.integers.iter().map(|range| range[0].name().unwrap()));

@@ -119,7 +119,9 @@ impl Evaluator {
                 self.basis(env.integer(i)?, env.integer(d)?, &self.spot(place, env)?, i64::from(of == "DG"))
             }
             ("DG", [i, d, place, order]) => match env.integer(order)? {
-                order @ 0..=ORDER => self.basis(env.integer(i)?, env.integer(d)?, &self.spot(place, env)?, order),
+                order @ 0..=ORDER => {
+                    self.basis(env.integer(i)?, env.integer(d)?, &self.spot(place, env)?, order)
+                }
                 _ => Err(Reason::Limits("the order of a derivative")),
             },
             ("de-boor", [i, q, k, place]) => {

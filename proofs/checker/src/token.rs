@@ -55,11 +55,6 @@ impl<'t> Node<'t> {
         Node::derived(Kind::Number(value.into(), IBig::ONE))
     }
 
-    /// A number, if numerator and denominator are.
-    pub(crate) fn number_of(num: &Poly, den: &Poly) -> Option<Self> {
-        Some(Node::derived(Kind::Number(num.number()?, den.number()?)))
-    }
-
     /// A bracket without a name in front.
     pub(crate) fn group_of(items: Vec<Node<'t>>) -> Self {
         Node::derived(Kind::List(items))

@@ -5,6 +5,7 @@ use crate::derive::parts;
 use crate::error::Result;
 use crate::place::Form;
 use crate::poly::Sign;
+use crate::sentence::Example;
 use crate::token::Node;
 use crate::value::Value;
 
@@ -123,6 +124,22 @@ impl<'t> Case<'_, 't> {
                 let together =
                     |so_far: Truth<'t>, truth| if all { so_far.and(truth) } else { so_far.or(truth) };
                 Ok(each.into_iter().fold(Truth::of(all), together))
+            }
+            ("one", [over, body]) => {
+                let ("integers", [name, low, high]) = over.headed("a range")? else {
+                    return Err(Stop::Undecided);
+                };
+                let each = self.each([name, low, high], |own, sure| {
+                    let truth = own.truth(body)?;
+                    let known = sure && (truth == Truth::False || truth.is_true());
+                    if known { Ok(truth.is_true()) } else { Err(Stop::Undecided) }
+                })?;
+                Ok(Truth::of(each.into_iter().filter(|is| *is).count() == 1))
+            }
+            ("instance", names) => {
+                let example = self.numbers.as_ref().and_then(|numbers| numbers.example.as_ref());
+                let name = Example::new(example.ok_or(Stop::Undecided)?)?.name;
+                Ok(Truth::of(names.iter().any(|known| known.is_word(name))))
             }
             ("defined", [of]) => {
                 let [real] = of.part("real")?;

@@ -94,6 +94,21 @@ impl<'t> Case<'_, 't> {
                 self.exists(&i, &Form::last(0))?;
                 self.control(name.name()?, &i)
             }
+            ("coefficient", [name, i, coordinate]) if name.is_word("P") => {
+                let (i, coordinate) = (self.fixed(i)?, self.fixed(coordinate)?);
+                let numbers = self.numbers.as_ref().ok_or(Stop::Undecided)?;
+                Ok(self.leaf(numbers.coordinate(i, coordinate).ok_or(Stop::Undecided)?)?)
+            }
+            ("defined", [name, indices @ ..]) => self.defined(name, indices, At::X, 0),
+            ("abs", [a]) => {
+                let a = self.real(a)?;
+                let negative = a.clone().times(Value::whole(-1))?;
+                self.greatest(a, negative, true)
+            }
+            (head @ ("min" | "max"), [a, b]) => {
+                let (a, b) = (self.real(a)?, self.real(b)?);
+                self.greatest(a, b, head == "max")
+            }
             ("+", [a, b]) => Ok(self.real(a)?.plus(self.real(b)?)?),
             ("-", [a, b]) => Ok(self.real(a)?.minus(self.real(b)?)?),
             ("*", [a, b]) => Ok(self.real(a)?.times(self.real(b)?)?),
@@ -134,8 +149,10 @@ impl<'t> Case<'_, 't> {
             } else {
                 self.exists(&i, &Form::last(self.k + 1 - degree))?;
                 let e = self.facts.value(&i.plus(-1, &Form::near(0))?).ok_or(Stop::Undecided)?;
+                // Numbers are counted as they are, the knots of other windows from t_s.
+                let from = if self.numbers.is_some() { self.shown.0 } else { 0 };
                 let shown = self.shown.0..=self.shown.1;
-                if shown.contains(&e) { e } else { return Err(Stop::Undecided) }
+                if shown.contains(&e) { e - from } else { return Err(Stop::Undecided) }
             }));
         }
         match self.place.on_span() {
@@ -148,6 +165,15 @@ impl<'t> Case<'_, 't> {
     pub(crate) fn bound(&self, name: &Node<'t>) -> Found<Bound<'t>> {
         let found = self.reals.iter().rev().find(|(known, _)| name.is_word(known));
         found.map(|(_, bound)| bound.clone()).ok_or(Stop::Undecided)
+    }
+
+    /// The greater one of two, or the smaller one.
+    fn greatest(&mut self, a: Value<'t>, b: Value<'t>, greatest: bool) -> Found<Value<'t>> {
+        match (self.compare(a.clone(), ">=", b.clone())?, self.compare(a.clone(), "<=", b.clone())?) {
+            (above, _) if above.is_true() => Ok(if greatest { a } else { b }),
+            (_, below) if below.is_true() => Ok(if greatest { b } else { a }),
+            _ => Err(Stop::Undecided),
+        }
     }
 
     /// a/b, for a b that is never 0.
@@ -170,12 +196,18 @@ impl<'t> Case<'_, 't> {
         [form.c, form.s, form.n].into_iter().chain(far).map(Node::whole_of)
     }
 
-    /// A control value: a number of the point, or a parameter.
+    /// A control value: a number, or a parameter.
     pub(crate) fn control(&mut self, name: &'t str, i: &Form) -> Found<Value<'t>> {
         if let Some(numbers) = &self.numbers {
-            let at = self.facts.value(i).and_then(|i| usize::try_from(i).ok());
-            let value = at.and_then(|at| numbers.of("points", name, at)).ok_or(Stop::Undecided)?;
-            return Ok(self.leaf(value)?);
+            let at = self.facts.value(i).ok_or(Stop::Undecided)?;
+            if numbers.example.is_some() && name == "P" {
+                return Err(Stop::Undecided);
+            }
+            if numbers.values.is_none() {
+                return Ok(self.parameter("real", Node::made(name, vec![Node::whole_of(at)]))?);
+            }
+            let value = usize::try_from(at).ok().and_then(|at| numbers.of("points", name, at));
+            return Ok(self.leaf(value.ok_or(Stop::Undecided)?)?);
         }
         let index = match self.facts.value(&i.plus(-1, &Form::near(0))?) {
             Some(e) => vec![Node::whole_of(e)],
@@ -236,14 +268,6 @@ impl<'t> Case<'_, 't> {
         Ok(self.leaf(Node::name_of("o"))?.plus(x)?)
     }
 
-    /// With u as a number, where it is one.
-    pub(crate) fn at_numbers(&self, term: Node<'t>) -> Node<'t> {
-        match self.numbers.as_ref().and_then(|numbers| numbers.u.clone()) {
-            None => term,
-            Some(u) => Node::made("at", vec![Node::group_of(vec![Node::made("u", vec![u])]), term]),
-        }
-    }
-
     fn shown_knot(&self, e: i64) -> Found<Value<'t>> {
         let knot = self.leaf(Node::made("t", vec![Node::name_of("W"), Node::whole_of(e)]))?;
         Ok(Value { knot: Some(e), ..self.leaf(Node::name_of("o"))?.plus(knot)? })
@@ -255,8 +279,7 @@ impl<'t> Case<'_, 't> {
         if let Some(numbers) = &self.numbers {
             let at = self.facts.value(i).and_then(|i| usize::try_from(i).ok());
             let value = at.and_then(|at| numbers.knots.get(at)).ok_or(Stop::Undecided)?;
-            let knot = self.facts.value(&i.plus(-1, &Form::near(0))?);
-            return Ok(Value { knot, ..self.leaf(value.clone())? });
+            return Ok(self.leaf(value.clone())?);
         }
         let beyond =
             |own: &mut Self, side, sign| own.parameter(sign, Node::made(side, Self::labels(i).collect()));

@@ -95,9 +95,14 @@ fn forgeries_of_all_certificates() {
             "another verdict",
             "(verdict proved)",
             "(verdict refuted)",
-            "expected proved, scope knots",
+            "expected proved, and the scope of the sentence",
         );
-        of_statement("a smaller scope", "(scope knots)", "(scope alpha)", "expected proved, scope knots");
+        of_statement(
+            "a smaller scope",
+            "(scope knots)",
+            "(scope alpha)",
+            "expected proved, and the scope of the sentence",
+        );
         of_statement("a format of old", "(statement 2", "(statement 1", "format 2 is missing");
         of_statement("no such format", "(statement 2", "(statement 3", "format 2 is missing");
         of_statement("a sentence that is none", "(sentence", "(sentences", "expected");
@@ -199,9 +204,9 @@ fn forgeries_of_one_certificate() {
         ("T3.5.2.printed", "(G i)", "(D (G i) 1)", ""),
         ("T3.5.2.printed", "(if)", "(if (chain (int i) (> (int n))))", "that the statement does not have"),
         ("T3.5.2.printed", "(if)", "(if (chain (t k) (= (t m))))", ""),
-        ("T3.5.2.printed", "(knots)", "", "it is not about all knots"),
-        ("T3.5.2.printed", "(knots)", "(instances U0)", "it is about examples"),
-        ("T3.5.2.printed", "(knots)", "(gaps (gap 1))", "it is about examples"),
+        ("T3.5.2.printed", "(knots)", "", "nothing but weights"),
+        ("T3.5.2.printed", "(knots)", "(instances U0)", "expected instance"),
+        ("T3.5.2.printed", "(knots)", "(gaps (gap 1))", "it is about gaps"),
         ("T3.5.2.printed", "(degree 0)", "(degree 1)", "a sentence about this degree"),
         ("T3.5.2.printed", "(degree 0)", "(degree 0 2)", "a sentence about this degree"),
         // One summand less, or a span beside.

@@ -1,7 +1,5 @@
 //! What a formula says at a place: decided by the place, or goals on the window, or not to be said there.
 
-use std::sync::Arc;
-
 use crate::certificate::evaluate::sign;
 use crate::certificate::statement::Class;
 use crate::certificate::term::{self, OfWeight, Term, Where};
@@ -13,6 +11,7 @@ use crate::language::{
 use crate::scalar::{BigRational, Multivariate, Quotient, RationalAlgebra, Ring, integer};
 
 use super::index::{Contradiction, Facts, Index};
+use super::numbers::Numbers;
 use super::place::{Copies, Place, Size};
 
 /// Why there is no value here.
@@ -26,7 +25,7 @@ pub(super) enum Stop {
 
 pub(super) type Known<T> = Result<T, Stop>;
 
-fn undecided<T>(why: impl Into<String>) -> Known<T> {
+pub(super) fn undecided<T>(why: impl Into<String>) -> Known<T> {
     Err(Stop::Undecided(why.into()))
 }
 
@@ -54,7 +53,7 @@ impl Truth {
         *self == Self::TRUE
     }
 
-    fn and(self, other: Self) -> Self {
+    pub(super) fn and(self, other: Self) -> Self {
         use Truth::{False, Goals, Not};
         match (self, other) {
             (False, _) | (_, False) => False,
@@ -103,11 +102,15 @@ pub(super) struct Value {
 }
 
 impl Value {
-    fn number(value: BigRational) -> Self {
+    pub(super) fn number(value: BigRational) -> Self {
         Self { plain: Some(Quotient::constant(&value)), term: Term::Number(value), knot: None }
     }
 
-    fn whole(value: i64) -> Self {
+    pub(super) fn plain(&self) -> Option<&Quotient> {
+        self.plain.as_ref()
+    }
+
+    pub(super) fn whole(value: i64) -> Self {
         Self::number(integer(value))
     }
 
@@ -127,7 +130,7 @@ impl Value {
         Self { term, plain, knot: None }
     }
 
-    fn plus(self, other: Self) -> Self {
+    pub(super) fn plus(self, other: Self) -> Self {
         if self.is_zero() {
             return other;
         }
@@ -137,7 +140,7 @@ impl Value {
         Self::made(Term::Sum(vec![self.term.clone(), other.term.clone()]), [&self, &other], Quotient::plus)
     }
 
-    fn minus(self, other: Self) -> Self {
+    pub(super) fn minus(self, other: Self) -> Self {
         if other.is_zero() {
             return self;
         }
@@ -145,7 +148,7 @@ impl Value {
         Self::made(term, [&self, &other], Quotient::minus)
     }
 
-    fn times(self, other: Self) -> Self {
+    pub(super) fn times(self, other: Self) -> Self {
         if self.is_zero() || other.is_zero() {
             return Self::whole(0);
         }
@@ -190,7 +193,7 @@ impl Parameters {
         self.all.truncate(self.free);
     }
 
-    fn value(&mut self, name: String, class: Class) -> Known<Value> {
+    pub(super) fn value(&mut self, name: String, class: Class) -> Known<Value> {
         let known = self.all.iter().position(|(known, _)| *known == name);
         let other = |(own, before): &(String, Class)| *own == name && *before != class;
         if self.all.iter().chain(&self.kept).any(other) {
@@ -242,7 +245,7 @@ pub(super) struct Scope {
 #[derive(Debug, Clone)]
 pub(super) enum Other {
     /// That of this r.
-    Ratio(Term),
+    Ratio(Value),
     /// The one that reflection leads to.
     Dual,
 }
@@ -263,7 +266,11 @@ pub(super) struct Case<'a> {
     pub(super) mirrored: bool,
     pub(super) weighted: &'a Weighted,
     /// Another member of the family.
-    pub(super) member: Option<Other>,
+    pub(super) other: Option<Other>,
+    /// What is known of r, where knots are numbers.
+    pub(super) member: Option<super::Ratio>,
+    /// The knots, if they are numbers.
+    pub(super) numbers: Option<Numbers<'a>>,
     /// Integers beyond what is shown.
     pub(super) beyond: usize,
     /// x is the knot of this index: all from there to t_s are x.
@@ -283,7 +290,7 @@ const DEEPEST: usize = 40;
 /// What an integer runs over: what it is, and whether it is surely in the range.
 pub(super) type Run = Vec<(Index, bool)>;
 
-impl Case<'_> {
+impl<'a> Case<'a> {
     pub(super) fn bind_point(&mut self, name: &Name) {
         self.scope.reals.push((name.clone(), Bound::Point(At::Point(None))));
     }
@@ -449,6 +456,12 @@ impl Case<'_> {
         let (Word::Multiplicity, [Item::Real(t)]) = (of.word, of.of.as_slice()) else {
             return undecided(format!("the word {}", of.word.name()));
         };
+        if let Some(numbers) = &self.numbers {
+            let knots = numbers.knots();
+            let Some(plain) = self.real(t)?.plain else { return undecided("how often that occurs") };
+            let same = |t: &&BigRational| Quotient::constant(t) == plain;
+            return Ok(Index::number(i64::try_from(knots.iter().filter(same).count()).unwrap_or(i64::MAX)));
+        }
         if !self.is_point(t)? {
             return undecided("the multiplicity of another knot than x");
         }
@@ -548,6 +561,9 @@ impl Case<'_> {
 
     /// x.
     pub(super) fn x(&mut self) -> Known<Value> {
+        if let Some(numbers) = &self.numbers {
+            return numbers.x.clone().map_or_else(|| undecided("there is no x"), Ok);
+        }
         let Some(at) = self.place.on_span() else {
             return self.parameters.value("outside".into(), Class::Real);
         };
@@ -609,6 +625,11 @@ impl Case<'_> {
     fn knot(&mut self, i: &Index) -> Known<Value> {
         let m = Index::last(self.k + 1);
         self.exists(&[i.clone(), m.minus(i)], || "a knot".into())?;
+        if let Some(numbers) = &self.numbers {
+            let at = self.facts.value(i).and_then(|i| usize::try_from(i).ok());
+            let knot = at.and_then(|at| numbers.knots().get(at));
+            return knot.map_or_else(|| undecided("a knot"), |knot| Ok(Value::number(knot.clone())));
+        }
         let far = |own: &mut Self, side: &str, class| own.parameters.value(named(side, i), class);
         if self.place.on_span().is_none() {
             let x = self.x()?;
@@ -686,8 +707,9 @@ impl Case<'_> {
                 Bound::Point(At::Mirrored) => return undecided("t_0 + t_m − x as a number"),
             },
             Real::Ratio => self.own_ratio()?,
-            Real::Index(_) | Real::Infinity => return undecided("an index α as a number"),
-            Real::Parameter(..) if self.member.is_some() => return undecided("a parameter of another member"),
+            Real::Index(name) => self.index_of(name)?,
+            Real::Infinity => return undecided("∞ as a number"),
+            Real::Parameter(..) if self.other.is_some() => return undecided("a parameter of another member"),
             Real::Parameter(name, of) => self.family_parameter(name, of)?,
             Real::Knot(i) => {
                 let i = self.int(i)?;
@@ -695,15 +717,21 @@ impl Case<'_> {
             }
             Real::Coefficient(name, of) => {
                 own_name(name)?;
-                let mut key = format!("({name}");
-                if of.len() > 1 {
-                    return undecided("control points of an example");
+                let example = self.numbers.as_ref().and_then(|numbers| numbers.row);
+                match (&**name, of.as_slice()) {
+                    ("P", [i, coordinate]) => return self.coordinate(i, coordinate),
+                    ("P", _) if example.is_some() => return undecided("a control point as a number"),
+                    (_, [_]) => {}
+                    _ => return undecided("control points of an example"),
                 }
+                let mut key = format!("({name}");
                 for i in of {
                     let i = self.int(i)?;
                     let m = Index::last(0);
                     self.exists(&[i.clone(), m.minus(&i)], || format!("{name}[…]"))?;
-                    match self.relative(&i) {
+                    let relative =
+                        if self.numbers.is_some() { self.facts.value(&i) } else { self.relative(&i) };
+                    match relative {
                         Some(e) => key += &format!(" {e}"),
                         None if self.place.is_coarse() => {
                             return undecided("where a control value is");
@@ -730,27 +758,56 @@ impl Case<'_> {
             }
             Real::Fold(fold, range, body) => self.fold(*fold, range, &|own| own.real(body))?,
             Real::Value(f, argument) => {
-                let (at, member) = self.argument(argument)?;
-                let before = std::mem::replace(&mut self.member, member);
+                let (at, moved, other) = self.argument(argument)?;
+                let place = moved.map(|x| self.locate(x)).transpose()?;
+                let before = std::mem::replace(&mut self.other, other);
                 let value = self.function(f, at, 0, 0);
-                self.member = before;
+                self.other = before;
+                if let Some(place) = place {
+                    self.restore(place);
+                }
                 value?
             }
-            Real::Absolute(_)
-            | Real::Root(_)
-            | Real::Least(..)
-            | Real::Greatest(..)
-            | Real::Defined(..)
-            | Real::Word(_) => {
+            Real::Defined(name, of) => self.defined(name, of, At::Point(None), 0, 0)?,
+            Real::Absolute(a) => {
+                let a = self.real(a)?;
+                let negative = a.clone().times(Value::whole(-1));
+                self.greatest(a, negative, true)?
+            }
+            Real::Least(a, b) | Real::Greatest(a, b) => {
+                let (a, b) = (self.real(a)?, self.real(b)?);
+                self.greatest(a, b, matches!(t, Real::Greatest(..)))?
+            }
+            Real::Root(_) | Real::Word(_) => {
                 return undecided("a term that windows don't have");
             }
         })
     }
 
+    /// The greater one of two, or the smaller one.
+    fn greatest(&mut self, a: Value, b: Value, greatest: bool) -> Known<Value> {
+        if self.compare(Relation::AtLeast, &a, &b).is_true() {
+            Ok(if greatest { a } else { b })
+        } else if self.compare(Relation::AtMost, &a, &b).is_true() {
+            Ok(if greatest { b } else { a })
+        } else {
+            undecided("the greater one of two numbers")
+        }
+    }
+
+    /// A coordinate of a control point of the example.
+    fn coordinate(&mut self, i: &Int, coordinate: &Int) -> Known<Value> {
+        let (i, coordinate) = (self.int(i)?, self.int(coordinate)?);
+        let at = |own: &Self, i: &Index| own.facts.value(i).and_then(|i| usize::try_from(i).ok());
+        let (i, coordinate) = (at(self, &i), at(self, &coordinate));
+        let points = self.numbers.as_ref().and_then(|numbers| numbers.row?.points.as_ref());
+        let value = points.and_then(|points| points.get(i?)?.get(coordinate?.checked_sub(1)?));
+        value.map_or_else(|| undecided("a control point"), |value| Ok(Value::number(value.clone())))
+    }
+
     /// A parameter of the family: a number, or one of a knot of the window.
     fn family_parameter(&mut self, name: &Name, of: &[Int]) -> Known<Value> {
         let Weighted::Family(family) = self.weighted else { return undecided("a parameter of any weights") };
-        let family = Arc::clone(family);
         let own = family.parameters.iter().find(|own| own.name == *name);
         let (Some(own), Some(class)) = (own, self.weighted.class(name)) else {
             return undecided(format!("no parameter {name}"));
@@ -778,8 +835,10 @@ impl Case<'_> {
             }
             let last = Index::last(self.k + 1 - degree);
             self.exists(&[form.clone(), last.minus(form)], || format!("{name}[…]"))?;
-            match self.relative(form) {
-                Some(e) if (from..=to).contains(&e) => indices.push(e),
+            match (&self.numbers, self.relative(form), self.facts.value(form)) {
+                // Numbers are counted as they are, the knots of other windows from t_s.
+                (Some(_), _, Some(i)) => indices.push(i),
+                (None, Some(e), _) if (from..=to).contains(&e) => indices.push(e),
                 _ => return undecided("where the knot of a parameter is"),
             }
         }
@@ -804,15 +863,41 @@ impl Case<'_> {
         }
     }
 
-    fn own_ratio(&mut self) -> Known<Value> {
+    /// r, in numbers with what is known of it.
+    pub(super) fn r(&mut self) -> Known<Value> {
         let r = self.parameters.value("r".into(), Class::Positive)?;
-        match &self.member {
+        let Some(member) = self.member else { return Ok(r) };
+        let above = Value::whole(1).plus(self.parameters.value(super::RHO.into(), Class::Positive)?);
+        let known = match member {
+            super::Ratio::One => Value::whole(1),
+            super::Ratio::Below => self.over(Value::whole(1), above)?,
+            super::Ratio::Above => above,
+        };
+        Ok(Value { plain: known.plain, ..r })
+    }
+
+    /// An index as a number, r/(r − 1).
+    fn index_of(&mut self, name: &Name) -> Known<Value> {
+        if self.numbers.is_none() || self.other.is_some() {
+            return undecided("an index α as a number");
+        }
+        let r = match &**name {
+            "alpha" => self.r()?,
+            name => self.parameters.value(format!("({name} 0)"), Class::Positive)?,
+        };
+        let below = r.clone().minus(Value::whole(1));
+        self.over(r, below)
+    }
+
+    fn own_ratio(&mut self) -> Known<Value> {
+        let r = self.r()?;
+        match &self.other {
             None => Ok(r),
             Some(_) => undecided("r of another member"),
         }
     }
 
-    fn over(&mut self, a: Value, b: Value) -> Known<Value> {
+    pub(super) fn over(&mut self, a: Value, b: Value) -> Known<Value> {
         let Some(below) = &b.plain else { return undecided("a function as a denominator") };
         if below.is_zero() {
             return Err(Stop::Undefined("1/0".into()));
@@ -861,42 +946,52 @@ impl Case<'_> {
         Ok(all)
     }
 
-    /// Where an argument is, and its member.
-    fn argument(&mut self, argument: &Argument) -> Known<(At, Option<Other>)> {
-        let member = match &argument.member {
-            None => self.member.clone(),
-            Some(_) if self.member.is_some() => return undecided("a member of a member"),
+    /// Where an argument is, what it is if it is not x, and its member.
+    fn argument(&mut self, argument: &Argument) -> Known<(At, Option<Value>, Option<Other>)> {
+        let other = match &argument.member {
+            None => self.other.clone(),
+            Some(_) if self.other.is_some() => return undecided("a member of a member"),
             Some(Member::Ratio(t)) => {
                 let value = self.real(t)?;
                 match &value.plain {
-                    Some(plain) if self.parameters.class(plain) == Class::Positive => Some(Other::Ratio(value.term)),
+                    Some(plain) if self.parameters.class(plain) == Class::Positive => {
+                        Some(Other::Ratio(value))
+                    }
                     _ => return undecided("a ratio that may not be positive"),
                 }
             }
             Some(Member::Dual) => Some(Other::Dual),
-            Some(Member::Index(Real::Infinity)) => Some(Other::Ratio(Term::Number(integer(1)))),
+            Some(Member::Index(Real::Infinity)) => Some(Other::Ratio(Value::whole(1))),
             Some(Member::Index(Real::Index(name))) if &**name != "alpha" => {
                 own_name(name)?;
-                Some(Other::Ratio(self.parameters.value(format!("({name} 0)"), Class::Positive)?.term))
+                Some(Other::Ratio(self.parameters.value(format!("({name} 0)"), Class::Positive)?))
             }
             Some(Member::Index(Real::Minus(a, b)))
                 if matches!(&**a, Real::Whole(Int::Number(1)))
                     && matches!(&**b, Real::Index(name) if &**name == "alpha") =>
             {
-                let one = Term::Number(integer(1));
-                Some(Other::Ratio(Term::Ratio(Box::new(one), Box::new(Term::Named("r".into())))))
+                let r = self.r()?;
+                Some(Other::Ratio(self.over(Value::whole(1), r)?))
             }
             Some(_) => return undecided("another member of the family"),
         };
-        let at = match self.place_of(&argument.at)? {
+        let (at, moved) = match self.place_of(&argument.at) {
+            Err(Stop::Undecided(_)) if self.numbers.is_some() => {
+                (At::Point(None), Some(self.real(&argument.at)?))
+            }
+            at => (at?, None),
+        };
+        let at = match at {
             At::Point(None) => At::Point(argument.side),
             at if argument.side.is_none() => at,
             _ => return undecided("a side of a side"),
         };
-        match (at, &member) {
+        match (at, &other) {
             (At::Mirrored, Some(Other::Dual)) => undecided("the dual at a mirror image"),
-            (_, Some(Other::Dual)) if !self.symmetric => undecided("the dual of knots that are not symmetric"),
-            _ => Ok((at, member)),
+            (_, Some(Other::Dual)) if !self.symmetric && self.numbers.is_none() => {
+                undecided("the dual of knots that are not symmetric")
+            }
+            _ => Ok((at, moved, other)),
         }
     }
 
@@ -927,6 +1022,13 @@ impl Case<'_> {
                     Some(Ok(more)) if order + more <= HIGHEST => self.function(f, at, order + more, depth),
                     _ => undecided("a derivative of higher order"),
                 }
+            }
+            Function::Phi { .. } if !self.is_by_ends() => {
+                undecided("a weight that is not one of the ends alone")
+            }
+            Function::Phi { cut, from, to } if self.numbers.is_some() && order <= 2 => {
+                let (from, to) = (self.real(from)?, self.real(to)?);
+                self.weight_on(*cut, [&from, &to], at, order)
             }
             Function::Basis { i, degree } => {
                 let i = self.int(i)?;
@@ -981,18 +1083,30 @@ impl Case<'_> {
             if !fits {
                 continue;
             }
-            let Some(variable) = &definition.variable else { break };
-            scope.reals.push((variable.clone(), Bound::Point(at)));
+            if let Some(variable) = &definition.variable {
+                scope.reals.push((variable.clone(), Bound::Point(at)));
+            }
             let outer = std::mem::replace(&mut self.scope, scope);
-            let value = match order {
-                0 => self.real_at(&definition.body, depth + 1),
-                2.. => undecided("a higher derivative of a definition"),
-                _ => self.slope(&definition.body, variable, depth + 1),
+            let value = match (order, &definition.variable) {
+                (0, _) => self.real_at(&definition.body, depth + 1),
+                (2.., _) => undecided("a higher derivative of a definition"),
+                (_, Some(variable)) => self.slope(&definition.body, variable, depth + 1),
+                (_, None) => undecided("the derivative of a number"),
             };
             self.scope = outer;
             return value;
         }
         undecided(format!("{name} is not defined here"))
+    }
+
+    /// Are weights given by the ends of the interval?
+    fn is_by_ends(&self) -> bool {
+        matches!(self.weighted, Weighted::Family(family) if family.is_by_ends())
+    }
+
+    /// Are they those of D2.3?
+    pub(super) fn is_mobius(&self) -> bool {
+        matches!(self.weighted, Weighted::Family(family) if matches!(family.moebius(), Some(Some(_))))
     }
 
     /// A body, at a depth of definitions.
@@ -1043,19 +1157,34 @@ impl Case<'_> {
             let (one, u) = (Term::Number(integer(1)), Term::Named("u".into()));
             replaced.push(("u".to_owned(), Term::Ratio(Box::new(one), Box::new(u))));
         }
-        let dual = match &self.member {
-            Some(Other::Ratio(ratio)) => {
-                replaced.push(("r".to_owned(), ratio.clone()));
-                false
+        if let Some(u) = self.numbers.as_ref().and_then(|numbers| numbers.u.clone()) {
+            replaced.push(("u".to_owned(), u));
+        }
+        let mut term = term;
+        match &self.other {
+            Some(Other::Ratio(ratio)) => replaced.push(("r".to_owned(), ratio.term.clone())),
+            Some(Other::Dual) => {
+                let (window, m) = match &self.numbers {
+                    // One window has all knots, which count as they are counted.
+                    Some(numbers) => (WINDOW, i64::try_from(numbers.knots().len()).unwrap_or(0) - 1),
+                    // t_{s+e} is reflected to t_{s'+1+turn−e}.
+                    None => (MIRROR, 1 + self.turn()),
+                };
+                term = Term::Dual(window.into(), m, Box::new(term));
             }
-            Some(Other::Dual) => true,
-            None => false,
-        };
-        if dual {
-            // t_{s+e} is reflected to t_{s'+1+turn−e}.
-            return Term::Dual(MIRROR.into(), 1 + self.turn(), Box::new(term));
+            None => {}
         }
         if replaced.is_empty() { term } else { Term::At(replaced, Box::new(term)) }
+    }
+
+    /// An index and a place as the window counts them: numbers are counted as they are, other knots from t_s.
+    fn counted(&self, i: i64, place: term::Place) -> Known<(i64, term::Place)> {
+        let from = match (&self.numbers, self.facts.value(&Index::span(0))) {
+            (None, _) => 0,
+            (Some(_), Some(s)) => s,
+            _ => return undecided("the span of x"),
+        };
+        Ok((i + from, term::Place { span: place.span + from, ..place }))
     }
 
     /// The span that a function is looked at on, as an index, and x there; `None` where all functions are 0.
@@ -1102,7 +1231,7 @@ impl Case<'_> {
         }
         let Some(e) = self.facts.value(&e) else { return undecided("whether a function lives on the span") };
         let mirrored = at == At::Mirrored;
-        let i = e + place.span;
+        let (i, place) = self.counted(e + place.span, place)?;
         let term = self.moved(Term::Function { order, i, degree, place }, mirrored);
         if mirrored && order > 0 {
             return undecided("a derivative at the mirror image");
@@ -1127,6 +1256,17 @@ impl Case<'_> {
         let Some(e) = self.facts.value(&e) else { return undecided("whether a weight acts on the span") };
         let of = if derivative { OfWeight::Derivative } else { OfWeight::Weight };
         let i = e + place.span;
+        if self.numbers.is_some() {
+            let (index, place) = self.counted(i, place)?;
+            let ends = [index, index + d].map(|i| self.knot(&Index::number(i)));
+            let [Ok(from), Ok(to)] = &ends else { return undecided("a weight on knots that are not there") };
+            let plain = match self.is_mobius() {
+                true => self.weight_on(false, [from, to], at, usize::from(derivative))?.plain,
+                false => None,
+            };
+            let term = self.moved(Term::Weight(of, index, degree, place), false);
+            return Ok(Value { term, plain, knot: None });
+        }
         let (from, to) = self.place.shown(self.k);
         if i < from || i + d > to {
             return undecided("a weight on knots that are not shown");
@@ -1158,7 +1298,7 @@ impl Case<'_> {
         Ok(Value { term, plain: None, knot: None })
     }
 
-    fn compare(&mut self, relation: Relation, a: &Value, b: &Value) -> Truth {
+    pub(super) fn compare(&mut self, relation: Relation, a: &Value, b: &Value) -> Truth {
         let (left, right) = (a.term.clone(), b.term.clone());
         let (Some(first), Some(second)) = (&a.plain, &b.plain) else {
             return match relation {
@@ -1238,7 +1378,23 @@ impl Case<'_> {
                 }
                 _ => return undecided(format!("the word {}", of.word.name())),
             },
-            Formula::Instance(_) => return undecided("an instance"),
+            Formula::Instance(names) => {
+                let row = self.numbers.as_ref().and_then(|numbers| numbers.row);
+                let Some(row) = row else { return undecided("an instance") };
+                Truth::of(Some(row.name.as_ref().is_some_and(|name| names.contains(name))), "")
+            }
+            Formula::One(Over::Integers(range), body) => {
+                let mut count = 0;
+                for (i, surely) in self.run(range)? {
+                    let Ok(here) = self.with(range, &i, |own| own.formula(body))? else { continue };
+                    match here {
+                        Truth::False if surely => {}
+                        here if surely && here.is_true() => count += 1,
+                        _ => return undecided("how many there are"),
+                    }
+                }
+                Truth::of(Some(count == 1), "")
+            }
             Formula::All(..) | Formula::Some(..) | Formula::One(..) => {
                 return undecided("a quantifier inside of a formula");
             }
@@ -1267,6 +1423,15 @@ impl Case<'_> {
                 (Ok(a), Ok(b)) => self.order(relation, &a, &b),
                 (Err(stop), _) | (_, Err(stop)) => stop.into(),
             };
+        }
+        if let (Real::Index(_), Real::Infinity, true) = (a, b, self.numbers.is_some()) {
+            // 1/0 is ∞, and nothing else is.
+            let known = match (self.real(a), relation) {
+                (Ok(_), Relation::Unequal) | (Err(Stop::Undefined(_)), Relation::Equal) => Some(true),
+                (Ok(_), Relation::Equal) | (Err(Stop::Undefined(_)), Relation::Unequal) => Some(false),
+                _ => None,
+            };
+            return Truth::of(known, "whether α is ∞");
         }
         match (self.real(a), self.real(b)) {
             (Ok(a), Ok(b)) => self.compare(relation, &a, &b),

@@ -3,12 +3,13 @@
 
 mod case;
 mod index;
+mod numbers;
 mod obligation;
 mod place;
 
 use thiserror::Error;
 
-use crate::language::{Claim, Definition, Sentence};
+use crate::language::{Claim, Definition, Row, Sentence};
 
 use crate::scalar::integer;
 
@@ -17,7 +18,8 @@ use super::term::{Formula, Term};
 use super::weights::Weighted;
 use case::{Bound, Case, MIRROR, Parameters, Scope, Stop, Truth, WINDOW, gap_name};
 use index::Contradiction;
-use obligation::{Obligation, Point, Ratio, obligations};
+use numbers::Numbers;
+use obligation::{Obligation, Point, Ratio, Subject, obligations, subjects};
 use place::Place;
 
 /// Why a sentence has no windows.
@@ -47,19 +49,27 @@ pub fn derive(
     k: usize,
     weighted: &Weighted,
 ) -> Result<Vec<Section>, NoWindow> {
-    let all = obligations(sentence, definitions, claim, k)?;
-    let k = i64::try_from(k).map_err(|_| NoWindow::because("a degree that is too large"))?;
+    let degree = i64::try_from(k).map_err(|_| NoWindow::because("a degree that is too large"))?;
     let mut sections = Vec::new();
-    for obligation in all {
-        let straight = of_obligation(&obligation, weighted, k, false);
-        let found = match straight {
-            Err(straight) if obligation.symmetric => {
-                // Of two reasons the first one, in the order of what is tried first.
-                of_obligation(&obligation, weighted, k, true).map_err(|_| straight)
-            }
-            other => other,
-        };
-        sections.extend(found?);
+    for subject in subjects(sentence, claim, k)? {
+        for obligation in obligations(sentence, definitions, claim, k, subject)? {
+            let found = match subject {
+                Subject::Example(row) => {
+                    for_members(&obligation, |member| of_example(&obligation, weighted, degree, row, member))
+                }
+                Subject::Weights => {
+                    for_members(&obligation, |member| of_weights(&obligation, weighted, member))
+                }
+                Subject::Knots => match of_obligation(&obligation, weighted, degree, false) {
+                    Err(straight) if obligation.symmetric => {
+                        // Of two reasons the first one, in the order of what is tried first.
+                        of_obligation(&obligation, weighted, degree, true).map_err(|_| straight)
+                    }
+                    other => other,
+                },
+            };
+            sections.extend(found?);
+        }
     }
     Ok(sections)
 }
@@ -82,8 +92,7 @@ fn of_obligation(
             Err(stop) if finer.is_empty() => return Err(no_window(&stop, coarse)),
             Err(_) => {
                 for place in finer {
-                    let section =
-                        at(place).map_err(|stop| no_window(&stop, place))?;
+                    let section = at(place).map_err(|stop| no_window(&stop, place))?;
                     sections.extend(section);
                 }
             }
@@ -95,6 +104,163 @@ fn of_obligation(
 fn no_window(stop: &Stop, place: Place) -> NoWindow {
     let (Stop::Undecided(why) | Stop::Undefined(why)) = stop;
     NoWindow { why: why.clone(), place: Some(place.to_string()) }
+}
+
+/// The sections of numbers: if something is not decided for all r, for each kind of α.
+fn for_members(
+    obligation: &Obligation<'_>,
+    of: impl Fn(Option<Ratio>) -> Result<Vec<Section>, NoWindow>,
+) -> Result<Vec<Section>, NoWindow> {
+    let found = of(obligation.member);
+    if found.is_ok() || obligation.member.is_some() {
+        return found;
+    }
+    let each = [Ratio::One, Ratio::Below, Ratio::Above].into_iter().map(|member| of(Some(member)));
+    each.collect::<Result<Vec<_>, _>>().map(|all| all.concat()).or(found)
+}
+
+/// The sections of an example, at each place of x among its knots.
+fn of_example(
+    obligation: &Obligation<'_>,
+    weighted: &Weighted,
+    k: i64,
+    row: &Row,
+    member: Option<Ratio>,
+) -> Result<Vec<Section>, NoWindow> {
+    let mut sections = Vec::new();
+    let count = if matches!(obligation.point, Point::Bound(_)) { numbers::places(&row.knots) } else { 1 };
+    for place in 0..count {
+        let mut parameters = Parameters::default();
+        let mut case = known(obligation, weighted, k, &mut parameters, Some(row), member)?;
+        // Without an x any does.
+        let at = if count == 1 { 1 } else { place };
+        let found = case.x_at(at, &row.knots).and_then(|x| case.locate(x)).and_then(|_| {
+            if let Point::Bound(name) = &obligation.point {
+                case.bind_point(name);
+            }
+            for (name, sign, _) in &obligation.reals {
+                let value = case.free(name, *sign)?;
+                case.scope.reals.push((name.clone(), Bound::Free(value)));
+            }
+            let window = case.numbers.iter().map(Numbers::window).collect();
+            shown(case, obligation, Some(window))
+        });
+        sections.extend(
+            found
+                .map_err(|stop| NoWindow {
+                    place: row.name.as_ref().map(ToString::to_string),
+                    ..no_window(&stop, Place::Inside)
+                })?
+                .map(|(windows, goals)| section(parameters, weighted, member.as_ref(), windows, goals)),
+        );
+    }
+    Ok(sections)
+}
+
+/// The sections of all orders of the reals, each with all places of the one that has an interval.
+fn of_weights(
+    obligation: &Obligation<'_>,
+    weighted: &Weighted,
+    member: Option<Ratio>,
+) -> Result<Vec<Section>, NoWindow> {
+    let mut sections = Vec::new();
+    let located =
+        obligation.reals.iter().rev().find_map(|(name, _, interval)| Some((name, interval.as_ref()?)));
+    let ordered: Vec<_> = obligation
+        .reals
+        .iter()
+        .filter(|(name, sign, interval)| {
+            sign.is_none() && interval.is_none() && obligation.stands_alone(name)
+        })
+        .map(|(name, ..)| name)
+        .collect();
+    let Some(orders) = numbers::orders(ordered.len()) else {
+        return Err(NoWindow::because("more reals than are put in order"));
+    };
+    for (order, part) in orders
+        .iter()
+        .flat_map(|order| (0..if located.is_some() { 3 } else { 1 }).map(move |part| (order, part)))
+    {
+        let mut parameters = Parameters::default();
+        let mut case = known(obligation, weighted, 1, &mut parameters, None, member)?;
+        let bind = || -> Result<_, Stop> {
+            for (name, sign, _) in &obligation.reals {
+                if located.is_some_and(|(x, _)| x == name) {
+                    continue;
+                }
+                let value = match ordered.iter().position(|known| *known == name) {
+                    Some(at) => case.ranked(order[at])?,
+                    None => case.free(name, *sign)?,
+                };
+                case.scope.reals.push((name.clone(), Bound::Free(value)));
+            }
+            case.parameters.begin();
+            if excluded(&mut case, obligation) {
+                return Ok(None);
+            }
+            if let Some((name, interval)) = located {
+                let Some(x) = case.between(interval, part)? else { return Ok(None) };
+                case.scope.reals.push((name.clone(), Bound::Free(x)));
+            }
+            shown(case, obligation, Some(Vec::new()))
+        };
+        let found = bind().map_err(|stop| NoWindow {
+            place: Some(format!("the order {order:?} of its reals")),
+            ..no_window(&stop, Place::Inside)
+        })?;
+        sections.extend(
+            found.map(|(windows, goals)| section(parameters, weighted, member.as_ref(), windows, goals)),
+        );
+    }
+    Ok(sections)
+}
+
+/// A case of numbers, with x nowhere yet.
+fn known<'a>(
+    obligation: &Obligation<'a>,
+    weighted: &'a Weighted,
+    k: i64,
+    parameters: &'a mut Parameters,
+    row: Option<&'a Row>,
+    member: Option<Ratio>,
+) -> Result<Case<'a>, NoWindow> {
+    let place = Place::Inside;
+    let facts = place.facts(k).map_err(|Contradiction| NoWindow::because("a degree"))?;
+    Ok(Case {
+        k,
+        place,
+        weighted,
+        definitions: obligation.definitions,
+        parameters,
+        zero: Vec::new(),
+        facts,
+        scope: Scope::default(),
+        symmetric: false,
+        mirrored: false,
+        other: None,
+        member,
+        numbers: Some(Numbers::of(row)),
+        beyond: 0,
+        copies_from: None,
+    })
+}
+
+/// Windows and goals of a case, if anything is to be shown in it.
+fn shown(
+    mut case: Case<'_>,
+    obligation: &Obligation<'_>,
+    windows: Option<Vec<Window>>,
+) -> Result<Option<(Vec<Window>, Vec<Formula>)>, Stop> {
+    case.parameters.begin();
+    let mut goals = Vec::new();
+    if !excluded(&mut case, obligation) {
+        cases(&mut case, obligation, 0, &mut goals)?;
+    }
+    if goals.is_empty() {
+        return Ok(None);
+    }
+    let windows = windows.map_or_else(|| case.windows(&goals), Ok)?;
+    Ok(Some((windows, goals)))
 }
 
 /// The section of a place; `None` if nothing is to be shown there.
@@ -121,32 +287,29 @@ fn at(
         scope: Scope::default(),
         symmetric: obligation.symmetric,
         mirrored,
+        other: None,
         member: None,
+        numbers: None,
         beyond: 0,
         copies_from: None,
     };
     match &obligation.point {
+        Point::Any => {}
         Point::Bound(name) => case.bind_point(name),
         Point::Knot(_) => case.bind_point(&obligation::point_name()),
     }
-    for (name, sign) in &obligation.reals {
+    for (name, sign, _) in &obligation.reals {
         let value = case.free(name, *sign)?;
         case.scope.reals.push((name.clone(), Bound::Free(value)));
     }
-    case.parameters.begin();
-    let mut goals = Vec::new();
     // What is said without any bound integer is said in all cases.
     let tightened = case.tighten(&obligation.assume).and_then(|()| case.coincide(&obligation.coincide));
-    match tightened.and_then(|()| case.tighten(&obligation.assume)) {
-        Ok(()) if excluded(&mut case, obligation) => {}
-        Ok(()) => cases(&mut case, obligation, 0, &mut goals)?,
-        Err(Contradiction) => {}
-    }
-    if goals.is_empty() {
+    if tightened.and_then(|()| case.tighten(&obligation.assume)).is_err() {
         return Ok(None);
     }
-    let windows = case.windows(&goals)?;
-    Ok(Some(section(parameters, weighted, obligation.member.as_ref(), windows, goals)))
+    let found = shown(case, obligation, None)?;
+    Ok(found
+        .map(|(windows, goals)| section(parameters, weighted, obligation.member.as_ref(), windows, goals)))
 }
 
 /// All cases of the integers from one binder on.

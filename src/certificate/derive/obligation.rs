@@ -2,7 +2,7 @@
 
 use crate::language::{
     Adjective, Argument, Binder, Claim, Definition, Form, Formula, Function, Int, Interval, Item, Name, Over,
-    Range, Real, Relation, Sentence, Use,
+    Range, Real, Relation, Row, Sentence, Use,
 };
 
 use super::NoWindow;
@@ -15,6 +15,45 @@ pub(super) enum Point {
     Bound(Name),
     /// This knot.
     Knot(Int),
+    /// There is none: functions are taken at whatever they say.
+    Any,
+}
+
+/// What a sentence is about.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Subject<'a> {
+    /// All knots.
+    Knots,
+    /// An example.
+    Example(&'a Row),
+    /// No knots at all.
+    Weights,
+}
+
+/// What a sentence is about in degree k.
+pub(super) fn subjects<'a>(
+    sentence: &Sentence,
+    claim: Claim<'a>,
+    k: usize,
+) -> Result<Vec<Subject<'a>>, NoWindow> {
+    let instances = sentence.given.iter().find_map(|binder| match binder {
+        Binder::Instances(names) => Some(names),
+        _ => None,
+    });
+    if let Some(names) = instances {
+        let rows = claim.paper.rows_of(names).filter(|row| row.degree == k);
+        return match rows.map(Subject::Example).collect::<Vec<_>>() {
+            none if none.is_empty() => Err(NoWindow::because(format!("no example has degree {k}"))),
+            found => Ok(found),
+        };
+    }
+    let about_knots =
+        |binder: &Binder| matches!(binder, Binder::Knots(_) | Binder::Gaps(_) | Binder::Degree { .. });
+    match sentence.given.iter().any(about_knots) {
+        true => Ok(vec![Subject::Knots]),
+        false if k == 1 => Ok(vec![Subject::Weights]),
+        false => Err(NoWindow::because("a sentence about weights stands for degree 1")),
+    }
 }
 
 /// What r is where something is assumed of α.
@@ -32,8 +71,8 @@ pub(super) enum Ratio {
 #[derive(Debug, Clone)]
 pub(super) struct Obligation<'a> {
     pub(super) integers: Vec<Range>,
-    /// Free reals, with their sign.
-    pub(super) reals: Vec<(Name, Option<Relation>)>,
+    /// Reals other than x, with their sign or interval.
+    pub(super) reals: Vec<(Name, Option<Relation>, Option<Interval>)>,
     pub(super) assume: Vec<Formula>,
     /// Knots t_a = t_b.
     pub(super) coincide: Vec<(Int, Int)>,
@@ -50,9 +89,10 @@ pub(super) struct Obligation<'a> {
 }
 
 /// What is known on the way down a sentence.
-#[derive(Debug, Clone, Default)]
-struct Given {
+#[derive(Debug, Clone)]
+struct Given<'a> {
     k: usize,
+    subject: Subject<'a>,
     integers: Vec<Range>,
     reals: Vec<(Name, Option<Relation>, Option<Interval>)>,
     assume: Vec<Formula>,
@@ -70,12 +110,15 @@ pub(super) fn obligations<'a>(
     definitions: &'a [Definition],
     claim: Claim<'a>,
     k: usize,
+    subject: Subject<'a>,
 ) -> Result<Vec<Obligation<'a>>, NoWindow> {
     let mut all = Vec::new();
     if !says_of(sentence, k) {
         return Err(NoWindow::because(format!("it says nothing of degree {k}")));
     }
-    below(sentence, &Given { k, ..Given::default() }, definitions, claim, &mut all)?;
+    let (integers, reals, assume, adjectives) = Default::default();
+    let given = Given { k, subject, integers, reals, assume, adjectives };
+    below(sentence, &given, definitions, claim, &mut all)?;
     Ok(all)
 }
 
@@ -89,13 +132,13 @@ fn says_of(sentence: &Sentence, k: usize) -> bool {
 
 fn below<'a>(
     sentence: &Sentence,
-    given: &Given,
+    given: &Given<'a>,
     definitions: &'a [Definition],
     claim: Claim<'a>,
     all: &mut Vec<Obligation<'a>>,
 ) -> Result<(), NoWindow> {
     let mut given = given.clone();
-    let mut knots = false;
+    let mut knots = given.subject == Subject::Weights;
     for binder in &sentence.given {
         match binder {
             Binder::Degree { .. } | Binder::Points(_) | Binder::Index(_) => {}
@@ -107,9 +150,15 @@ fn below<'a>(
             Binder::Integer(range) => given.integers.push(range.clone()),
             Binder::Point(name, interval) => given.reals.push((name.clone(), None, Some(interval.clone()))),
             Binder::Real { name, sign } => given.reals.push((name.clone(), *sign, None)),
-            Binder::Gaps(_) | Binder::Instances(_) | Binder::Indices(_) => {
-                return Err(NoWindow::because("it is about examples"));
-            }
+            Binder::Instances(names) => match given.subject {
+                Subject::Example(row) if row.name.as_ref().is_some_and(|name| names.contains(name)) => {
+                    knots = true;
+                }
+                _ => return Err(NoWindow::because("it is about other examples")),
+            },
+            // Without these more is shown.
+            Binder::Indices(_) => {}
+            Binder::Gaps(_) => return Err(NoWindow::because("it is about gaps")),
         }
     }
     if !knots {
@@ -121,7 +170,7 @@ fn below<'a>(
 
 fn conclusion<'a>(
     f: &Formula,
-    given: &Given,
+    given: &Given<'a>,
     definitions: &'a [Definition],
     claim: Claim<'a>,
     all: &mut Vec<Obligation<'a>>,
@@ -180,7 +229,7 @@ fn conclusion<'a>(
 fn implied<'a>(
     a: &Formula,
     b: &Formula,
-    given: &Given,
+    given: &Given<'a>,
     definitions: &'a [Definition],
     claim: Claim<'a>,
     all: &mut Vec<Obligation<'a>>,
@@ -221,12 +270,16 @@ fn negated(f: &Formula) -> Formula {
 
 fn obligation<'a>(
     claim: Formula,
-    given: &Given,
+    given: &Given<'a>,
     definitions: &'a [Definition],
 ) -> Result<Obligation<'a>, NoWindow> {
     let mut found = Found::default();
     found.formula(&claim);
-    let point = found.point(given)?;
+    let point = match (given.subject, found.point(given)) {
+        (Subject::Knots, point) => point?,
+        (Subject::Example(_), Ok(Point::Bound(name))) => Point::Bound(name),
+        _ => Point::Any,
+    };
     let mut assume = given.assume.clone();
     if let Point::Knot(i) = &point {
         let x = Real::Bound(point_name());
@@ -238,7 +291,7 @@ fn obligation<'a>(
             assume.push(Formula::Within(Real::Bound(name.clone()), interval.clone()));
         }
         if point != Point::Bound(name.clone()) {
-            reals.push((name.clone(), *sign));
+            reals.push((name.clone(), *sign, interval.clone()));
         }
     }
     let coincide = assume.iter().filter_map(coinciding).collect();
@@ -284,12 +337,20 @@ impl Obligation<'_> {
         }
     }
 
+    /// Is a real compared, an end, or what a function is taken at, and not only part of a term?
+    pub(super) fn stands_alone(&self, name: &Name) -> bool {
+        let mut found = Found::default();
+        self.assume.iter().chain([&self.claim]).for_each(|f| found.formula(f));
+        found.alone.contains(&name)
+    }
+
     /// Does a hypothesis speak of x?
     pub(super) fn names_the_point(&self, f: &Formula) -> bool {
         let mut found = Found::default();
         found.formula(f);
         let named = |name: &Name| found.names.contains(&name);
         match &self.point {
+            Point::Any => false,
             Point::Bound(name) => named(name),
             Point::Knot(i) => named(&point_name()) || found.knots.contains(&i),
         }
@@ -348,11 +409,13 @@ struct Found<'f> {
     arguments: Vec<&'f Real>,
     names: Vec<&'f Name>,
     knots: Vec<&'f Int>,
+    /// Names that are no part of a term.
+    alone: Vec<&'f Name>,
     functions: bool,
 }
 
 impl<'f> Found<'f> {
-    fn point(&self, given: &Given) -> Result<Point, NoWindow> {
+    fn point(&self, given: &Given<'_>) -> Result<Point, NoWindow> {
         let bound = |name: &Name| given.reals.iter().any(|(known, ..)| known == name);
         let mut inside = Found::default();
         self.arguments.iter().for_each(|argument| inside.real(argument));
@@ -388,16 +451,24 @@ impl<'f> Found<'f> {
         }
     }
 
+    /// A side of a comparison, an end, an argument.
+    fn whole(&mut self, t: &'f Real) {
+        if let Real::Bound(name) = t {
+            self.alone.push(name);
+        }
+        self.real(t);
+    }
+
     fn formula(&mut self, f: &'f Formula) {
         match f {
             Formula::Chain(first, rest) => {
-                self.real(first);
-                rest.iter().for_each(|(_, t)| self.real(t));
+                self.whole(first);
+                rest.iter().for_each(|(_, t)| self.whole(t));
             }
             Formula::Within(t, interval) => {
-                self.real(t);
-                self.real(&interval.from);
-                self.real(&interval.to);
+                self.whole(t);
+                self.whole(&interval.from);
+                self.whole(&interval.to);
             }
             Formula::Among(a, b, c) => [a, b, c].into_iter().for_each(|i| self.int(i)),
             Formula::Instance(_) | Formula::Claim { .. } => {}
@@ -473,7 +544,7 @@ impl<'f> Found<'f> {
             }
             Real::Value(f, argument) => {
                 let Argument { at, .. } = &**argument;
-                self.real(at);
+                self.whole(at);
                 self.arguments.push(at);
                 self.functions = true;
                 self.function(f);
@@ -486,8 +557,8 @@ impl<'f> Found<'f> {
         match f {
             Function::Derivative(f, _) => self.function(f),
             Function::Phi { from, to, .. } => {
-                self.real(from);
-                self.real(to);
+                self.whole(from);
+                self.whole(to);
             }
             Function::Basis { .. } | Function::Weight { .. } | Function::Defined(..) => {}
         }

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use num_rational::BigRational;
 
 use super::super::family::{Family, Parameter};
+use super::super::rows::Row;
 use super::super::syntax::{
     Adjective, Argument, Binder, Definition, Fold, Formula, Function, Gap, Int, Interval, Item, Member, Name,
     Over, Pattern, Range, Real, Relation, Sentence, Side, Use,
@@ -21,9 +22,10 @@ pub type Claimed<'a> = dyn Fn(&str, bool) -> Option<(&'a Sentence, &'a [Definiti
 pub fn canonical<'a>(
     sentence: &'a Sentence,
     definitions: &'a [Definition],
+    examples: &[Row],
     named: &Claimed<'a>,
 ) -> Result<String, Name> {
-    let mut walk = Walk { definitions, named, used: BTreeSet::new(), defines: Vec::new() };
+    let mut walk = Walk { definitions, examples, named, used: BTreeSet::new(), defines: Vec::new() };
     let text = walk.sentence("sentence", sentence)?;
     walk.defines.push(text);
     Ok(walk.defines.join("\n"))
@@ -40,7 +42,13 @@ pub fn canonical_family(family: &Family) -> Result<String, Name> {
     if let Some(definition) = family.definitions.first() {
         return Err(definition.name.clone());
     }
-    let mut walk = Walk { definitions: &[], named: &|_, _| None, used: BTreeSet::new(), defines: Vec::new() };
+    let mut walk = Walk {
+        definitions: &[],
+        examples: &[],
+        named: &|_, _| None,
+        used: BTreeSet::new(),
+        defines: Vec::new(),
+    };
     let mut parts = vec![format!("\"{}\"", family.name)];
     for Parameter { name, indices, bounds, .. } in &family.parameters {
         let indices = indices.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ");
@@ -58,6 +66,7 @@ pub fn canonical_family(family: &Family) -> Result<String, Name> {
 
 struct Walk<'w, 'a> {
     definitions: &'a [Definition],
+    examples: &'w [Row],
     named: &'w Claimed<'a>,
     /// Definitions that are printed, or about to be.
     used: BTreeSet<Name>,
@@ -130,7 +139,6 @@ impl<'a> Walk<'_, 'a> {
     }
 
     fn binder(&mut self, of: &'a Binder) -> Text {
-        let names = |names: &[Name]| names.iter().map(ToString::to_string).collect::<Vec<_>>();
         Ok(match of {
             Binder::Degree { least, most } => bracket(
                 "degree",
@@ -143,7 +151,7 @@ impl<'a> Walk<'_, 'a> {
                 let gaps: Result<Vec<_>, _> = gaps.iter().map(|gap| self.gap(gap)).collect();
                 bracket("gaps", gaps?)
             }
-            Binder::Instances(all) => bracket("instances", names(all)),
+            Binder::Instances(all) => bracket("instances", all.iter().flat_map(|name| self.example(name))),
             Binder::Indices(all) => bracket(
                 "alphas",
                 all.iter().map(|index| index.as_ref().map_or("infinity".to_owned(), number)),
@@ -155,6 +163,24 @@ impl<'a> Walk<'_, 'a> {
             Binder::Real { name, sign: Some(sign) } => format!("(real {name} {})", relation(*sign)),
             Binder::Points(name) => format!("(points {name})"),
         })
+    }
+
+    /// The examples of a name, in numbers; of one that there is not, its name.
+    fn example(&self, name: &Name) -> Vec<String> {
+        let row = |row: &Row| {
+            let list = |head: &str, of: &[BigRational]| bracket(head, of.iter().map(number));
+            let point = |point: &Vec<BigRational>| {
+                format!("({})", point.iter().map(number).collect::<Vec<_>>().join(" "))
+            };
+            let points = row.points.iter().map(|all| bracket("points", all.iter().map(point)));
+            let head = [name.to_string(), row.degree.to_string(), list("knots", &row.knots)];
+            bracket("instance", head.into_iter().chain(points))
+        };
+        match self.examples.iter().filter(|row| row.name.as_ref() == Some(name)).map(row).collect::<Vec<_>>()
+        {
+            none if none.is_empty() => vec![name.to_string()],
+            rows => rows,
+        }
     }
 
     fn gap(&mut self, gap: &'a Gap) -> Text {

@@ -1,0 +1,249 @@
+//! Knots that are numbers, those of an example; or none, where a sentence is about weights alone.
+
+use std::cmp::Ordering;
+
+use crate::certificate::statement::{Class, Gap, Window};
+use crate::certificate::term::Term;
+use crate::language::{Interval, Relation, Row, Side};
+use crate::scalar::{BigRational, Quotient};
+
+use super::case::{At, Case, Known, Other, Truth, Value, WINDOW, undecided};
+use super::index::Facts;
+use super::place::{Copies, Place};
+
+/// The knots, and where x is among them.
+#[derive(Debug, Clone)]
+pub(super) struct Numbers<'a> {
+    pub(super) row: Option<&'a Row>,
+    pub(super) x: Option<Value>,
+    /// Where x is on its span, if that is not u.
+    pub(super) u: Option<Term>,
+}
+
+/// What was before.
+pub(super) struct Located<'a> {
+    place: Place,
+    facts: Facts,
+    numbers: Option<Numbers<'a>>,
+}
+
+/// The name of a distance from all knots.
+const OUTSIDE: &str = "outside";
+
+impl<'a> Numbers<'a> {
+    pub(super) fn of(row: Option<&'a Row>) -> Self {
+        Self { row, x: None, u: None }
+    }
+
+    pub(super) fn knots(&self) -> &'a [BigRational] {
+        self.row.map_or(&[], |row| &row.knots)
+    }
+
+    /// The whole knot vector as a window that counts as it does.
+    pub(super) fn window(&self) -> Window {
+        let gap = |pair: &[BigRational]| Gap::Term(Term::Number(&pair[1] - &pair[0]));
+        Window { name: WINDOW.into(), first: 0, gaps: self.knots().windows(2).map(gap).collect() }
+    }
+}
+
+/// How many places x has against these knots.
+pub(super) fn places(knots: &[BigRational]) -> usize {
+    2 * knots.windows(2).filter(|pair| pair[0] < pair[1]).count() + 3
+}
+
+/// All orders of so many numbers: the ranks of each, without a gap.
+pub(super) fn orders(count: usize) -> Option<Vec<Vec<usize>>> {
+    const MOST: usize = 5;
+    if count > MOST {
+        return None;
+    }
+    let digits = |code: usize| {
+        (0..count).rev().map(move |at| code / count.pow(u32::try_from(at).unwrap_or(0)) % count)
+    };
+    let all = (0..count.pow(u32::try_from(count).unwrap_or(0))).map(|code| digits(code).collect::<Vec<_>>());
+    Some(all.filter(|order| order.iter().all(|rank| *rank == 0 || order.contains(&(rank - 1)))).collect())
+}
+
+impl<'a> Case<'a> {
+    /// The x of a place, in their order: before all knots, at each and behind it, after all.
+    pub(super) fn x_at(&mut self, place: usize, knots: &[BigRational]) -> Known<Value> {
+        let ends: Vec<_> = knots.windows(2).filter(|pair| pair[0] < pair[1]).collect();
+        let (first, last) =
+            (Value::number(ends[0][0].clone()), Value::number(ends[ends.len() - 1][1].clone()));
+        let mut outside = || self.parameters.value(OUTSIDE.into(), Class::Positive);
+        Ok(match place.checked_sub(1) {
+            None => first.minus(outside()?),
+            Some(at) if at == 2 * ends.len() => last,
+            Some(at) if at > 2 * ends.len() => last.plus(outside()?),
+            Some(at) => {
+                let [left, right] = [0, 1].map(|end| Value::number(ends[at / 2][end].clone()));
+                if at % 2 == 0 { left } else { self.inside(&left, &right)? }
+            }
+        })
+    }
+
+    /// (a + u·b)/(1 + u): all numbers between.
+    fn inside(&mut self, a: &Value, b: &Value) -> Known<Value> {
+        let u = self.parameters.value("u".into(), Class::Positive)?;
+        let above = a.clone().plus(u.clone().times(b.clone()));
+        self.over(above, Value::whole(1).plus(u))
+    }
+
+    /// The number of a rank: o, and what each is more than the one before.
+    pub(super) fn ranked(&mut self, rank: usize) -> Known<Value> {
+        let mut value = self.parameters.value("o".into(), Class::Real)?;
+        for step in 0..rank {
+            value = value.plus(self.parameters.value(format!("({WINDOW} {step})"), Class::Positive)?);
+        }
+        Ok(value)
+    }
+
+    /// The left end of an interval, all of its inside, or the right end; `None`, if there is nothing.
+    pub(super) fn between(&mut self, interval: &Interval, part: usize) -> Known<Option<Value>> {
+        let (left, right) = (self.real(&interval.from)?, self.real(&interval.to)?);
+        if self.compare(Relation::Less, &left, &right).is_true() {
+            return Ok(match part {
+                0 => interval.from_closed.then_some(left),
+                1 => Some(self.inside(&left, &right)?),
+                _ => interval.to_closed.then_some(right),
+            });
+        }
+        if !self.compare(Relation::AtLeast, &left, &right).is_true() {
+            return undecided("whether an interval is empty");
+        }
+        let one = interval.from_closed && interval.to_closed && part == 0;
+        Ok((one && self.compare(Relation::Equal, &left, &right).is_true()).then_some(left))
+    }
+
+    /// Puts x in its place among the knots.
+    pub(super) fn locate(&mut self, x: Value) -> Known<Located<'a>> {
+        let Some(mut numbers) = self.numbers.clone() else {
+            return undecided("a function at another point than x");
+        };
+        let knots = numbers.knots();
+        let beside: Vec<_> = knots.iter().map(|t| self.side_of(&x, &Value::number(t.clone()))).collect();
+        let copies = beside.iter().filter(|order| **order == Some(Ordering::Equal)).count();
+        let count = |n: usize| i64::try_from(n).unwrap_or(i64::MAX);
+        let span = beside.windows(2).enumerate().find_map(|(s, pair)| match (pair[0]?, pair[1]?) {
+            (Ordering::Greater, Ordering::Less) => Some((s, Place::Inside)),
+            (Ordering::Equal, Ordering::Less) => {
+                let copies = Copies::Exactly(count(copies));
+                let first = x.number_is(&knots[0]);
+                Some((s, if first { Place::First(copies) } else { Place::Knot(copies) }))
+            }
+            (Ordering::Greater, Ordering::Equal) if x.number_is(&knots[knots.len() - 1]) => {
+                Some((s, Place::Last(Copies::Exactly(count(copies)))))
+            }
+            _ => None,
+        });
+        let (s, place) = match (span, beside.first(), beside.last()) {
+            (Some(found), ..) => found,
+            (None, Some(Some(Ordering::Less)), _) => (0, Place::Before),
+            (None, _, Some(Some(Ordering::Greater))) => (0, Place::After),
+            (None, None, _) => (0, self.place),
+            _ => return undecided("where the argument of a function is"),
+        };
+        numbers.u = None;
+        if place == Place::Inside && !knots.is_empty() {
+            let [left, right] = [s, s + 1].map(|at| Value::number(knots[at].clone()));
+            let u = self.over(x.clone().minus(left), right.minus(x.clone()))?;
+            let own = self.parameters.value("u".into(), Class::Positive)?;
+            if u.plain() != own.plain() {
+                numbers.u = Some(u.term);
+            }
+        }
+        numbers.x = Some(x);
+        let facts = match knots.len().checked_sub(1) {
+            Some(m) => {
+                let (s, n) = (count(s), count(m) - self.k - 1);
+                let exactly = |value| (Some(value), Some(value));
+                Facts::new(exactly(s), exactly(n - s)).or_else(|_| undecided("knots that are none"))?
+            }
+            None => self.facts.clone(),
+        };
+        Ok(Located {
+            place: std::mem::replace(&mut self.place, place),
+            facts: std::mem::replace(&mut self.facts, facts),
+            numbers: self.numbers.replace(numbers),
+        })
+    }
+
+    pub(super) fn restore(&mut self, before: Located<'a>) {
+        let Located { place, facts, numbers } = before;
+        (self.place, self.facts, self.numbers) = (place, facts, numbers);
+    }
+
+    fn side_of(&mut self, a: &Value, b: &Value) -> Option<Ordering> {
+        let known = [
+            (Relation::Less, Ordering::Less),
+            (Relation::Equal, Ordering::Equal),
+            (Relation::Greater, Ordering::Greater),
+        ];
+        a.plain()?;
+        known
+            .into_iter()
+            .find_map(|(relation, order)| self.compare(relation, a, b).is_true().then_some(order))
+    }
+
+    /// The weight of an interval, or a derivative of it; φ is 0 outside of it.
+    pub(super) fn weight_on(&mut self, cut: bool, [a, b]: [&Value; 2], at: At, order: usize) -> Known<Value> {
+        let x = self.x()?;
+        if cut {
+            let [from, to] = match (at, order) {
+                (At::Point(Some(Side::Left)), _) => [Relation::Less, Relation::AtMost],
+                (At::Point(None), 1..) => [Relation::Less; 2],
+                _ => [Relation::AtMost, Relation::Less],
+            };
+            let inside = self.compare(from, a, &x).and(self.compare(to, &x, b));
+            if inside == Truth::False && order == 0 {
+                return Ok(Value::whole(0));
+            }
+            if !inside.is_true() {
+                return undecided("whether x is in the interval of φ");
+            }
+        }
+        let r = match &self.other {
+            _ if !self.is_mobius() => return undecided("a weight that is not that of an index"),
+            Some(Other::Ratio(ratio)) => ratio.clone(),
+            Some(Other::Dual) => return undecided("a weight of the dual"),
+            None => self.r()?,
+        };
+        let rise = r.clone().times(x.clone().minus(a.clone()));
+        let below = rise.clone().plus(b.clone().minus(x));
+        let slope = r.clone().times(b.clone().minus(a.clone()));
+        let square = below.clone().times(below.clone());
+        match order {
+            0 => self.over(rise, below),
+            1 => self.over(slope, square),
+            _ => {
+                let bend = slope.times(Value::whole(-2)).times(r.minus(Value::whole(1)));
+                self.over(bend, square.times(below))
+            }
+        }
+    }
+}
+
+impl Value {
+    fn number_is(&self, number: &BigRational) -> bool {
+        self.plain().is_some_and(|plain| *plain == Quotient::constant(number))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::integer;
+
+    #[test]
+    fn all_orders_are_tried() {
+        let count = |n| orders(n).unwrap().len();
+        assert_eq!([0, 1, 2, 3, 4].map(count), [1, 1, 3, 13, 75]);
+        assert_eq!(orders(6), None);
+    }
+
+    #[test]
+    fn x_is_before_at_between_and_after_knots() {
+        let knots: Vec<BigRational> = [0, 0, 1, 3, 3].map(integer).to_vec();
+        assert_eq!(places(&knots), 7);
+    }
+}
