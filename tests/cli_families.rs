@@ -142,6 +142,12 @@ fn what_is_wrong_with_a_request_is_told() {
             &["--family", "lupas", "--set", "q=symbolic"],
             "`q` has to be a number, and here is `symbolic`: only α can stay unknown",
         ),
+        (
+            "float",
+            &["--family", "lupas", "--set", "q=1e-400"],
+            "--set: in f64, `q` of the family lupas can't be 0",
+        ),
+        ("float", &["--family", "lupas", "--set", "q=1e400"], "--set: in f64, a parameter is inf"),
         ("shape", &["--family", "lupas", "--set", "q=all"], "`q` has to be a number, and here is `all`"),
         ("bezier", &LUPAS, "--points is missing"),
         (

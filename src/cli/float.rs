@@ -231,8 +231,9 @@ impl Args {
         let exact = basis.weights().on_knots(basis.knots(), basis.degree());
         exact.map_err(|error| CliError::Member { argument: "--family", error })?;
         let float = FloatMember::nearest(basis).map_err(|error| match error {
-            FloatError::Member(error) => CliError::Member { argument: "--set", error },
-            FloatError::Parameter(_) => CliError::Float { place: Provenance::option("--set"), error },
+            FloatError::Parameter(_) | FloatError::Member(_) => {
+                CliError::Float { place: Provenance::option("--set"), error }
+            }
             error => CliError::Float { place: Provenance::option("--knots"), error },
         })?;
         let (mut rounded, merged) = rounding(basis.knots(), float.knots());
