@@ -141,7 +141,9 @@ impl Statement {
 
     /// The same for any weights at all, if it is derived and says nothing of those of its family.
     pub(super) fn for_any_weights(&self) -> Option<Self> {
+        // Of examples and of weights alone more is decided by the weights than that.
         let derived = matches!(self.shown, Shown::Derived(_)) && !self.refuted;
+        let derived = derived && self.scope == Scope::Knots && self.has_degree();
         let family = Weighted::Any.to_sexp().ok()?;
         let own = OF_WEIGHTS.iter().any(|name| self.sentence.iter().any(|part| part.mentions(name)));
         (derived && !own).then(|| Self { weighted: Weighted::Any, family, ..self.clone() })

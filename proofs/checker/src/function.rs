@@ -264,7 +264,9 @@ impl<'t> Case<'_, 't> {
         }
         match &self.numbers {
             // A weight tells where other functions are taken.
-            Some(numbers) if numbers.values.is_some() || head.ends_with('w') => Ok(self.leaf(term)?),
+            Some(numbers) if numbers.values.is_some() || head.ends_with('w') && !self.family.is_any() => {
+                Ok(self.leaf(term)?)
+            }
             _ => Ok(Value { term, plain: None, knot: None }),
         }
     }

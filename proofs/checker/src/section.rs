@@ -138,8 +138,13 @@ impl<'t> Section<'t> {
     }
 
     /// A term with everything unfolded.
+    ///
+    /// # Errors
+    /// If something remains unknown: what stands for it here would stand for something else in another term.
     pub(crate) fn term(&self, term: &Node<'t>, env: &Env<'t>) -> Result<Fraction> {
-        Evaluator::new(&self.signs, Mode::default()).term(term, env)
+        let value = Evaluator::new(&self.signs, Mode::default()).term(term, env)?;
+        let known = value.is_only_in(|variable| variable < self.signs.len());
+        if known { Ok(value) } else { Err(Reason::NotShown("a weight that is not known")) }
     }
 
     /// The gaps between knots that are numbers.

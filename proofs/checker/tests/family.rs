@@ -166,6 +166,20 @@ fn what_holds_for_one_family_only_is_not_proved_for_any() {
     assert!(any != less && found(&[less, proof]).contains("a coefficient below 0"));
 }
 
+/// What is unknown in one term is not what is unknown in another one.
+#[test]
+fn unknown_weights_have_no_name_outside_of_their_term() {
+    let statement = "(statement 2 (claim \"X\") (form printed) (verdict proved) (scope knots) (degrees 2) (family any)
+        (sentence (for (degree 2 2) (knots)) (if) (then (chain (int 0) (= (int 0)))))
+        (because \"no\")
+        (section (window A 0 some some some some) (let a (w 1 2 (in A 1))) (let b (w 0 2 (in A 1))) (goals (= a b))))";
+    let proof = "(proof 1 (section 1 (goal 1 (by))))";
+    assert!(found(&[statement.to_owned(), proof.to_owned()]).contains("a weight that is not known"));
+    let one = statement.replace("(= a b)", "(= (w 1 2 (in A 1)) (w 0 2 (in A 1)))");
+    let one = one.replace("(let a (w 1 2 (in A 1))) (let b (w 0 2 (in A 1)))", "");
+    assert!(found(&[one, proof.to_owned()]).contains("the two sides differ"));
+}
+
 #[test]
 fn numbers_that_refute() {
     let omega = "(parameter omega 2 2 20 1 1 20 2 2)";
