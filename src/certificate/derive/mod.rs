@@ -245,12 +245,15 @@ fn known<'a>(
     })
 }
 
+/// Windows and goals.
+type Shown = (Vec<Window>, Vec<Formula>);
+
 /// Windows and goals of a case, if anything is to be shown in it.
 fn shown(
     mut case: Case<'_>,
     obligation: &Obligation<'_>,
     windows: Option<Vec<Window>>,
-) -> Result<Option<(Vec<Window>, Vec<Formula>)>, Stop> {
+) -> Result<Option<Shown>, Stop> {
     case.parameters.begin();
     let mut goals = Vec::new();
     if !excluded(&mut case, obligation) {
