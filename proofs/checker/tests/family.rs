@@ -47,7 +47,7 @@ const BEYOND: &str = "a weight looks beyond its interval";
 #[test]
 fn what_is_no_weight() {
     refused(
-        "claims/KW2.4.printed",
+        "families/KW2.4.printed",
         &[
             (FALL, "(fall (* (parameter omega i) (- (var x) (var b))))", SIGN),
             (FALL, "(fall (neg (* (parameter omega i) (- (var b) (var x)))))", SIGN),
@@ -104,10 +104,10 @@ fn what_is_no_weight() {
 
 #[test]
 fn other_weights_are_other_functions() {
-    let any = |from: &str| text("claims/KW2.7.printed")[0].contains(from);
+    let any = |from: &str| text("families/KW2.7.printed")[0].contains(from);
     assert!(any(RISE) && any(FALL));
     refused(
-        "claims/KW2.7.printed",
+        "families/KW2.7.printed",
         &[
             (RISE, "(rise (* (parameter omega i) (- (var x) (var a))))", "the two sides differ"),
             (RISE, "(rise (- (var x) (var a)))", "the two sides differ"),
@@ -118,7 +118,7 @@ fn other_weights_are_other_functions() {
         ],
     );
     refused(
-        "claims/KW2.4.printed",
+        "families/KW2.4.printed",
         &[
             (DUAL, "", "the family has no dual"),
             (DUAL, "(dual)", "the two sides differ"),
@@ -138,7 +138,7 @@ fn other_weights_are_other_functions() {
             ("(family", "(family any) (families", "expected"),
         ],
     );
-    let [statement, proof] = text("claims/KW2.7.printed");
+    let [statement, proof] = text("families/KW2.7.printed");
     let start = statement.find("(family").expect("it has a family");
     let end = start
         + statement[start..].find("(sentence").or(statement[start..].find("(define")).expect("a sentence");

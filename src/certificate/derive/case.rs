@@ -1,9 +1,8 @@
 //! What a formula says at a place: decided by the place, or goals on the window, or not to be said there.
 
 use crate::certificate::evaluate::sign;
-use crate::certificate::statement::Class;
 use crate::certificate::term::{self, OfWeight, Term, Where};
-use crate::certificate::weights::Weighted;
+use crate::certificate::weights::{Class, Weighted};
 use crate::language::{
     Argument, Definition, Fold, Formula, Function, Int, Interval, Item, Member, Name, Over, Pattern, Range,
     Real, Relation, Side, Use, Word,

@@ -13,9 +13,9 @@ use crate::language::{Claim, Definition, Row, Sentence};
 
 use crate::scalar::integer;
 
-use super::statement::{Class, Gap, Section, Window};
+use super::statement::{Gap, Section, Window};
 use super::term::{Formula, Term};
-use super::weights::Weighted;
+use super::weights::{Class, Weighted};
 use case::{Bound, Case, MIRROR, Parameters, Scope, Stop, Truth, WINDOW, gap_name};
 use index::Contradiction;
 use numbers::Numbers;

@@ -2,8 +2,9 @@
 
 use std::cmp::Ordering;
 
-use crate::certificate::statement::{Class, Gap, Window};
+use crate::certificate::statement::{Gap, Window};
 use crate::certificate::term::Term;
+use crate::certificate::weights::Class;
 use crate::language::{Interval, Relation, Row, Side};
 use crate::scalar::{BigRational, Quotient};
 
