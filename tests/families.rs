@@ -640,6 +640,17 @@ fn claims_about_other_weights_have_certificates() {
     }
 }
 
+/// Of class C^(k−p) at a knot of p copies: knot weights as polynomial B-splines, in the degrees in which the proof is short enough.
+#[test]
+fn continuity_is_certified_up_to_degree_3() {
+    for (paper, id) in [("knot-weights", "KW3.2"), ("classical", "Continuity")] {
+        let claim = Claim::of(shipped(paper).unwrap()).find(|claim| claim.id() == id).unwrap();
+        let certificate = certify(claim, Form::Printed, None).unwrap().unwrap();
+        let checked = certificate.check().unwrap();
+        assert_eq!((checked.degrees, checked.goals_are), (vec![1, 2, 3], "derived"), "{id}");
+    }
+}
+
 /// The command that repeats a witness is about the form that it refutes.
 #[test]
 fn a_witness_is_repeated_in_its_form() {

@@ -181,10 +181,22 @@ impl Statement {
         }
     }
 
-    /// With other sections in the place of those that are given.
+    /// The sections of a statement about one degree, given or derived; `None` if it has none.
+    #[must_use]
+    pub fn sections(&self) -> Option<Vec<Sexp>> {
+        let (_, sections) = self.in_brackets();
+        let all = match &self.shown {
+            Shown::Point(_) => false,
+            Shown::Derived(_) => self.degrees.len() == 1,
+            Shown::Argued { .. } => true,
+        };
+        (all && !sections.is_empty()).then_some(sections)
+    }
+
+    /// With other sections in the place of those that are given or derived.
     #[must_use]
     pub fn with_sections(self, sections: Vec<Sexp>) -> Self {
-        let because = self.argued().map_or("", |(because, _)| because).to_owned();
+        let (because, _) = self.in_brackets();
         Self { shown: Shown::Argued { because, sections }, ..self }
     }
 

@@ -62,9 +62,9 @@ pub enum Term {
     Point(Place),
     /// w_i^d, 1 − w_i^d or Dw_i^d.
     Weight(OfWeight, i64, usize, Place),
-    /// G_i^d, or DG_i^d.
+    /// G_i^d, or a derivative of it.
     Function {
-        /// DG rather than G.
+        /// Of the derivative by x; 0 for the function itself.
         order: usize,
         /// i.
         i: i64,

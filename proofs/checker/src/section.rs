@@ -119,7 +119,11 @@ impl<'t> Section<'t> {
             };
             let indices = indices.iter().map(|index| index.whole()).collect::<Result<_>>()?;
             let known = Rc::make_mut(&mut frame.parameters).get_mut(&(name.name()?.to_owned(), indices));
-            *known.ok_or_else(|| Reason::Unknown(window.to_owned()))? = Fraction::number(value)?;
+            let known = known.ok_or_else(|| Reason::Unknown(window.to_owned()))?;
+            if !self.env.family.parameter(name.name()?).map_or(Ok(false), |own| own.admits(value))? {
+                return value.wrong("a number within the bounds of the parameter");
+            }
+            *known = Fraction::number(value)?;
         }
         self.measure()
     }

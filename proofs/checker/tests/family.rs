@@ -180,6 +180,100 @@ fn unknown_weights_have_no_name_outside_of_their_term() {
     assert!(found(&[one, proof.to_owned()]).contains("the two sides differ"));
 }
 
+/// An argued section about these weights.
+fn section(family: &str, section: &str) -> String {
+    let statement = format!(
+        "(statement 2 (claim \"X\") (form printed) (verdict proved) (scope instance) (degrees 2) {family}
+            (sentence (for (degree 2 2) (knots)) (if) (then (chain (int 0) (= (int 0))))) (because \"numbers\") (section {section}))"
+    );
+    found(&[statement, "(proof 1 (section 1 (goal 1 (by))))".to_owned()])
+}
+
+/// With r = 2 the weight on [0, 1] is w = 2x/(1 + x), with the derivatives 2/(1 + x)², −4/(1 + x)³ and 12/(1 + x)⁴, and G_2^2 on
+/// 0, 0, 0, 1, 1, 1 is w², the second derivative of which is 8(1 − 2x)/(1 + x)⁴.
+#[test]
+fn derivatives_of_every_order_are_exact() {
+    let mobius = "(family \"mobius\" (parameter r () (> 0)) (rise (* (parameter r) (- (var x) (var a)))) (fall (- (var b) (var x))))";
+    let square = "(family \"square\" (rise (^ (- (var x) (var a)) 2)) (fall (^ (- (var b) (var x)) 2)))";
+    for (family, goal, value) in [
+        (mobius, "(at ((u 1)) (DG 1 1 (in A 1) 2))", "-32/27"),
+        (mobius, "(at ((u 1)) (DG 1 1 (in A 1) 3))", "64/27"),
+        (mobius, "(at ((u 1)) (DG 0 1 (in A 1) 3))", "-64/27"),
+        (mobius, "(DG 1 1 (from A 1) 1)", "2"),
+        (mobius, "(DG 1 1 (to A 1) 2)", "-1/2"),
+        (mobius, "(DG 1 1 (in A 1) 0)", "(w 1 1 (in A 1))"),
+        (mobius, "(at ((u 2)) (DG 2 2 (in B 2) 2))", "-216/625"),
+        (mobius, "(at ((u 1)) (DG 2 2 (in B 2) 2))", "0"),
+        // x²/(x² + (1 − x)²): x² + … at 0, and at 1/2 a point of inflection with the slope 2.
+        (square, "(DG 1 1 (from A 1) 2)", "2"),
+        (square, "(at ((u 1)) (DG 1 1 (in A 1) 2))", "0"),
+        (square, "(at ((u 1)) (DG 1 1 (in A 1) 1))", "2"),
+    ] {
+        let is = if family == mobius { "(let r 2)" } else { "" };
+        let windows = "(knots A 0 0 0 1 1) (knots B 0 0 0 0 1 1 1)";
+        let goals = |value: &str| format!("{is} {windows} (goals (= {goal} {value}))");
+        let own = section(family, &goals(value));
+        assert!(own.starts_with("accepted"), "{goal}: {own}");
+        let other = section(family, &goals(&format!("(+ 1/1000 {value})")));
+        assert!(other.contains("the two sides differ"), "{goal}: {other}");
+    }
+    let far = section(mobius, "(knots A 0 0 0 1 1) (goals (= (DG 1 1 (in A 1) 21) 0))");
+    assert!(far.contains("the order of a derivative is beyond the limits"), "{far}");
+}
+
+/// Numbers for the parameters of a window are within their bounds, and are those of the knots.
+#[test]
+fn values_of_parameters_are_within_their_bounds() {
+    let family = format!("(family \"k\" {OMEGA} {RISE} {FALL})");
+    let goal = "(goals (= (at ((u 1)) (G 1 1 (in A 1))) 3/4))";
+    let with =
+        |values: &str| section(&family, &format!("(knots A 0 0 0 1 1) (values A omega {values}) {goal}"));
+    assert!(with("(1 1) (2 3)").starts_with("accepted"), "{}", with("(1 1) (2 3)"));
+    for (values, want) in [
+        ("(1 1) (2 2)", "the two sides differ"),
+        ("(1 -1) (2 -3)", "a number within the bounds"),
+        ("(1 0) (2 3)", "a number within the bounds"),
+        ("(1 1) (9 3)", "unknown name A"),
+        ("(1 2 3)", "unknown name A"),
+        ("()", "indices and a number"),
+    ] {
+        assert!(with(values).contains(want), "{values}: {}", with(values));
+    }
+}
+
+/// Of class C^{k−p} at a knot of p copies, whatever the weights: true as it stands, not one order higher, and not of other weights.
+#[test]
+fn knot_weights_keep_the_order_of_continuity() {
+    refused(
+        "families/KW3.2.printed",
+        &[
+            ("(- k (mult", "(- (+ k 1) (mult", ""),
+            // Without weights it would be true as well: they are polynomial B-splines.
+            (RISE, "(rise (* 2 (* (parameter omega (+ i d)) (- (var x) (var a)))))", "the two sides differ"),
+            (FALL, "(fall (* (^ (parameter omega i) 2) (- (var b) (var x))))", "the two sides differ"),
+        ],
+    );
+}
+
+/// φ and f of a sentence about weights alone are those of D2.3, which those of another family are not.
+#[test]
+fn weights_alone_are_those_of_an_index() {
+    let of = |rise: &str, fall: &str| {
+        let statement = format!(
+            "(statement 2 (claim \"X\") (form printed) (verdict proved) (scope knots) (degrees 1)
+                (family \"own\" (parameter r () (> 0)) (rise {rise}) (fall {fall}))
+                (sentence (for (real a) (real b) (point x (open (var a) open (var b)))) (if)
+                    (then (chain (of (f (var a) (var b)) (at (var x))) (= (/ (* ratio (- (var x) (var a)))
+                        (+ (* ratio (- (var x) (var a))) (- (var b) (var x)))))))))"
+        );
+        found(&[statement, "(proof 1)".to_owned()])
+    };
+    let own = of("(* (parameter r) (- (var x) (var a)))", "(- (var b) (var x))");
+    assert!(own.starts_with("accepted"), "{own}");
+    let other = of("(* (parameter r) (^ (- (var x) (var a)) 2))", "(^ (- (var b) (var x)) 2)");
+    assert!(other.contains("not decided"), "{other}");
+}
+
 #[test]
 fn numbers_that_refute() {
     let omega = "(parameter omega 2 2 20 1 1 20 2 2)";
