@@ -179,10 +179,10 @@ case: (boolP (t 0%N <= x < t n.+1)) => h; last first.
 by rewrite T3_5_3_interval.
 Qed.
 
-Theorem T3_5_3_sharp k n x : (0 < k)%N -> (k <= n)%N ->
+Theorem T3_5_3_sharp k n x : (0 < k)%N ->
   (t 0%N < x < t k) \/ (t n.+1 < x < t (n + k.+1)%N) -> \sum_(0 <= i < n.+1) G k i x < 1.
 Proof.
-case: k => // k _ kn h; rewrite sum_step.
+case: k => // k _ h; rewrite sum_step.
 have le := sum_le1 k n.+1 x.
 have /andP[a1 a2] := w01 k.+1 0%N x; have /andP[b1 b2] := w01 k.+1 n.+1 x.
 have p1 : 0 <= (1 - w k.+1 0 x) * G k 0 x by rewrite mulr_ge0 ?T3_5_2_nonneg // subr_ge0.
