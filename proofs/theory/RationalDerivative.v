@@ -151,6 +151,22 @@ move: E nz; rewrite ez; move: P.[z] Q.[z] S.[z] (f x) (f' x) => p q s0 a b E nz.
 have -> : p = a * q + b * (z - x) * q + s0 * (z - x) ^+ 2 by rewrite -E; ring.
 by field.
 Qed.
+(* a rational function without poles in (u,v) has derivatives of every order there, and they are such functions *)
+Definition rational (f : R -> R) := exists P Q : {poly R}, forall x, u < x < v -> Q.[x] != 0 /\ f x = P.[x] / Q.[x].
+Definition smooth (f : R -> R) := exists F : nat -> R -> R, (forall x, u < x < v -> F 0%N x = f x) /\ forall q, isd (F q) (F q.+1).
+Fixpoint quotients (P Q : {poly R}) (q : nat) : {poly R} * {poly R} :=
+  if q is q'.+1 then let PQ := quotients P Q q' in (PQ.1^`() * PQ.2 - PQ.1 * PQ.2^`(), PQ.2 ^+ 2) else (P, Q).
+Theorem rational_smooth f : rational f -> smooth f.
+Proof.
+case=> P [Q h]; exists (fun q x => (quotients P Q q).1.[x] / (quotients P Q q).2.[x]); split.
+  by move=> x hx; have [_ ->] := h x hx.
+have n q x : u < x < v -> (quotients P Q q).2.[x] != 0.
+  by elim: q => [|q IH] hx /=; [have [] := h x hx|rewrite horner_exp expf_neq0 ?IH].
+move=> q; exists (quotients P Q q).1, (quotients P Q q).2 => x hx; split => //; first exact: n.
+by rewrite /= horner_exp !hE.
+Qed.
+Lemma isd_rational f f' : isd f f' -> rational f.
+Proof. by case=> P [Q h]; exists P, Q => x hx; have [] := h x hx. Qed.
 End Isd.
 
 (* Real closed field: derivative >= 0 on (u,v) makes f non-decreasing there. *)
@@ -249,6 +265,7 @@ by rewrite (lt_le_trans ux) // (le_lt_trans h2).
 Qed.
 End Mono.
 
+Print Assumptions rational_smooth.
 Print Assumptions isd_uniq.
 Print Assumptions isd_taylor.
 Print Assumptions isd_mono_strict.

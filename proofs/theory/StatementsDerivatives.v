@@ -282,6 +282,17 @@ have -> : (i == n) = false by apply/eqP; move: im; clear; lia.
 by have -> : (i.+1 == n) = false by [apply/eqP; move: im; clear; lia]; rewrite subrr mul0r.
 Qed.
 
+(* P3.1.1: rational on every span *)
+Theorem P3_1_1_printed i j : (i <= n)%N -> (j < m)%N -> rational (t j) (t j.+1) (value k i).
+Proof.
+move=> im jm; have [f' h] := G_rational r_gt0 t_mono k i j; have [P [Q H]] := isd_rational h.
+exists P, Q => x hx; have [q e] := H x hx; split => //.
+by rewrite value_in // (lt_le_trans _ (tle jm)) //; case/andP: hx.
+Qed.
+(* T3.11.1: derivatives of every order on every span *)
+Theorem T3_11_1_printed i j : (i <= n)%N -> (j < m)%N -> smooth (t j) (t j.+1) (value k i).
+Proof. by move=> im jm; apply: rational_smooth; apply: P3_1_1_printed. Qed.
+
 (* Rem3.1: simple knots, r <> 1, k >= 2: every G_i^k has a knot inside its support at which the derivative jumps *)
 Theorem Rem3_1_printed i : (2 <= k)%N -> (forall j, (j < m)%N -> t j < t j.+1) -> (i <= n)%N -> r != 1 ->
   exists j, (i < j <= i + k)%N /\ Dleft k i (t j) != Dright k i (t j).
@@ -311,4 +322,6 @@ Print Assumptions T3_11_3a_amended.
 Print Assumptions T3_11_3a_fails.
 Print Assumptions T3_11_3b_amended.
 Print Assumptions T3_11_3b_fails.
+Print Assumptions P3_1_1_printed.
+Print Assumptions T3_11_1_printed.
 Print Assumptions Rem3_1_printed.

@@ -73,8 +73,8 @@ case: n m le e => [|n] [|m] le e.
 Qed.
 End Paper.
 
-Section Theorem3.
-Variable R : rcfType.
+Section Rational.
+Variable R : realFieldType.
 Variable r : R.
 Hypothesis r0 : 0 < r.
 Variable t : nat -> R.
@@ -93,6 +93,16 @@ apply: (isd_ext d) => x hx //.
 rewrite -(G_table r0 t_mono _ hx (subnKC is_)) subnKC //.
 by rewrite leq_subLR.
 Qed.
+
+End Rational.
+
+Section Theorem3.
+Variable R : rcfType.
+Variable r : R.
+Hypothesis r0 : 0 < r.
+Variable t : nat -> R.
+Hypothesis t_mono : forall i, t i <= t i.+1.
+Notation N := (Definitions.G (wt r t) t).
 
 (* Theorem 3 of the paper, for every k >= 1, all knots, all r > 0, every span of the support of G_i^k (s - k <= i <= s) *)
 Theorem paper_theorem3 k i s N' x y : (0 < k)%N -> (i <= s <= i + k)%N -> isd (t s) (t s.+1) (N k i) N' ->
