@@ -301,12 +301,40 @@ move=> k2 simple im r1; exists i.+1; split; first by move: k2; clear; lia.
 have i1 : (i.+1 < m)%N by move: im k2; clear; lia.
 have hL : t i < t i.+1 by apply: simple; exact: ltnW.
 have hR : t i.+1 < t i.+2 by apply: simple.
+have hy j : (i < j <= i + 1)%N -> t j = t i.+1 by move=> h; congr (t _); move: h; clear; lia.
+have hR1 : t i.+1 < t (i + 1).+1 by rewrite addn1.
+have E : k = (2 + (k - 2))%N by move: k2; clear; lia.
 rewrite /Values.Dleft /Values.Dright (@left_span_uniq _ _ t_mono m _ i) ?hL ?lexx ?(ltnW i1) //.
-rewrite (@right_span_uniq _ _ t_mono m _ i.+1) ?lexx // eq_sym -subr_eq0.
-have E : k = (k - 2).+2 by move: k2; clear; lia.
-rewrite E Rem3_1_jump //; apply: mulf_neq0.
-  by rewrite mulf_neq0 ?subr_eq0 ?invr_eq0 ?(mob_den_neq0 r_gt0 (ltW hL) (ltW hR) (lt_trans hL hR)).
-by rewrite gt_eqF // big_nat_cond; apply: prodr_gt0 => e /andP[/andP[h _] _]; apply: mob_in.
+rewrite (@right_span_uniq _ _ t_mono m _ (i + 1)); [|by rewrite addn1|by rewrite hR1 addn1 lexx].
+by rewrite E (jump_neq0 r_gt0 t_mono (isT : (0 < 1)%N) hL hy hR1).
+Qed.
+(* abstract.regularity for finite alpha: at a knot of multiplicity < k inside the derivative of some function jumps, r <> 1 or
+   not being what decides; at multiplicity k, where only order 0 is asked for, no function jumps *)
+Theorem abstract_regularity j : (2 * k <= m)%N -> t 0%N < t j < t m -> (mult t m (t j) <= k)%N ->
+  ((mult t m (t j) < k)%N -> r != 1 -> exists i, (i <= n)%N /\ Dleft k i (t j) != Dright k i (t j)) /\
+  (forall i, limit_left k i (t j) = value k i (t j)).
+Proof.
+move=> km hj hk; split=> [lt r1|i]; last first.
+  have [p [p1 p2 pm E]] := P3_1_2_paper r_gt0 t_mono i hj hk.
+  rewrite value_in ?E; last by case/andP: hj.
+  by rewrite /Values.limit_left (@left_span_uniq _ _ t_mono m _ p) // p1.
+have j0 : (0 < mult t m (t j))%N.
+  rewrite /mult -has_count; apply/hasP; exists j; last exact: eqxx.
+  by rewrite mem_iota /= ltnS ltnW // (t_lt_ltn t_mono) //; case/andP: hj.
+have [p [p1 p2 p3 p4]] := mult_span_eq t_mono hj; set q := mult t m (t j) in lt j0 p2 p3 p4 *.
+have pm : (p < m)%N by move: p4; clear; lia.
+have L : left_span t m (t j) = p.
+  by apply: left_span_uniq => //; rewrite p1 p2 ?lexx //; move: j0; clear; lia.
+have Rr : right_span t m (t j) = (p + q)%N.
+  by apply: right_span_uniq => //; rewrite p3 p2 ?lexx //; move: j0; clear; lia.
+have E : k = (q.+1 + (k - q.+1))%N by move: lt; clear; lia.
+case: (leqP p n) => pn.
+  have := jump_neq0 r_gt0 t_mono j0 p1 p2 p3 (k - q.+1); rewrite -E r1 => h.
+  by exists p; rewrite /Values.Dleft /Values.Dright L Rr h.
+have dp : (k - q.+1 < p)%N by move: km pn lt; clear; lia.
+exists (p - (k - q.+1).+1)%N; split; first by move: p4 lt; clear; lia.
+have := jump_low_neq0 r_gt0 t_mono j0 p1 p2 p3 dp; rewrite -E r1 => h.
+by rewrite /Values.Dleft /Values.Dright L Rr h.
 Qed.
 End Statements.
 
@@ -325,3 +353,4 @@ Print Assumptions T3_11_3b_fails.
 Print Assumptions P3_1_1_printed.
 Print Assumptions T3_11_1_printed.
 Print Assumptions Rem3_1_printed.
+Print Assumptions abstract_regularity.
