@@ -207,6 +207,40 @@ case: (eqVneq i n.-1) => [->|en1]; first by rewrite a0 sub0r mulN1r.
 by rewrite az ?subrr ?mul0r //; move: im en en1 n0; clear; move=> ? /eqP ? /eqP; lia.
 Qed.
 
+(* P4.2.2, end knots that occur p times more *)
+Theorem P4_2_2_fails (d : nat -> R) p : (1 <= k)%N -> Uopen t n k -> (1 <= p < n)%N ->
+  (t 0%N = t (k + p)%N -> t (k + p)%N < t (k + p).+1 ->
+     right_taylor (curve_in d) (t 0%N) (C d (t 0%N)) (k%:R * r / (t (k + p).+1 - t 0%N) * (d p.+1 - d p))) /\
+  (t (n - p)%N < t (n - p).+1 -> t (n - p).+1 = t m ->
+     left_taylor (curve_in d) (t m) (C d (t m)) (k%:R / (r * (t m - t (n - p)%N)) * (d (n - p)%N - d (n - p.+1)%N))).
+Proof.
+move=> k1 ho /andP[p1 pn]; split=> h1 h2.
+  have s1 : t 0%N < t (k + p).+1 by rewrite h1.
+  have sm : (k + p < m)%N by move: pn; clear; lia.
+  have := C_right d (x := t 0%N); rewrite lexx U => /(_ isT).
+  rewrite (@two_terms _ _ p (k%:R * r / (t (k + p).+1 - t 0%N))) // => i im.
+  rewrite (Dright_t0E r t_mono sm (esym h1) s1) -addnS ![(k + _)%N]addnC !eqn_add2r; congr (_ * _).
+  rewrite (eq_big_nat _ _ (F2 := fun _ => r / (t (p + k).+1 - t 0%N))).
+    by rewrite sumr_const_nat subSS subn0 addSn -mulr_natl mulrA.
+  move=> e he; rewrite /dmw (first_knots t_mono (esym h1)); last by move: he; clear; lia.
+  have -> : ((p.+1 + k - e)%N + e = (p + k).+1)%N by move: he; clear; lia.
+  by rewrite dmob_a // addnC.
+have ls : last_span t m = (n - p)%N by apply: last_span_uniq => //; move: pn; clear; lia.
+have := C_left d (x := t m); rewrite lexx U => /(_ isT).
+have -> : \sum_(0 <= i < n.+1) d i * limit_left r t m k i (t m) = C d (t m).
+  by apply: eq_big_nat => i /andP[_ hi]; rewrite value_tm /limit_left left_span_tm.
+have np : (n - p = (n - p.+1).+1)%N by move: pn; clear; lia.
+rewrite (@two_terms _ _ (n - p.+1) (k%:R / (r * (t m - t (n - p)%N)))); [by rewrite -np|by move: pn; clear; lia|].
+move=> i im; rewrite (Dleft_tmE r_gt0 t_mono U); last exact: im_deg.
+have -> : (i.+1 == last_span t m) = (i == n - p.+1)%N by rewrite ls np eqSS.
+rewrite ls -np; congr (_ * _).
+rewrite (eq_big_nat _ _ (F2 := fun _ => r^-1 / (t m - t (n - p)%N))).
+  by rewrite sumr_const_nat subSS subn0 -mulr_natl invfM mulrA.
+move=> e he; have E : t (n - p + e)%N = t m.
+  by apply: (last_knots t_mono U); rewrite ls; move: he pn; clear; lia.
+by rewrite /dmw E dmob_b // -h2.
+Qed.
+
 (* T4.1: de Boor's algorithm, all levels; b are its points *)
 Definition b (d : nat -> R) q i x : R := deBoor (V := [lmodType R of R^o]) (wt r t) k d q i x.
 Lemma b0 d i x : b d 0 i x = d i. Proof. by []. Qed.
@@ -249,6 +283,7 @@ Print Assumptions P4_1_4_printed.
 Print Assumptions P4_2_1_amended.
 Print Assumptions P4_2_1_fails.
 Print Assumptions P4_2_2_amended.
+Print Assumptions P4_2_2_fails.
 Print Assumptions T4_1_printed.
 Print Assumptions T4_1_range_amended.
 Print Assumptions P4_3_amended.
