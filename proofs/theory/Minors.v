@@ -3,7 +3,7 @@
    derivatives; f << g means that g/f does not fall from x to y. *)
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp Require Import ring zify.
-From Bsplines Require Import Definitions Weight Basis Curves Pieces Derivatives Values Cumulative TwoMaxima.
+From Bsplines Require Import Definitions Weight Basis Curves Pieces Derivatives Values StatementsBasis StatementsCurves Cumulative TwoMaxima.
 Import Order.TTheory GRing.Theory Num.Theory.
 Set Implicit Arguments. Unset Strict Implicit. Unset Printing Implicit Defensive.
 Local Open Scope ring_scope.
@@ -343,9 +343,46 @@ have hy : t s' <= y <= t s'.+1 by rewrite s1' ltW.
 have ss' := le_lt_trans s1' s2'.
 rewrite !V !V'; exact: (spans_minor (ltnW ij) sm' le ss ss' hx hy (ltW xy)).
 Qed.
+(* control values that change sign at most once, from - to +, make a curve that does so *)
+Theorem one_crossing (d : nat -> R) l x y : t 0%N < t m -> (forall i, (i <= l)%N -> d i <= 0) -> (forall i, (l < i <= n)%N -> 0 <= d i) ->
+  t 0%N <= x -> x < y -> y <= t m -> 0 < coordinate r t n k d x -> 0 <= coordinate r t n k d y.
+Proof.
+move=> U neg pos x0 xy ym; case: (leqP n l) => ln.
+  have s0 : coordinate r t n k d x <= 0.
+    rewrite /coordinate -oppr_ge0 -sumrN big_nat_cond; apply: sumr_ge0 => i /andP[/andP[_ im] _].
+    by rewrite -mulNr mulr_ge0 ?oppr_ge0 ?neg ?value_ge0 //; move: im ln; clear; lia.
+  by rewrite ltNge s0.
+have S z : coordinate r t n k d z = \sum_(l.+1 <= j < n.+1) d j * value r t m k j z - \sum_(0 <= i < l.+1) - d i * value r t m k i z.
+  rewrite /coordinate (big_cat_nat _ (n := l.+1)) //=; last exact: ltnW.
+  by rewrite addrC; congr (_ + _); rewrite -sumrN; apply: eq_bigr => i _; rewrite mulNr opprK.
+rewrite !S; set A := fun z => \sum_(0 <= i < l.+1) - d i * value r t m k i z; set B := fun z => \sum_(l.+1 <= j < n.+1) d j * value r t m k j z.
+rewrite -/(A x) -/(A y) -/(B x) -/(B y).
+have A0 z : 0 <= A z.
+  rewrite /A big_nat_cond; apply: sumr_ge0 => i /andP[/andP[_ il] _].
+  by rewrite mulr_ge0 ?oppr_ge0 ?neg ?value_ge0 //; move: il ln; clear; lia.
+have M : A y * B x <= A x * B y.
+  rewrite /A /B !mulr_suml big_nat_cond [X in _ <= X]big_nat_cond; apply: ler_sum => i /andP[/andP[_ il] _].
+  rewrite !mulr_sumr big_nat_cond [X in _ <= X]big_nat_cond; apply: ler_sum => j /andP[/andP[lj jn] _].
+  have ij : (i < j <= n)%N by move: il lj jn; clear; lia.
+  have h := minors_2 U ij x0 xy ym; rewrite subr_ge0 in h.
+  have -> : - d i * value r t m k i y * (d j * value r t m k j x) = - d i * d j * (value r t m k i y * value r t m k j x) by ring.
+  have -> : - d i * value r t m k i x * (d j * value r t m k j y) = - d i * d j * (value r t m k i x * value r t m k j y) by ring.
+  by rewrite ler_wpmul2l // mulr_ge0 ?oppr_ge0 ?neg ?pos //; move: il lj jn; clear; lia.
+rewrite subr_gt0 => h; rewrite subr_ge0.
+have Bx : 0 < B x := le_lt_trans (A0 x) h.
+case: (leP 0 (B y)) => By; last first.
+  have := le_trans M (mulr_ge0_le0 (A0 x) (ltW By)); rewrite pmulr_lle0 // => Ay.
+  have Ay0 : A y = 0 by apply/eqP; rewrite eq_le Ay A0.
+  have By0 : 0 <= B y.
+    rewrite /B big_nat_cond; apply: sumr_ge0 => j /andP[/andP[lj jn] _].
+    by rewrite mulr_ge0 ?pos ?value_ge0 //; move: lj jn; clear; lia.
+  by move: By; rewrite ltNge By0.
+rewrite -(ler_pmul2r Bx); apply: le_trans M _; rewrite mulrC ler_wpmul2l // ltW //.
+Qed.
 End Global.
 End Paper.
 
 Print Assumptions minors_2.
+Print Assumptions one_crossing.
 Print Assumptions N_minor.
 Print Assumptions closed_minor.
