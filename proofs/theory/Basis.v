@@ -46,6 +46,7 @@ rewrite GS w0 mul0r add0r e1 w0 subr0 mul1r.
 by apply: IH; rewrite !addSnnS // -e1.
 Qed.
 
+(* 0 at t_i unless k+1 knots coincide there *)
 Theorem T3_5_1_left k i : ~ (t i = t (i + k)%N /\ t (i + k)%N < t (i + k.+1)%N) -> G k i (t i) = 0.
 Proof.
 elim: k i => [|k IH] i h.
@@ -70,6 +71,7 @@ Qed.
 
 (* ---- T3.5.2 ---- *)
 Hypothesis w01 : w_range w.
+(* no function is negative *)
 Theorem T3_5_2_nonneg k i x : 0 <= G k i x.
 Proof.
 elim: k i => [|k IH] i; first by rewrite G0; case: ifP => _; rewrite ?lexx ?ler01.
@@ -78,6 +80,7 @@ by rewrite addr_ge0 // mulr_ge0 // subr_ge0.
 Qed.
 
 Hypothesis win : w_inside w t.
+(* T3.5.2: the same for every weight with these three properties *)
 Theorem T3_5_2 k i x : t i < x < t (i + k.+1)%N -> 0 < G k i x.
 Proof.
 elim: k i => [|k IH] i /andP[h1 h2].
@@ -138,6 +141,7 @@ rewrite add0r [X in _ + X]big_nat_cond [X in _ + X]big1 ?addr0 // => i hi.
 rewrite (G_N t_mono w _ _ h) N_supp ?scale0r //; lia.
 Qed.
 
+(* T3.5.3: the same for any numbers as weights *)
 Theorem T3_5_3 k n j x : (k <= j <= n)%N -> t j <= x < t j.+1 ->
   \sum_(0 <= i < n.+1) G k i x = \sum_(j - k <= i < j.+1) G k i x /\ \sum_(0 <= i < n.+1) G k i x = 1.
 Proof.
@@ -179,6 +183,7 @@ case: (boolP (t 0%N <= x < t n.+1)) => h; last first.
 by rewrite T3_5_3_interval.
 Qed.
 
+(* the sum is less than 1 on (t_0,t_k) and on (t_(n+1),t_m) *)
 Theorem T3_5_3_sharp k n x : (0 < k)%N ->
   (t 0%N < x < t k) \/ (t n.+1 < x < t (n + k.+1)%N) -> \sum_(0 <= i < n.+1) G k i x < 1.
 Proof.
@@ -232,11 +237,14 @@ Let r0 : 0 < r := D2_3_r_gt0 al_ok.
 Local Notation G := (G (wt_alpha al t) t).
 Lemma G_alpha k i x : G k i x = Definitions.G (wt r t) t k i x.
 Proof. by apply: eq_G => d j; rewrite /wt_alpha /wt D2_3. Qed.
+(* T3.5.1 in the paper's index *)
 Theorem T3_5_1_alpha k i x : ~~ (t i < x < t (i + k.+1)%N) ->
   ~ (x = t i /\ t i = t (i + k)%N /\ t (i + k)%N < t (i + k.+1)%N) -> G k i x = 0.
 Proof. by rewrite G_alpha; apply: T3_5_1 => //; apply: wt_left. Qed.
+(* T3.5.2 in the paper's index *)
 Theorem T3_5_2_alpha k i x : t i < x < t (i + k.+1)%N -> 0 < G k i x.
 Proof. by rewrite G_alpha; apply: T3_5_2 => //; [apply: wt_left|apply: wt_range|apply: wt_inside]. Qed.
+(* T3.5.3 in the paper's index *)
 Theorem T3_5_3_alpha k n j x : (k <= j <= n)%N -> t j <= x < t j.+1 ->
   \sum_(0 <= i < n.+1) G k i x = \sum_(j - k <= i < j.+1) G k i x /\ \sum_(0 <= i < n.+1) G k i x = 1.
 Proof. exact: T3_5_3. Qed.

@@ -42,6 +42,7 @@ apply: N_ext => d j /andP[h1 h2] _; rewrite /bw /bknots h1.
 by rewrite leqNgt h2.
 Qed.
 
+(* P3.3.2: the closed form on [a, b), each B on its own knots *)
 Theorem P3_3_2 k i x : (i <= k)%N -> a <= x < b ->
   B k i x = 'C(k, i)%:R * om x a b ^+ i * (1 - om x a b) ^+ (k - i).
 Proof.
@@ -50,6 +51,7 @@ Qed.
 Lemma B_out k i x : (k < i)%N -> a <= x < b -> B k i x = 0.
 Proof. by move=> ki h; rewrite B_N // N_supp //; lia. Qed.
 
+(* P3.3.1: the recursion on [a, b), each B on its own knots *)
 Theorem P3_3_1 k i x : (0 < k)%N -> a <= x < b ->
   B k i x = om x a b * (if i is j.+1 then B k.-1 j x else 0) + (1 - om x a b) * B k.-1 i x.
 Proof.

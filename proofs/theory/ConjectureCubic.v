@@ -108,6 +108,7 @@ Qed.
 End Bridge.
 
 Definition kn (R : realFieldType) (n : nat) : R := q2r R (BQ.kn n).
+(* Conj3.1.strong.continuous: r = 2, knots 0, 2, 3, 5, 10: G_0 is lower at 3 than at two points on both sides *)
 Theorem Conj3_1_false_k3 (R : realFieldType) : exists x1 x2 x3 : R, [/\ kn R 0 < x1, x1 < x2, x2 < x3, x3 < kn R 4 &
     let g := Definitions.G (wt (q2r R BQ.q2) (kn R)) (kn R) 3 0 in
     g x2 < g x1 /\ g x2 < g x3].
@@ -117,6 +118,7 @@ have H (a b : Q) : BQ.Qltb a b = true -> q2r R a < q2r R b by move=> e; rewrite 
 split; try (rewrite /kn; apply: H; by vm_compute).
 by cbv zeta; rewrite !G_q2r; split; apply: H; vm_compute.
 Qed.
+(* the knots of the example are simple *)
 Theorem kn_simple (R : realFieldType) : [/\ kn R 0 < kn R 1, kn R 1 < kn R 2, kn R 2 < kn R 3 & kn R 3 < kn R 4].
 Proof.
 have H (a b : Q) : BQ.Qltb a b = true -> q2r R a < q2r R b by move=> e; rewrite q2r_lt e.

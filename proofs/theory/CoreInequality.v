@@ -326,6 +326,7 @@ rewrite (ell_perm pl) (ell_perm pr) !ell_single //.
 - by rewrite /two /= hl hr1 orbT.
 Qed.
 
+(* Lemma 5, strict with two knots on each side *)
 Theorem logconcave_s W : (1 < count lft W)%N -> (1 < count rgt W)%N -> 0 < LL W.
 Proof.
 move=> cl cr; have t : two W by rewrite /two !has_count (ltnW cl) (ltnW cr).
@@ -354,6 +355,7 @@ Lemma BC s t : B s t = B t s. Proof. by rewrite /B; congr (_ - _ / _); ring. Qed
 Lemma two_pqq p q s : two (p :: q :: q :: s) = two (p :: q :: s).
 Proof. by rewrite /two /=; do 2!case: (_ q); do 2!case: (_ p). Qed.
 
+(* Lemma 6 *)
 Theorem mixed p q s : (1 <= size s)%N -> two (p :: q :: s) ->
   0 <= B (p :: q :: q :: s) (p :: p :: q :: s).
 Proof.
@@ -530,6 +532,7 @@ have E3 : 3%:R * S = \sum_(l <- V) \sum_(m <- V) \sum_(q <- V) c l * c m * c q *
 by rewrite E.
 Qed.
 
+(* Lemma 8, the inequality *)
 Theorem core_inequality : 0 <= phi1 2 * phi2 2 - phi1 1 * phi2 3.
 Proof.
 rewrite -(pmulr_rge0 _ (_ : 0 < 3%:R :> R)) ?ltr0n // core_sum.
@@ -543,6 +546,7 @@ move=> ls h hl; rewrite (perm_big _ (perm_to_rem ls)) big_cons /=; apply: ltr_pa
 by rewrite big_seq sumr_ge0 // => m /mem_rem; apply: h.
 Qed.
 
+(* the same, strict *)
 Theorem core_strict l : l \in V -> 0 < c l -> (1 < count lft (l :: l :: U))%N -> (1 < count rgt (l :: l :: U))%N ->
   0 < phi1 2 * phi2 2 - phi1 1 * phi2 3.
 Proof.

@@ -12,6 +12,7 @@ Variable R : comRingType.
 Implicit Type w : nat -> nat -> R.
 Fixpoint T w (s d i : nat) : R := if d is e.+1 then w d i * T w s e i + (1 - w d i) * T w s e i.+1 else (i <= s)%N%:R.
 Lemma TS w s d i : T w s d.+1 i = w d.+1 i * T w s d i + (1 - w d.+1 i) * T w s d i.+1. Proof. by []. Qed.
+(* a function is a difference of two cumulative ones *)
 Theorem N_T w s d i : N w s d i = T w s d i - T w s d i.+1.
 Proof.
 elim: d i => [|d IH] i; last by rewrite NS !IH !TS; ring.
@@ -95,6 +96,7 @@ rewrite -subr_ge0 T_diff; apply: addr_ge0; first apply: addr_ge0.
 - by rewrite mulr_ge0 // subr_ge0.
 by rewrite mulr_ge0 ?N_ge0 // subr_ge0 hw.
 Qed.
+(* greater weights, greater T, strictly *)
 Theorem T_lt d i : (forall e j, inside e j -> 0 < w e j < 1) -> (forall e j, inside e j -> 0 <= w' e j <= 1) ->
   (forall e j, inside e j -> (e <= d)%N -> w e j < w' e j) -> (i <= s < i + d)%N -> T w s d i < T w' s d i.
 Proof.
@@ -231,6 +233,7 @@ rewrite -(T_sum (fun e j => mw r t e j (t p.+1)) d pq (leqW pi)).
 rewrite le_eqVlt; apply/orP; left; apply/eqP; apply: eq_bigr => j _.
 exact: (@P3_1_2 R (mw r t) t t_mono (@mw_left R r t) (mw_right r0 (t := t)) p q d j (t p.+1) h1 h2 h3 (ltnW dq)).
 Qed.
+(* X.monotone: every T_i = G_i + … + G_n is non-decreasing, all knots *)
 Theorem TT_mono r d i s s' x y : 0 < r -> (s <= s')%N -> t s < t s.+1 -> t s' < t s'.+1 ->
   t s <= x <= t s.+1 -> t s' <= y <= t s'.+1 -> x <= y -> TT s r d i x <= TT s' r d i y.
 Proof.

@@ -22,10 +22,12 @@ Lemma deBoorS k d q i x :
   deBoor k d q.+1 i x = w (k - q)%N i x *: deBoor k d q i x + (1 - w (k - q)%N i x) *: deBoor k d q i.-1 x.
 Proof. by []. Qed.
 
+(* P4.1.2: the same for any numbers as weights, points in any vector space *)
 Theorem P4_1_2 k n j (d : nat -> V) x : (k <= j <= n)%N -> t j <= x < t j.+1 ->
   curve k n d x = \sum_(j - k <= i < j.+1) G k i x *: d i.
 Proof. exact: sum_local. Qed.
 
+(* T4.1: the same for any numbers as weights, points in any vector space *)
 Theorem T4_1 k n j (d : nat -> V) x q : (k <= j <= n)%N -> t j <= x < t j.+1 -> (q <= k)%N ->
   curve k n d x = \sum_(j - k + q <= i < j.+1) G (k - q) i x *: deBoor k d q i x.
 Proof.
@@ -36,6 +38,7 @@ rewrite (@N_deBoor _ _ _ _ _ _ q) //; last by case/andP: hj.
 by apply: eq_bigr => i _; rewrite (G_N t_mono w _ _ h).
 Qed.
 
+(* all levels: the curve is the last point *)
 Theorem T4_1_last k n j (d : nat -> V) x : (k <= j <= n)%N -> t j <= x < t j.+1 ->
   curve k n d x = deBoor k d k j x.
 Proof.

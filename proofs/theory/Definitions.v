@@ -61,6 +61,7 @@ Qed.
 Fixpoint dB w (k : nat) (u : nat -> V) (q i : nat) : V :=
   if q is p.+1 then w (k - p)%N i *: dB w k u p i + (1 - w (k - p)%N i) *: dB w k u p i.-1 else u i.
 
+(* de Boor's algorithm on a span, q levels, any numbers as weights *)
 Theorem N_deBoor w s k (u : nat -> V) q : (k <= s)%N -> (q <= k)%N ->
   \sum_(s - k <= i < s.+1) N w s k i *: u i = \sum_(s - k + q <= i < s.+1) N w s (k - q) i *: dB w k u q i.
 Proof.
@@ -72,6 +73,7 @@ have -> : ((s - (k - q)).+1 = s - k + q.+1)%N by lia.
 by have -> : ((k - q).-1 = k - q.+1)%N by lia.
 Qed.
 
+(* and all levels: one point is left *)
 Theorem N_deBoor_last w s k (u : nat -> V) : (k <= s)%N ->
   \sum_(s - k <= i < s.+1) N w s k i *: u i = dB w k u k s.
 Proof.
@@ -79,6 +81,7 @@ move=> ks; rewrite (@N_deBoor w s k u k) // subnn subnK // big_nat1 /= eqxx scal
 Qed.
 End Piece.
 
+(* the functions of a span have the sum 1, any numbers as weights *)
 Theorem N_sum1 (R : comRingType) (w : nat -> nat -> R) s k : (k <= s)%N -> \sum_(s - k <= i < s.+1) N w s k i = 1.
 Proof.
 move=> ks; pose u := fun _ : nat => (1 : R^o).

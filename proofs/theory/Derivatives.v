@@ -48,6 +48,7 @@ have -> : (1 - w d.+1 i.+1) * dN w dw s d i.+1 = dN w dw s d i.+1.
   by rewrite w0 ?subr0 ?mul1r //; lia.
 by rewrite addr0; ring.
 Qed.
+(* the derivatives where all weights are 0 *)
 Theorem dN_start d i : dN w dw s d i =
   ((i + d == s.+1)%N%:R - (i + d == s)%N%:R) * \sum_(1 <= e < d.+1) dw e (s.+1 - e)%N.
 Proof.
@@ -86,6 +87,7 @@ have -> : (1 - w d.+1 i.+1) * dN w dw s d i.+1 = 0.
   by rewrite w1 ?subrr ?mul0r //; lia.
 by ring.
 Qed.
+(* the derivatives where all weights are 1 *)
 Theorem dN_stop d i : (i + d < m)%N -> dN w dw s d i =
   ((i == s)%:R - (i.+1 == s)%:R) * \sum_(1 <= e < d.+1) dw e s.
 Proof.
@@ -258,6 +260,7 @@ Definition right_taylor (f : R -> R) x v l :=
 Definition left_taylor (f : R -> R) x v l :=
   exists g d, [/\ bnd g, 0 < d & forall h, 0 < h < d -> f (x - h) = v - l * h + h ^+ 2 * g h].
 
+(* the expansion of G to the right *)
 Theorem G_right s k i x : t s <= x < t s.+1 -> right_taylor (G (wt r t) t k i) x (P r t s k i x) (dP s k i x).
 Proof.
 move=> /andP[x1 x2]; have [||g [d [bg d0 hg]]] := @P_taylor s k i x.
@@ -268,6 +271,7 @@ move=> h /andP[h0]; rewrite lt_minr => /andP[h1 h2].
 rewrite (@G_P _ r t t_mono s); last by rewrite (le_trans x1) ?ler_addl //= addrC -ltr_subr_addr.
 by rewrite hg // ger0_norm.
 Qed.
+(* the expansion of G to the left *)
 Theorem G_left s k i x : t s < x <= t s.+1 -> left_taylor (G (wt r t) t k i) x (P r t s k i x) (dP s k i x).
 Proof.
 move=> /andP[x1 x2]; have [||g [d [bg d0 hg]]] := @P_taylor s k i x.
@@ -297,6 +301,7 @@ move=> e /andP[e1 e2]; rewrite /dmw -{1}(ej (1 + k - e)%N); last lia.
 have -> : (1 + k - e + e = k.+1)%N by lia.
 by rewrite (ej (1 + k - e)%N) ?dmob_a // ?e0 //; lia.
 Qed.
+(* T3.11.3a as expansions of the functions *)
 Theorem T3_11_3a k : (0 < k)%N -> t 0%N = t k -> t k < t k.+1 ->
   let c := k%:R * (r / (t k.+1 - t 0%N)) in
   [/\ right_taylor (G (wt r t) t k 0) (t 0%N) 1 (- c), right_taylor (G (wt r t) t k 1) (t 0%N) 0 c &
@@ -312,6 +317,7 @@ split; first by have := H 0%N; rewrite /= sub0r mulN1r.
 by move=> [|[|i]] // _; have := H i.+2; rewrite /= subr0 mul0r.
 Qed.
 
+(* T3.11.3b, all indices at once *)
 Theorem T3_11_3b_value k n i : t n < t n.+1 -> t n.+1 = t (n + k.+1)%N -> (i <= n)%N ->
   dP n k i (t (n + k.+1)%N) = ((i == n)%:R - (i.+1 == n)%:R) * (k%:R * (r^-1 / (t (n + k.+1)%N - t n))).
 Proof.
@@ -328,6 +334,7 @@ congr (_ * _); rewrite (eq_big_nat _ _ (F2 := fun _ => r^-1 / (t m - t n))).
 move=> e /andP[e1 e2]; rewrite /dmw -(ej (n + e)%N); last by rewrite /m; lia.
 rewrite dmob_b // (ej (n + e)%N) -?e0 //; rewrite /m; lia.
 Qed.
+(* T3.11.3b as expansions of the functions *)
 Theorem T3_11_3b k n : (0 < k)%N -> (0 < n)%N -> t n < t n.+1 -> t n.+1 = t (n + k.+1)%N ->
   let m := (n + k.+1)%N in let c := k%:R * (r^-1 / (t m - t n)) in
   [/\ left_taylor (G (wt r t) t k n) (t m) 1 c, left_taylor (G (wt r t) t k n.-1) (t m) 0 (- c) &
@@ -392,6 +399,7 @@ by rewrite normrN normrM gtr0_norm // [h * `|_|]mulrC ler_pmul2r // gC // gtr0_n
 Qed.
 Lemma bnd_opp (g : R -> R) : bnd g -> bnd (fun h => - g h).
 Proof. by case=> C [d [c0 d0 H]]; exists C, d; split => // h hh; rewrite normrN H. Qed.
+(* an expansion to the right has one value and one first coefficient only *)
 Theorem right_taylor_unique (f : R -> R) x v l v' l' : right_taylor f x v l -> right_taylor f x v' l' -> v = v' /\ l = l'.
 Proof.
 move=> [g [d [bg d0 h0]]] [g' [d' [bg' d0' h0']]].
@@ -403,6 +411,7 @@ have [||h a|e1 e2] := @expansion_unique (v - v') (l - l') (fun h => g h + - g' h
   by rewrite {1}h0 ?(ltW a) // h0' ?(ltW a) //; ring.
 by split; apply/eqP; rewrite -subr_eq0 ?e1 ?e2.
 Qed.
+(* and so has one to the left *)
 Theorem left_taylor_unique (f : R -> R) x v l v' l' : left_taylor f x v l -> left_taylor f x v' l' -> v = v' /\ l = l'.
 Proof.
 move=> [g [d [bg d0 h0]]] [g' [d' [bg' d0' h0']]].
@@ -459,6 +468,7 @@ have -> : x = y - (y - x) by ring.
 rewrite hg ?subr_gt0 ?xy ?(lt_le_trans a1) // -mulNr.
 by rewrite (le_lt_trans (HK _ _)) ?subr_ge0 ?(ltW xy) // mulrC -ltr_pdivl_mulr.
 Qed.
+(* continuity in the usual sense *)
 Theorem P3_1_2_continuous m k i y : t 0%N < y < t m -> (mult t m y <= k)%N ->
   forall eps, 0 < eps -> exists2 d, 0 < d & forall x, `|x - y| < d -> `|G (wt r t) t k i x - G (wt r t) t k i y| < eps.
 Proof.
@@ -467,6 +477,7 @@ Qed.
 
 (* ---- P4.2.2 ---- *)
 Variable V : lmodType R.
+(* the derivatives at t_0, summed up with the control points *)
 Theorem P4_2_2_left k n (d : nat -> V) : (0 < k)%N -> (0 < n)%N -> t 0%N = t k -> t k < t k.+1 ->
   \sum_(0 <= i < n.+1) dP r t k k i (t 0%N) *: d i = (k%:R * (r / (t k.+1 - t 0%N))) *: (d 1%N - d 0%N).
 Proof.
@@ -474,6 +485,7 @@ move=> k0 n0 e0 h; case: n n0 => // n _; rewrite big_nat_recl // big_nat_recl //
 rewrite big1 ?addr0; last by move=> i _; rewrite T3_11_3a_value //= subr0 mul0r scale0r.
 by rewrite sub0r subr0 mulN1r mul1r scalerBr scaleNr addrC.
 Qed.
+(* the derivatives at t_m, summed up with the control points *)
 Theorem P4_2_2_right k n (d : nat -> V) : (0 < k)%N -> (0 < n)%N -> t n < t n.+1 -> t n.+1 = t (n + k.+1)%N ->
   \sum_(0 <= i < n.+1) dP r t n k i (t (n + k.+1)%N) *: d i =
   (k%:R * (r^-1 / (t (n + k.+1)%N - t n))) *: (d n - d n.-1).
@@ -513,6 +525,7 @@ rewrite ![\sum_(0 <= i < n.+1) _]big_nat_recr //= hg ?h0 // hp ?h0 //.
 move: (\sum_(0 <= i < n) v i * d i) (\sum_(0 <= i < n) l i * d i) => A A'.
 move: (v n) (l n) (d n) (g h) (p h) => B B' c u u'; ring.
 Qed.
+(* the expansion of the curve at t_0, one coordinate *)
 Theorem P4_2_2_curve_left k n (d : nat -> R^o) : (0 < k)%N -> (0 < n)%N -> t 0%N = t k -> t k < t k.+1 ->
   right_taylor (curve (wt r t) t k n d) (t 0%N) (d 0%N) (k%:R * (r / (t k.+1 - t 0%N)) * (d 1%N - d 0%N)).
 Proof.

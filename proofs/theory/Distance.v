@@ -39,6 +39,7 @@ case: (leqP i.+1 s) => is_; last by case/andP: (c01 d i).
 rewrite /c; case: ifP => [hj|_]; last by rewrite ltnW.
 by move: hi hj is_; clear; lia.
 Qed.
+(* the sum of all |T' - T| is at most d times the largest difference of two weights *)
 Theorem T_distance d b : (s < b)%N -> \sum_(0 <= i < b) `|T w' s d i - T w s d i| <= d%:R * D.
 Proof.
 case: b => // b sb; elim: d => [|d IH].

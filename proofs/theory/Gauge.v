@@ -29,6 +29,7 @@ rewrite -[RHS](@cl_scale k _ _ (lt0r_neq0 k0)) -!map_comp; congr (cl _ _); apply
 by rewrite mulrN.
 Qed.
 
+(* all signed distances times c > 0: D_j is divided by c^j *)
 Theorem D_scale (k : R) (y : I -> R) j s : (forall l, lft y l || rgt y l) -> 0 < k ->
   Tower.D (fun l => k * y l) (ListRace.C (fun l => k * y l)) j s = Tower.D y (ListRace.C y) j s / k ^+ j.
 Proof.

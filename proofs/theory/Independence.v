@@ -15,6 +15,7 @@ Variable t : nat -> R.
 Hypothesis t_mono : forall i, t i <= t i.+1.
 Let tle := t_le t_mono.
 
+(* P3.2: the same for all knots, if only t_i < t_{i+k+1} for i ≤ n *)
 Theorem P3_2 k n (c : nat -> R) : (forall i, (i <= n)%N -> t i < t (i + k.+1)%N) ->
   (forall x, t 0%N <= x < t (n + k.+1)%N -> \sum_(0 <= j < n.+1) c j * G (wt r t) t k j x = 0) ->
   forall i, (i <= n)%N -> c i = 0.

@@ -90,8 +90,10 @@ rewrite addn0 J_step // [J q i.+1]J_p2 // mulr0 addr0.
 case: (ltnP p.+1 i) => e; first by rewrite J_p2 ?mulr0.
 by rewrite w0 ?mul0r //; move: h e q0; clear; lia.
 Qed.
+(* the jump in the first degree in which the function is continuous with its first derivative for equal weights *)
 Theorem J_first : J q.+1 p = A - w q.+1 p * (A + B).
 Proof. by rewrite J_step // J_p0 J_p1 (w0 (e := q.+1) (j := p.+1)) ?subr0; [ring|move: q0; clear; lia|clear; lia]. Qed.
+(* each further degree gives one factor *)
 Theorem J_p d : J (q.+1 + d) p = J q.+1 p * \prod_(q.+2 <= e < q.+2 + d) w e p.
 Proof.
 elim: d => [|d IH]; first by rewrite !addn0 big_geq // mulr1.
@@ -118,6 +120,7 @@ have -> : (i.+1 == p) = false by apply/eqP; move: h; clear; lia.
 rewrite mul0r mulr0 add0r; case: (eqVneq i.+2 p) => [e|_]; last by rewrite mul0r mulr0.
 by rewrite w1 ?subrr ?mul0r //; move: e q0; clear; lia.
 Qed.
+(* the mirror image *)
 Theorem J_low d : (d < p)%N -> J (q.+1 + d) (p - d.+1) = - J q.+1 p * \prod_(0 <= e < d) (1 - w (q.+2 + e)%N (p - e.+1)%N).
 Proof.
 elim: d => [|d IH] h.

@@ -44,6 +44,7 @@ rewrite /two negb_and; case: h => h; apply/orP; [left|right]; apply/hasPn => x;
   by rewrite inE => /orP[/eqP ->|xs]; apply: (hasPn h).
 Qed.
 
+(* the recursion differentiated by the quotient rule is the sum of c_l D_(V+l) *)
 Theorem lemma7 A B : all (lft y) A -> all (rgt y) B -> (1 <= size (A ++ B))%N -> dcl A B = sumD (A ++ B).
 Proof.
 elim: A B => [|a A IHA] B hA hB z.

@@ -46,6 +46,7 @@ Hypothesis t_mono : forall i, t i <= t i.+1.
 Let tle := t_le t_mono.
 Variables n k : nat.
 Local Notation m := (n + k.+1)%N.
+(* X.limit: both bounds *)
 Theorem X_limit_printed j x : (1 <= k)%N -> (k <= j <= n)%N -> t j < x < t j.+1 ->
   1 - value r t m k (j - k) x <= r * (\sum_((j - k).+1 <= i < j.+1) ((x - t i) / (t j.+1 - x))) /\
   1 - value r t m k j x <= r^-1 * (\sum_(j.+1 <= i < (j + k).+1) ((t i - x) / (x - t j))).

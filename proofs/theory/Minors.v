@@ -250,6 +250,7 @@ exists (fun h => c ^+ 2 * g (c * h)), (d / (`|c| + 1)); split.
 - by rewrite divr_gt0.
 by move=> h hh; rewrite add0r hf ?small //; ring.
 Qed.
+(* the minor of two functions at two points of a closed span is not negative, by continuity from inside *)
 Theorem closed_minor d i j x y : t s < t s.+1 -> (i <= j)%N -> t s <= x -> x <= y -> y <= t s.+1 ->
   P r t s d i y * P r t s d j x <= P r t s d i x * P r t s d j y.
 Proof.

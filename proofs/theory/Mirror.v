@@ -28,6 +28,7 @@ Notation ym := (fun l => - y l).
 Lemma ym_side l : lft ym l || rgt ym l.
 Proof. by rewrite orbC /lft /rgt oppr_gt0 oppr_lt0; apply: y_side. Qed.
 
+(* all signed distances negative: C becomes 1 - C *)
 Theorem C_mirror s : (0 < size s)%N -> ListRace.C ym s = 1 - ListRace.C y s.
 Proof.
 move=> z; have eL : Ls ym s = Rs y s.
@@ -43,6 +44,7 @@ by case: s z {eL eR} => [//|l s] _; case/orP: (y_side l) => h; rewrite ?(Ls_l _ 
 Qed.
 
 
+(* and D_(j+1) gets the sign (-1)^j *)
 Theorem D_mirror j s : (j.+1 < size s)%N ->
   Tower.D ym (ListRace.C ym) j.+1 s = (-1) ^+ j * Tower.D y (ListRace.C y) j.+1 s.
 Proof.
@@ -95,6 +97,7 @@ have e0' : A0' = p2 2%N + y t0 * p2 3%N.
 rewrite e0 e0' -[A1]/(p1 1%N) -[A1']/(p2 2%N) -/p1 -/p2; ring.
 Qed.
 
+(* Theorem A at a point, a new knot on either side *)
 Theorem theoremA_signed : 0 <= y t0 * (A0 * A1' - A0' * A1).
 Proof.
 have tw := DDtower y_side; have pm := DDperm y_side.
@@ -120,8 +123,10 @@ case h0 : (rgt y t0) sl => sl; apply: core => /=.
   by rewrite !add1n !ltnS.
 Qed.
 
+(* a new knot on the right *)
 Corollary theoremA_right : 0 < y t0 -> 0 <= A0 * A1' - A0' * A1.
 Proof. by move=> h; rewrite -(pmulr_rge0 _ h) theoremA_signed. Qed.
+(* a new knot on the left *)
 Corollary theoremA_left : y t0 < 0 -> A0 * A1' - A0' * A1 <= 0.
 Proof. by move=> h; rewrite -(nmulr_rge0 _ h) theoremA_signed. Qed.
 End Signed.

@@ -51,6 +51,7 @@ case: (eqVneq (i + d.+1)%N (p + q)%N) => e2; last by rewrite mulr0.
 by rewrite (h _ i.+1) ?subr0 ?mul1r //; lia.
 Qed.
 
+(* pieces on both sides of a knot of multiplicity q have the same value, if q <= k *)
 Theorem N_cont w p q k i :
   (forall e j, (j <= p)%N -> (p < j + e <= p + q)%N -> w e j = 1) ->
   (forall e j, (p < j <= p + q)%N -> (p + q < j + e)%N -> w e j = 0) ->
@@ -96,6 +97,7 @@ Let tle := t_le t_mono.
 
 Definition piece s k i x : R := N (fun d j => v d j x) s k i.
 
+(* on a span G is the piece, with weights that are not cut off *)
 Theorem G_piece s k i x : t s <= x < t s.+1 -> G w t k i x = piece s k i x.
 Proof.
 move=> h; rewrite (G_N t_mono w _ _ h); apply: N_ext => d j /andP[h1 h2] _; apply: w_v.
@@ -148,16 +150,19 @@ rewrite /=; apply: T3_5_1 => //.
 move=> [h1 [h2 h3]]; move: h2; apply/eqP; rewrite lt_eqF // -h1 e.
 by rewrite (lt_le_trans h) // tle //; lia.
 Qed.
+(* at t_m the functions but the last have the limit 0 *)
 Theorem P3_1_3_right k n i : t n < t n.+1 -> t n.+1 = t (n + k.+1)%N -> (i <= n)%N ->
   piece n k i (t (n + k.+1)%N) = (i == n)%:R.
 Proof. by move=> h1 h2 h3; apply: T3_5_1_tm => //; lia. Qed.
 
 Variable V : lmodType R.
+(* the curve begins in d_0 *)
 Theorem P4_2_1_left k n (d : nat -> V) : w_left w t -> t 0%N = t k -> t k < t k.+1 -> curve w t k n d (t 0%N) = d 0%N.
 Proof.
 move=> w0 e h; rewrite /curve big_nat_recl // P3_1_3_left // scale1r big1 ?addr0 // => i _.
 by rewrite P3_1_3_left // scale0r.
 Qed.
+(* and ends in d_n *)
 Theorem P4_2_1_right k n (d : nat -> V) : t n < t n.+1 -> t n.+1 = t (n + k.+1)%N ->
   \sum_(0 <= i < n.+1) piece n k i (t (n + k.+1)%N) *: d i = d n.
 Proof.

@@ -218,6 +218,7 @@ have e := den_neq0 n m; congr (_, _); rewrite /= ?sub0r //.
 by move: e; rewrite /den => e; field.
 Qed.
 
+(* the chance to visit a state is a difference of two cumulative ones *)
 Theorem G_C n m : G n m = ds (C n.+1 m) (C n m.+1).
 Proof.
 have dsz (f : dual) : ds f (0, 0) = f by case: f => x y; rewrite /ds /= !subr0.
@@ -240,6 +241,7 @@ Qed.
 Lemma C_decr n m : 0 < (C n.+1 m).1 - (C n m.+1).1.
 Proof. by have := G1_gt0 n m; rewrite G_C. Qed.
 
+(* the cumulative functions do not fall *)
 Theorem C_mono n m : 0 <= (C n m).2.
 Proof.
 elim: n m => [|n IHn]; first by case=> [|m]; rewrite ?C0S /= ?lexx.

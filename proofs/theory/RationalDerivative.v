@@ -105,6 +105,7 @@ apply: (@roots_geq_poly_eq0 _ p [seq pt i | i <- iota 0 (size p)]).
 - by rewrite size_map size_iota.
 Qed.
 
+(* a function has one derivative only *)
 Theorem isd_uniq f f' g g' : isd f f' -> isd g g' -> (forall x, u < x < v -> f x = g x) ->
   forall x, u < x < v -> f' x = g' x.
 Proof.
@@ -156,6 +157,7 @@ Definition rational (f : R -> R) := exists P Q : {poly R}, forall x, u < x < v -
 Definition smooth (f : R -> R) := exists F : nat -> R -> R, (forall x, u < x < v -> F 0%N x = f x) /\ forall q, isd (F q) (F q.+1).
 Fixpoint quotients (P Q : {poly R}) (q : nat) : {poly R} * {poly R} :=
   if q is q'.+1 then let PQ := quotients P Q q' in (PQ.1^`() * PQ.2 - PQ.1 * PQ.2^`(), PQ.2 ^+ 2) else (P, Q).
+(* a rational function without poles has derivatives of every order *)
 Theorem rational_smooth f : rational f -> smooth f.
 Proof.
 case=> P [Q h]; exists (fun q x => (quotients P Q q).1.[x] / (quotients P Q q).2.[x]); split.
@@ -243,6 +245,7 @@ have -> : F^`().[z] = Q.[z] ^+ 2 * (f' z - m).
 by rewrite mulr_gt0 // subr_gt0 f0.
 Qed.
 
+(* a derivative that is not negative on [x,y] makes f(x) <= f(y) *)
 Theorem isd_mono_seg (u v : R) (f f' : R -> R) x y : isd u v f f' -> u < x -> x <= y -> y < v ->
   (forall z, x <= z <= y -> 0 <= f' z) -> f x <= f y.
 Proof.
@@ -250,6 +253,7 @@ move=> h ux; rewrite le_eqVlt => /orP[/eqP ->|xy yv f0]; first by rewrite lexx.
 rewrite leNgt; apply/negP => fyx; apply: (isd_slope h ux xy yv) => z hz.
 by apply: lt_le_trans (f0 z hz); rewrite pmulr_llt0 ?invr_gt0 ?subr_gt0 // subr_lt0.
 Qed.
+(* a positive one makes f(x) < f(y) *)
 Theorem isd_mono_strict (u v : R) (f f' : R -> R) x y : isd u v f f' -> u < x -> x < y -> y < v ->
   (forall z, x <= z <= y -> 0 < f' z) -> f x < f y.
 Proof.
@@ -257,6 +261,7 @@ move=> h ux xy yv f0.
 rewrite ltNge; apply/negP => fyx; apply: (isd_slope h ux xy yv) => z hz.
 by apply: le_lt_trans (f0 z hz); rewrite pmulr_lle0 ?invr_gt0 ?subr_gt0 // subr_le0.
 Qed.
+(* the same on the whole interval *)
 Corollary isd_mono (u v : R) (f f' : R -> R) : isd u v f f' -> (forall x, u < x < v -> 0 <= f' x) ->
   forall x y, u < x -> x <= y -> y < v -> f x <= f y.
 Proof.

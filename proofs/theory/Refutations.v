@@ -126,6 +126,7 @@ apply: last_span_uniq; [exact: step_mono|by apply: step_U; clear; lia|by clear; 
   by rewrite step0 // step1 // ltr01.
 by rewrite !step1 //; clear; lia.
 Qed.
+(* L3.9: for every k and q on the knots 0 (k+1 times), 1 (k+2 times) *)
 Theorem L3_9_printed_false q : (q < k)%N -> exists (t : nat -> R) n, [/\ forall j, t j <= t j.+1, Uopen t n k &
   Dleft r t (n + k.+1) (k - q) n.-1 (t (n + k.+1)%N) !=
   Dleft r t (n + k.+1) (k - q.+1) n.-1 (t (n + k.+1)%N) - wDleft r t (k - q) n (t (n + k.+1)%N)].
@@ -135,6 +136,7 @@ exists (step k.+1), k.+1; split; [exact: step_mono|exact: step_open|].
 apply: (L3_9_fails r_gt0 (step_mono k.+1) (step_U hk) (step_open hk) qk).
 by rewrite (mult_tm (step_mono k.+1) (step_U hk)) step_last; clear; lia.
 Qed.
+(* T3.11.3b: for every k on the knots 0 (k+1 times), 1 (k+2 times) *)
 Theorem T3_11_3b_printed_false : (1 <= k)%N -> exists (t : nat -> R) n i, [/\ forall j, t j <= t j.+1, Uopen t n k, (i.+2 <= n)%N &
   Dleft r t (n + k.+1) k i (t (n + k.+1)%N) != 0].
 Proof.
@@ -143,9 +145,11 @@ have e : step k.+1 k.+1 = step k.+1 k.+2 by rewrite !step1.
 have [i [im h]] := T3_11_3b_fails r_gt0 (step_mono k.+1) (step_U hk) k1 (step_open hk) e.
 by exists (step k.+1), k.+1, i; split => //; [exact: step_mono|exact: step_open].
 Qed.
+(* L3.10: for every k on the same knots *)
 Theorem L3_10_printed_false : (2 <= k)%N -> exists (t : nat -> R) n i, [/\ forall j, t j <= t j.+1, Uopen t n k, (i.+2 <= n)%N &
   Dleft r t (n + k.+1) k i (t (n + k.+1)%N) != 0].
 Proof. by move=> k2; apply: T3_11_3b_printed_false; exact: ltnW. Qed.
+(* T3.11.3a: for every k on the knots 0 (k+2 times), 1 (k+1 times) *)
 Theorem T3_11_3a_printed_false : (1 <= k)%N -> exists (t : nat -> R) n i, [/\ forall j, t j <= t j.+1, Uopen t n k, (2 <= i <= n)%N &
   Dright r t (n + k.+1) k i (t 0%N) != 0].
 Proof.

@@ -49,6 +49,7 @@ Proof.
 move=> im h; rewrite value_in; last by case/andP: h => _ h; apply: (lt_le_trans h); rewrite tle // leq_add2r.
 by apply: T3_5_2 => //; [exact: wt_left|exact: wt_range|exact: wt_inside].
 Qed.
+(* no value is negative, that at t_m included *)
 Theorem value_ge0 i x : (i <= n)%N -> 0 <= value k i x.
 Proof.
 move=> im; case: (ltgtP x (t m)) => hx.
@@ -143,6 +144,7 @@ Proof.
 move=> h; rewrite /phi; case: ifP => // /andP[ax _].
 by have -> : x = a by [apply/eqP; rewrite eq_le h ax]; rewrite mob_a.
 Qed.
+(* L3.6: both equations, 0 ≤ q ≤ k−1 *)
 Theorem L3_6_printed q : Uopen t n k -> (q < k)%N ->
   value (k - q) q (t 0%N) = value (k - q.+1) q.+1 (t 0%N) /\ value (k - q) q.+1 (t 0%N) = value (k - q.+1) q.+2 (t 0%N).
 Proof.

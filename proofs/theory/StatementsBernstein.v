@@ -84,9 +84,11 @@ Proof.
 move=> ik hx; rewrite bern_value // N_const // bin_sub //; congr (_ * _ ^+ _ * _).
 by move: ik; clear; lia.
 Qed.
+(* P3.3.2: the closed form on [t_0, t_m) *)
 Theorem P3_3_2_amended i x : (i <= k)%N -> t 0%N <= x < t m ->
   value k i x = 'C(k, i)%:R * phi x (t 0%N) (t m) ^+ i * (1 - phi x (t 0%N) (t m)) ^+ (k - i).
 Proof. by move=> ik hx; rewrite bern_phi // bern_closed //; have /andP[-> /ltW ->] := hx. Qed.
+(* P3.3.2: it fails at t_m for i = 0 and i = k *)
 Theorem P3_3_2_fails i : (1 <= k)%N -> i = 0%N \/ i = k ->
   value k i (t m) != 'C(k, i)%:R * phi (t m) (t 0%N) (t m) ^+ i * (1 - phi (t m) (t 0%N) (t m)) ^+ (k - i).
 Proof.

@@ -246,6 +246,7 @@ Definition b (d : nat -> R) q i x : R := deBoor (V := [lmodType R of R^o]) (wt r
 Lemma b0 d i x : b d 0 i x = d i. Proof. by []. Qed.
 Lemma bS d q i x : b d q.+1 i x = wt r t (k - q)%N i x * b d q i x + (1 - wt r t (k - q)%N i x) * b d q i.-1 x.
 Proof. by []. Qed.
+(* T4.1: all levels q ≤ k, and C = d_j^k *)
 Theorem T4_1_printed (d : nat -> R) j x : (k <= j <= n)%N -> t j <= x < t j.+1 ->
   (forall q, (q <= k)%N -> C d x = \sum_(j - k + q <= i < j.+1) b d q i x * value (k - q) i x) /\ C d x = b d k j x.
 Proof.
@@ -270,6 +271,7 @@ move=> _ sym hx hk.
 rewrite /coordinate [RHS]big_nat_rev /=; apply: eq_big_nat => i /andP[_ im].
 by rewrite add0n subSS subKn // (T3_5_4_amended r_gt0 t_mono U sym im hx).
 Qed.
+(* P4.3: at an inner knot of multiplicity above k it fails for some G_i *)
 Theorem P4_3_fails x : Uopen t n k -> Usymmetric t n k -> t 0%N < x < t m -> (k < mult t m x)%N ->
   exists i, (i <= n)%N /\ value k i (t 0%N + t m - x) != Values.value r^-1 t m k (n - i) x.
 Proof. by move=> _; apply: T3_5_4_fails. Qed.

@@ -200,6 +200,7 @@ have -> : (s.-1.+1 == s) by apply/eqP; move: k0 ks; clear; lia.
 by rewrite sub0r mulN1r oppr_eq0 gt_eqF // sum_dmw_tm.
 Qed.
 End Last.
+(* L3.10: not 0 for some i ≤ n−2 if t_n = t_{n+1} *)
 Theorem L3_10_fails : (2 <= k)%N -> Uopen t n k -> t n = t n.+1 -> exists i, (i.+2 <= n)%N /\ Dleft k i (t m) != 0.
 Proof. by move=> k2; apply: T3_11_3b_fails; exact: ltnW. Qed.
 

@@ -49,6 +49,7 @@ Proof.
 move=> jn h1 h2; case: (boolP (t j < x < _)) => h; first by rewrite gt_eqF // T3_5_2_printed.
 by rewrite (T3_5_1_amended r_gt0 t_mono U jn h h1 h2) eqxx.
 Qed.
+(* proof.P4.1.1.iff: 1 at these ends *)
 Theorem proof_P4_1_1_iff_fails j x : (j <= n)%N ->
   (x = t j /\ t j = t (j + k)%N /\ t (j + k)%N < t (j + k.+1)%N) \/ (t j < t j.+1 /\ t j.+1 = t m /\ t m = x) -> value k j x = 1.
 Proof. exact: T3_5_1_fails. Qed.

@@ -59,6 +59,7 @@ Qed.
 
 (* P4.3 as amended: sg any affine map that takes d_i to d_(n-i), e.g. the reflection in the bisector of (d_0,d_n) *)
 Variable V : lmodType R.
+(* P4.3: every affine map that takes d_i to d_{n−i} takes one curve to the other *)
 Theorem P4_3 (L : {linear V -> V}) (c : V) (d : nat -> V) x : (k <= n)%N ->
   (forall i, (i <= n)%N -> L (d i) + c = d (n - i)%N) -> t k <= x < t n.+1 -> t 0%N < x -> (mult t m x <= k)%N ->
   L (curve (wt r^-1 t) t k n d x) + c = curve (wt r t) t k n d (t 0%N + t m - x).

@@ -44,6 +44,7 @@ have -> : x < t (i + (n + m.+1)) by apply: (lt_le_trans xs); apply: t_le; rewrit
 by [].
 Qed.
 
+(* the recursion D3.3 is the table of the race: n = s-i left knots, m = k-n right knots *)
 Theorem G_table n m i x : t s < x < t s.+1 -> (i + n = s)%N -> N (n + m) i x = G x n m.
 Proof.
 move=> hx; have [d] := ubnP (n + m)%N; elim: d n m i => // d IH n m i; rewrite ltnS => le e.
@@ -119,6 +120,7 @@ rewrite (isd_uniq h d e hx) (isd_uniq h d e hy).
 by apply: (theorem3 r0 (tLu t_mono s) (tRv t_mono s) (tL_mono t_mono s) (tR_mono t_mono s)); rewrite ?nm.
 Qed.
 
+(* X.maxima.spans: Theorem 3: inside of a span of the support G is above the smaller of two values around, real closed fields *)
 Theorem paper_unimodal k i s x y z : (0 < k)%N -> (i <= s <= i + k)%N ->
   t s < x -> x < y -> y < z -> z < t s.+1 -> Num.min (N k i x) (N k i z) < N k i y.
 Proof.

@@ -27,6 +27,7 @@ have w j n : wt (f r) (fun j => f (t j)) n j (f x) = f (wt r t n j x).
 by rewrite !GS !IH !w !(rmorphD, rmorphM, rmorphN, rmorph1).
 Qed.
 
+(* Theorem 3 for rational knots, ratio and points, by the embedding into a real closed field *)
 Theorem rat_unimodal k i s x y z : (0 < k)%N -> (i <= s <= i + k)%N ->
   t s < x -> x < y -> y < z -> z < t s.+1 -> Num.min (N k i x) (N k i z) < N k i y.
 Proof.
@@ -74,6 +75,7 @@ Hypothesis tlu : forall n, tl n <= u.
 Hypothesis trv : forall m, v <= tr m.
 Hypothesis tl_mono : forall n, tl n.+1 <= tl n.
 Hypothesis tr_mono : forall m, tr m <= tr m.+1.
+(* the same for the derivative in the table *)
 Theorem rat_theorem3 n m x y : (0 < n + m)%N -> u < x -> x < y -> y < v ->
   (G3 r tl tr x n m).1.2 <= 0 -> (G3 r tl tr y n m).1.2 < 0.
 Proof.
@@ -83,11 +85,13 @@ move: h'; rewrite !G3_ratr /tmap /= lerq0 ltrq0 !ltr_rat ltr0q; apply=> // k; by
 Qed.
 End Rat.
 
+(* X.maxima.spans: the same for rational knots, ratio and points *)
 Theorem rational_unimodal (r : rat) (t : nat -> rat) k i s x y z : 0 < r -> (forall j, t j <= t j.+1) ->
   (0 < k)%N -> (i <= s <= i + k)%N -> t s < x -> x < y -> y < z -> z < t s.+1 ->
   let G := Definitions.G (wt r t) t in Num.min (G k i x) (G k i z) < G k i y.
 Proof. by move=> r0 tm; apply: (rat_unimodal r0 tm [rcfType of realalg]). Qed.
 
+(* Theorem 3 for rational numbers: once the derivative is <= 0 it is < 0 on the rest of the span *)
 Theorem rational_theorem3 (r u v : rat) (tl tr : nat -> rat) n m x y : 0 < r ->
   (forall j, tl j <= u) -> (forall j, v <= tr j) -> (forall j, tl j.+1 <= tl j) -> (forall j, tr j <= tr j.+1) ->
   (0 < n + m)%N -> u < x -> x < y -> y < v ->

@@ -123,12 +123,14 @@ split; last by apply: (isd_ext (isd_opp (w2_der n m))) => x hx //=; rewrite oppr
 apply: (isd_ext (isd_div (b_der m) (den_der n m) (fun x hx => den0 n m hx))) => x hx //=.
 have := den0 n m hx; rewrite /den; move: (a x n) (b x m) => p q dn; by field.
 Qed.
+(* the parts of a triple of the cumulative functions are derivatives of each other *)
 Theorem C3_der n m : isd3 (fun x => C3 x n m).
 Proof.
 elim: n m => [|n IHn] m; first by case: m => [|m]; apply: isd3_const.
 elim: m => [|m IHm]; first exact: isd3_const.
 exact: (isd3_add (isd3_mul (tw_der n m) IHm) (isd3_mul (tv_der n m) (IHn m.+1))).
 Qed.
+(* and of the functions themselves *)
 Theorem G3_der n m : isd3 (fun x => G3 x n m).
 Proof.
 elim: n m => [|n IHn] m.
@@ -198,6 +200,7 @@ move: (a x n) (b x m) (Race.C r (a x) (b x) n.+1 m).1 (Race.C r (a x) (b x) n m.
 have d2 : p * r + q != 0 by rewrite mulrC.
 by field; rewrite ?rn ?dn ?d2.
 Qed.
+(* the table is the recursion on lists of knots *)
 Theorem C_table x n m W : u < x < v -> perm_eq W (VV n m) -> (0 < n + m)%N -> (C3 x n m).1.1 = Cx x W.
 Proof.
 move=> hx p z; rewrite (Cperm _ p) C3_dual -cl_table //; apply: esym.
@@ -205,12 +208,14 @@ exact: (C_cat (yy_sd lam0 t_sd) hx (LV_all n) (RV_all m)).
 Qed.
 
 Notation AAx x W := (AA tt_ lam x W). Notation AAx' x W := (AA' tt_ lam x W).
+(* the first derivatives in the table are those of the lists *)
 Theorem A_table x n m W : u < x < v -> perm_eq W (VV n m) -> (0 < n + m)%N -> A x n m = AAx x W.
 Proof.
 move=> hx p z; have [h1 _] := C3_der n m.
 have zW : (0 < size W)%N by rewrite (perm_size p) VV_size.
 exact: (isd_uniq h1 (AA_der lam0 t_sd zW) (fun x hx => C_table hx p z) hx).
 Qed.
+(* and the second ones *)
 Theorem A'_table x n m W : u < x < v -> perm_eq W (VV n m) -> (0 < n + m)%N -> A' x n m = AAx' x W.
 Proof.
 move=> hx p z; have [_ h1] := C3_der n m.
@@ -244,6 +249,7 @@ Lemma A_0m x m : A x 0 m = 0. Proof. by case: m. Qed.
 Lemma A_n0 x n : A x n 0 = 0. Proof. by case: n. Qed.
 Lemma A'_0m x m : A' x 0 m = 0. Proof. by case: m. Qed.
 Lemma A'_n0 x n : A' x n 0 = 0. Proof. by case: n. Qed.
+(* no cumulative function falls *)
 Theorem A_ge0 x n m : u < x < v -> 0 <= A x n m.
 Proof.
 move=> hx; case: n => [|n]; first by rewrite A_0m.
@@ -264,6 +270,7 @@ apply: (theoremA_fun_right lam0 t_sd uU (VV_hasR n m0) (VV_hasL m n0)) => // -[[
   by apply: tR_le; apply: ltnW.
 by apply: (le_trans (tLu k)); apply: (le_trans _ (tRv m)); case/andP: hx => h1 h2; apply: ltW; apply: lt_trans h2.
 Qed.
+(* one more left knot: A (n+1) m / A n m falls strictly *)
 Theorem A_left x n m : u < x < v -> (0 < n)%N -> (0 < m)%N -> A x n m * A' x n.+1 m - A' x n m * A x n.+1 m < 0.
 Proof.
 move=> hx n0 m0; have z : (0 < n + m)%N by rewrite addn_gt0 n0.
@@ -291,6 +298,7 @@ have -> : A x n m * (A x n.+1 m * A' x n m.+1 - A' x n.+1 m * A x n m.+1) =
   by move: (A x n.+1 m) (A' x n.+1 m) (A x n m.+1) (A x n m) (A' x n m.+1) (A' x n m) => z1 z2 z3 z4 z5 z6; ring.
 by rewrite addr_gt0 // mulr_gt0 // oppr_gt0.
 Qed.
+(* the corollary without strictness, always *)
 Theorem A_ratio x n m : u < x < v -> 0 <= A x n.+1 m * A' x n m.+1 - A' x n.+1 m * A x n m.+1.
 Proof.
 move=> hx; case: n => [|n]; first by rewrite A_0m A'_0m !mulr0 subrr.
@@ -364,6 +372,7 @@ move=> /le_lt_trans /(_ h); rewrite pmulr_lgt0 ?invr_gt0 // subr_gt0 => e.
 by rewrite subr_lt0.
 Qed.
 
+(* the sign of the derivative does not rise *)
 Corollary sign_pattern n m x y : (0 < n + m)%N -> u < x -> x < y -> y < v ->
   Num.sg (G' y n m) <= Num.sg (G' x n m).
 Proof.

@@ -141,6 +141,7 @@ move=> hx; apply/andP; split.
   by rewrite (eq_has (a2 := fun l => ~~ sd l)) // => l; rewrite (lftE zz_sd).
 by rewrite (eq_has (a2 := sd)) // => l; rewrite (rgtE zz_sd).
 Qed.
+(* Theorem A for functions of x: one more knot, farther than all others, the inequality for all indices *)
 Theorem theoremA_all x : u < x < v ->
   0 <= sg * (AA x V * AA' x U - AA' x V * AA x U).
 Proof.
@@ -148,6 +149,7 @@ move=> hx; rewrite all_eq //; apply: mulr_ge0.
   by rewrite mulr_ge0 ?exprn_ge0 // ltW // gg0.
 exact: (theoremA_signed (zz_side hx) t0 uV (twoV hx) ee0).
 Qed.
+(* the same, strict *)
 Theorem theoremA_all_strict x : u < x < v ->
   0 < sg * (AA x V * AA' x U - AA' x V * AA x U).
 Proof.
@@ -193,6 +195,7 @@ rewrite big_seq [RHS]big_seq; apply: eq_bigr => m mW; congr (_ * _).
 by apply: D_ext => q; rewrite !inE => /or3P[/eqP ->|/eqP ->|qW]; rewrite /yy h.
 Qed.
 
+(* only the members of V have to lie on the near side of the new knot *)
 Theorem theoremA_fun x : (forall l, l \in V -> 0 <= sg R sd t0 * (t t0 - t l)) -> u < x < v ->
   0 < sg R sd t0 * (AA x V * AA' x U - AA' x V * AA x U).
 Proof.
@@ -216,12 +219,14 @@ have tU : {in U, t1 =1 t} by move=> l; apply: tin.
 by rewrite e0 !(AA_ext _ tV) !(AA_ext _ tU) !(AA'_ext _ tV) !(AA'_ext _ tU).
 Qed.
 
+(* a new knot on the right: the ratio of the derivatives rises *)
 Corollary theoremA_fun_right x : sd t0 -> (forall l, l \in V -> t l <= t t0) -> u < x < v ->
   0 < AA x V * AA' x U - AA' x V * AA x U.
 Proof.
 move=> h far hx; have := @theoremA_fun x; rewrite /sg h mul1r; apply=> // l lV.
 by rewrite mul1r subr_ge0 far.
 Qed.
+(* a new knot on the left: it falls *)
 Corollary theoremA_fun_left x : ~~ sd t0 -> (forall l, l \in V -> t t0 <= t l) -> u < x < v ->
   AA x V * AA' x U - AA' x V * AA x U < 0.
 Proof.

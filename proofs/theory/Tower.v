@@ -62,9 +62,11 @@ Fixpoint D (j : nat) (s : seq I) : R :=
 Lemma DE j l s : (j < size s)%N -> D j.+1 (l :: s) = (D j s - D j (l :: s)) / y l.
 Proof. by move=> h /=; rewrite ltnS leqNgt h. Qed.
 
+(* the relation (2) of one level and the next *)
 Theorem tower j s l : (j < size s)%N -> D j s = D j (l :: s) + y l * D j.+1 (l :: s).
 Proof. by move=> h; rewrite DE // mulrC divfK // addrC subrK. Qed.
 
+(* every level satisfies the relation and does not depend on the order of the knots *)
 Theorem Drel_perm j :
   (forall s l m, (j <= size s)%N -> (y m - y l) * D j (l :: m :: s) = y m * D j (m :: s) - y l * D j (l :: s))
   /\ (forall s t, perm_eq s t -> D j s = D j t).

@@ -98,6 +98,7 @@ Proof.
 have [e2 e3] := @hv 2 s (leqnn _) (addn2 _); have b := lB (leq0n s); rewrite subn0 in b.
 rewrite dNS e2 e3 b ldB0 N_supp ?dN_supp; [ring|clear; lia|clear; lia].
 Qed.
+(* the derivative from the left, k = d+3 *)
 Theorem left_derivative d : (d < s)%N -> dN d.+3 (s - d.+1) = u' * ((1 - p) * (H p q d.+1 - H p q d)) + EE d.+1.
 Proof.
 rewrite /EE; elim: d => [|d IH] ds.
@@ -162,6 +163,7 @@ have [e2 _] := @hv d.+3 (s - d.+1)%N ltac:(clear; lia) ltac:(move: ds; clear; li
 have [e3 _] := @hz d.+3 (s - d)%N ltac:(clear; lia) ltac:(move: ds; clear; lia).
 rewrite NS e1 e2 e3 rB // IH ?(ltnW ds) // HS; ring.
 Qed.
+(* the derivative from the right, k = d+2 *)
 Theorem right_derivative d : (d <= s)%N -> dN d.+2 (s - d) = y' * (q ^+ d - (1 - p) * H p q d) + EE p q v' z' d.
 Proof.
 rewrite /EE; elim: d => [|d IH] ds.
@@ -435,6 +437,7 @@ Proof.
 have := @left_derivative R (fun e j => mw r knot e j 1) (fun e j => dmw r knot e j 1) s p q r^-1 (F p) (F q) hu hv hz d (ltnSn d).
 by rewrite subnn => h; apply: etrans h _.
 Qed.
+(* from the right *)
 Theorem two_right : dP r knot s.+1 d.+3 0 1 = SS p q d + E r^-1 p q s.
 Proof.
 have rn : r != 0 by rewrite gt_eqF. have pn : p != 0 by rewrite gt_eqF. have p1n : 1 - p != 0 by rewrite gt_eqF.

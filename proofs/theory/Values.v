@@ -98,9 +98,11 @@ Proof. by move=> h; have [p1 p2 p3] := last_spanP h; apply: left_span_uniq => //
 Definition limit_left (r : R) (t : nat -> R) m k i x : R := P r t (left_span t m x) k i x.
 Definition Dleft (r : R) (t : nat -> R) m k i x : R := dP r t (left_span t m x) k i x.
 Definition Dright (r : R) (t : nat -> R) m k i x : R := dP r t (right_span t m x) k i x.
+(* Dleft and limit_left are the derivative and the limit from the left *)
 Theorem DleftP m k i x : t 0%N < x <= t m ->
   left_taylor (G (wt r t) t k i) x (limit_left r t m k i x) (Dleft r t m k i x).
 Proof. by move=> /left_spanP[_ h]; apply: G_left. Qed.
+(* Dright is the derivative from the right, where the limit is the value *)
 Theorem DrightP m k i x : t 0%N <= x < t m ->
   right_taylor (G (wt r t) t k i) x (value r t m k i x) (Dright r t m k i x).
 Proof.
@@ -110,6 +112,7 @@ Qed.
 (* the derivatives of a weight from the two sides; 0 on an empty interval *)
 Definition wDright (r : R) (t : nat -> R) d j x : R := if t j <= x < t (j + d)%N then dmw r t d j x else 0.
 Definition wDleft (r : R) (t : nat -> R) d j x : R := if t j < x <= t (j + d)%N then dmw r t d j x else 0.
+(* wDright is the derivative of the weight from the right *)
 Theorem wDrightP d j x : right_taylor (wt r t d j) x (wt r t d j x) (wDright r t d j x).
 Proof.
 rewrite /wDright /wt; case: (boolP (t j <= x < t (j + d)%N)) => [/andP[h1 h2]|h].
@@ -124,6 +127,7 @@ exists (fun _ => 0); rewrite {2}/phi (negbTE h); move: h; rewrite negb_and -ltNg
 exists 1; split; [exact: bnd_const|exact: ltr01|].
 by move=> a /andP[a0 a1]; rewrite /phi [x + a < _]ltNge (le_trans h) ?ler_addl // andbF; ring.
 Qed.
+(* wDleft is the derivative of the weight from the left, with the limit of the weight *)
 Theorem wDleftP d j x : left_taylor (wt r t d j) x (if t j < x <= t (j + d)%N then mw r t d j x else 0) (wDleft r t d j x).
 Proof.
 rewrite /wDleft; case: (boolP (t j < x <= t (j + d)%N)) => [/andP[h1 h2]|h].

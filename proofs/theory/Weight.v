@@ -81,6 +81,7 @@ have -> : x + (al - 1) * b - al * a = (al - 1) * (al / (al - 1) * (x - a) + (b -
 set D := (_ + (b - x)) in hd *.
 by field; rewrite hd e1.
 Qed.
+(* D2.3: the printed form for α < 0 or α > 1 is the r-form with r = α/(α−1), for all x, a, b *)
 Theorem D2_3 (R : realFieldType) (al x a b : R) : al < 0 \/ 1 < al ->
   phi_alpha al x a b = phi (al / (al - 1)) x a b.
 Proof.
@@ -116,6 +117,7 @@ Variable r : R.
 Hypothesis r_gt0 : 0 < r.
 Implicit Types x a b c e : R.
 
+(* P2.1.1: 0 ≤ φ ≤ 1 for all x, a, b *)
 Theorem P2_1_1 x a b : 0 <= phi r x a b <= 1.
 Proof. by have /andP[-> /ltW] := phi_range r_gt0 x a b. Qed.
 
@@ -127,6 +129,7 @@ have -> : r * (c * x + e - (c * a + e)) = c * (r * (x - a)) by ring.
 have -> : c * b + e - (c * x + e) = c * (b - x) by ring.
 by rewrite -mulrDr invfM mulrACA divff // mul1r.
 Qed.
+(* P2.1.2: φ does not change under T(x) = cx + e, c > 0 *)
 Theorem P2_1_2 x a b c e : 0 < c -> phi r (c * x + e) (c * a + e) (c * b + e) = phi r x a b.
 Proof.
 move=> c0; rewrite /phi mob_affine ?gt_eqF // ler_add2r ltr_add2r.
@@ -192,6 +195,7 @@ Proof.
 move=> r0 c0 h; have := P2_1_3 r0 x a b e c0; rewrite (negbTE h) => E.
 rewrite -subr_eq0 opprD opprK addrCA E addr0 oppr_eq0 oner_neq0 //.
 Qed.
+(* C2.4: for every r there are a, b, t1, t2 and x at which it fails *)
 Theorem C2_4_printed_false (R : realFieldType) (r : R) : 0 < r ->
   exists a b t1 t2 x : R, [/\ a < b, a <= t1, t1 < t2, t2 <= b & a <= x <= b /\
     phi r (a + b - x) t1 t2 != 1 - phi r^-1 x (a + b - t2) (a + b - t1)].

@@ -36,6 +36,7 @@ Proof.
 move=> m m' hx hx' h; rewrite (G_N m _ _ _ hx) (G_N m' _ _ _ hx'); apply: N_ext => e j hj ed.
 by rewrite /weight !h //; move: hj ed; clear; lia.
 Qed.
+(* windows: on a span G_i is 0 unless s−k ≤ i ≤ s *)
 Theorem span_zero t s d i x : (forall j, t j <= t j.+1) -> t s <= x < t s.+1 -> ~~ (i <= s <= i + d)%N -> Gw t d i x = 0.
 Proof. by move=> mt hx h; rewrite (G_N mt _ _ _ hx) N_supp. Qed.
 End Windows.
@@ -47,6 +48,7 @@ Variable t : nat -> R.
 Hypothesis t_mono : forall i, t i <= t i.+1.
 Variable m : nat.
 Hypothesis U : t 0%N < t m.
+(* windows: every x is outside, t_0, inside a span, an inner knot with its copies, or t_m *)
 Theorem place x : [\/ x < t 0%N, x = t 0%N, exists2 s, (s < m)%N & t s < x < t s.+1 \/
     exists q, [/\ (0 < q <= s)%N, t s <= x < t s.+1, t (s - q)%N < x & forall j, (s - q < j <= s)%N -> t j = x] |
     x = t m \/ t m < x].
