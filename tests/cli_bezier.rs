@@ -5,6 +5,8 @@
 use std::io::Write;
 
 use assert_cmd::Command;
+use knotproof::scalar::{BigRational, integer, parse_rational, rational};
+use knotproof::spline::bernstein;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
@@ -39,6 +41,97 @@ fn rejected(arguments: &[&str], argument: &str, parts: &[&str]) {
     );
     let message = report["error"]["message"].as_str().unwrap();
     assert!(parts.iter().all(|part| message.contains(part)), "{parts:?} in {message}");
+}
+
+/// A number of the JSON.
+fn number(value: &Value) -> BigRational {
+    parse_rational(value.as_str().unwrap()).unwrap()
+}
+
+/// Members of families that are not those of an index: what chooses them, the degree, and knots that they are for.
+const MEMBERS: [(&[&str], &str, &str, &str); 6] = [
+    (&["--family", "smoothstep"], "2", "0 0 0 1/2 2 3 3 3", "0,1 1,4 2,-1 3,2 5,0"),
+    (&["--family", "square"], "3", "0 1 2 4 5 7 8 9", "1 -2 5 3"),
+    (&["--family", "lupas", "--set", "q=1/2"], "2", "0 0 0 1 2 2 2", "0,0 1,2 2,2 3,0"),
+    (&["--family", "phillips", "--set", "q=3"], "3", "0 0 0 0 1 1 1 1", "0 0 1 0"),
+    (&["--family", "nurbs", "--set", "omega=1,2,1/2,3"], "2", "0 0 0 1 2 2 2", "0,0 1,2 2,2 3,0"),
+    (&["--family", "knot-weights", "--set", "omega=1,2,1/2,3,1,1,2,5"], "2", "0 1 2 2 3 5 6 7", "1 2 -1 4 0"),
+];
+
+/// The curve that `eval` gives, by Bernstein's polynomials here: at both ends of each piece and inside.
+#[test]
+fn pieces_of_members_of_other_families_are_their_curves() {
+    for (member, degree, knots, points) in MEMBERS {
+        let on = [&["--degree", degree, "--knots", knots, "--points", points], member].concat();
+        let found = bezier(&on);
+        assert_eq!((&found["family"]["name"], found.get("alpha")), (&json!(member[1]), None));
+        let pieces = found["pieces"].as_array().unwrap();
+        assert!(!pieces.is_empty());
+        for piece in pieces {
+            let weights: Vec<_> = piece["weights"].as_array().unwrap().iter().map(number).collect();
+            assert!(
+                weights[0] == integer(1) && weights.iter().all(|weight| *weight > integer(0)),
+                "{member:?}"
+            );
+            for (s, side) in [((0, 1), "right"), ((1, 3), "right"), ((4, 5), "left"), ((1, 1), "left")] {
+                let s = rational(s.0, s.1);
+                let x = number(&piece["from"]) + &s * (number(&piece["to"]) - number(&piece["from"]));
+                let asked = x.to_string();
+                let arguments =
+                    [&["eval", "--format", "json", "--x", &asked, "--side", side], &on[..]].concat();
+                let curve: Value = serde_json::from_str(&text(&arguments)).unwrap();
+                let (last, rest) = (weights.len() - 1, integer(1) - &s);
+                let sum = |of: &dyn Fn(usize) -> BigRational| -> BigRational {
+                    (0..=last).map(|m| &weights[m] * bernstein(last, m, (&s, &rest)) * of(m)).sum()
+                };
+                for (c, expected) in curve["curve"].as_array().unwrap().iter().enumerate() {
+                    let above = sum(&|m| number(&piece["points"][m][c]));
+                    assert_eq!(above / sum(&|_| integer(1)), number(expected), "{member:?} at {x}, {side}");
+                }
+            }
+        }
+    }
+}
+
+/// Of p² : q² the denominator is 1 + u², so the weights of degree 2 would be 1, 0, 1; times 1 + u all are positive.
+#[test]
+fn the_degree_is_raised_until_the_weights_are_positive() {
+    let found = bezier(&["--degree", "1", "--knots", "0 0 1 1", "--family", "square", "--points", "0 1"]);
+    let piece = &found["pieces"][0];
+    assert_eq!((&piece["degree"], &piece["weights"]), (&json!(3), &json!(["1", "1/3", "1/3", "1"])));
+    assert_eq!(piece["points"], json!([["0"], ["0"], ["1"], ["1"]]));
+}
+
+/// With 1 − cu + u² the degree grows with the nearness of its roots to the half line u > 0.
+#[test]
+fn weights_that_become_positive_too_late_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("near.toml");
+    let file = path.to_str().unwrap();
+    let write = |c: &str| {
+        let weight = format!("rise = \"(x - a)^2\"\nfall = \"(b - x)^2 - {c}*(x - a)*(b - x)\"");
+        let text = format!("name = \"near\"\ntitle = \"near\"\nsource = \"a test\"\n[weight]\n{weight}\n");
+        std::fs::write(&path, text).unwrap();
+    };
+    let on = ["--degree", "1", "--knots", "0 0 1 1", "--family", file, "--points", "1 -1"];
+    write("1");
+    // (1 − u + u²)(1 + u)³ = 1 + 2u + u² + u³ + 2u⁴ + u⁵, and two factors 1 + u are not enough.
+    assert_eq!(bezier(&on)["pieces"][0]["weights"], json!(["1", "2/5", "1/10", "1/10", "2/5", "1"]));
+    write("199999/100000");
+    rejected(
+        &on,
+        "--family",
+        &["on [0, 1] no rational Bézier curve of degree up to 300", "positive weights"],
+    );
+    write("2");
+    rejected(&on, "--family", &["w[1,1] of the family near on [t_1, t_2]", "its denominator is 0"]);
+}
+
+#[test]
+fn what_has_too_high_a_degree_is_refused() {
+    let knots = "0 0 0 0 0 0 0 0 0 0 1 1 1 1 1 1 1 1 1 1";
+    let on = ["--degree", "9", "--knots", knots, "--family", "smoothstep", "--points", "0 1 2 3 4 5 6 7 8 9"];
+    rejected(&on, "--degree", &["quotients of degree up to 135 in x", "at most 120"]);
 }
 
 const OPEN: [&str; 6] = ["--degree", "2", "--knots", "0 0 0 1 2 2 2", "--alpha", "5"];

@@ -67,8 +67,16 @@ fn values_and_shapes_of_a_member() {
     assert!(code == 0 && text.contains("G_1, family lupas, q = 1/2"), "{text}");
     // What is an index is computed and shown as one.
     let [one, other] = [&["--family", "mobius", "--set", "r=1/2"][..], &["--alpha", "-1"]];
-    for command in [&["eval", "--x", "1/3"][..], &["shape"], &["formula"], &["check", "--property", "T3.5.2"]]
-    {
+    for command in [
+        &["eval", "--x", "1/3"][..],
+        &["shape"],
+        &["formula", "--as", "latex"],
+        &["formula", "--format", "json"],
+        &["bezier", "--points", "0,0 1,2 2,2 3,0"],
+        &["float", "--steps", "20"],
+        &["float", "--x", "1/3", "--format", "json"],
+        &["check", "--property", "T3.5.2"],
+    ] {
         let [one, other] = [one, other].map(|of| ask(command[0], &[&command[1..], of].concat()));
         assert_eq!(one, other);
     }
@@ -123,14 +131,35 @@ fn what_is_wrong_with_a_request_is_told() {
         ("eval", &["--family", "phillips", "--set", "q=2", "--x", "1"], "for knots that are bernstein"),
         ("eval", &["--set", "q=2", "--x", "1"], "--family"),
         ("eval", &["--family", "lupas", "--set", "q=2", "--alpha", "2", "--x", "1"], "cannot be used with"),
+        ("eval", &["--set", "q=2", "--alpha", "2", "--x", "1"], "cannot be used with"),
         (
             "eval",
-            &["--family", "lupas", "--set", "q=2", "--points", "0 1 2 3", "--x", "1"],
-            "curves of eval have the weights of an index only",
+            &["--family", "lupas", "--set", "q=2", "--points", "0 1 2", "--x", "1"],
+            "takes 4 control points",
         ),
-        ("formula", &LUPAS, "`knotproof check`, `eval`, `shape` and `search` take any family"),
-        ("bezier", &LUPAS, "`knotproof check`, `eval`, `shape` and `search` take any family"),
-        ("float", &LUPAS, "`knotproof check`, `eval`, `shape` and `search` take any family"),
+        (
+            "formula",
+            &["--family", "lupas", "--set", "q=symbolic"],
+            "`q` has to be a number, and here is `symbolic`: only α can stay unknown",
+        ),
+        (
+            "float",
+            &["--family", "lupas", "--set", "q=1e-400"],
+            "--set: in f64, `q` of the family lupas can't be 0",
+        ),
+        ("float", &["--family", "lupas", "--set", "q=1e400"], "--set: in f64, a parameter is inf"),
+        ("shape", &["--family", "lupas", "--set", "q=all"], "`q` has to be a number, and here is `all`"),
+        ("bezier", &LUPAS, "--points is missing"),
+        (
+            "float",
+            &[&LUPAS[..], &["--out", "maps"]].concat(),
+            "--out: it is for the weights of an index only",
+        ),
+        (
+            "shape",
+            &[&LUPAS[..], &["--free-knot", "3"]].concat(),
+            "--free-knot: it is for the weights of an index only",
+        ),
         (
             "check",
             &["--family", "lupas", "--set", "q=2", "--classical", "--property", "C2"],
@@ -140,8 +169,76 @@ fn what_is_wrong_with_a_request_is_told() {
         let (code, text) = ask(command, more);
         assert!(code == 2 && text.contains(told), "{command} {more:?}: {code} {text}");
     }
+    let (code, text) = said(&["float", "--degree", "2", "--family", "lupas", "--set", "q=2"]);
+    assert!(code == 2 && text.contains("give the knots of the family"), "{text}");
     let (code, text) = said(&["families", "--like", "y*(x-a) : b-"]);
     assert!(code == 2 && text.contains("expected a term"), "{text}");
+}
+
+/// Every command that takes a family complains of it in the same words.
+#[test]
+fn what_is_wrong_with_a_family_is_told_by_every_command() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = |name: &str, weight: &str| {
+        let path = folder.path().join(name);
+        let text = format!("name = \"own\"\ntitle = \"own\"\nsource = \"a test\"\n{weight}");
+        fs::write(&path, text).expect("written");
+        path.to_str().expect("UTF-8").to_owned()
+    };
+    let pole = file("pole.toml", "[weight]\nrise = \"x - a\"\nfall = \"2*(x - b)\"\n");
+    let circle = file(
+        "circle.toml",
+        "[define]\n\"c[i]\" = \"c[i+1]\"\n[weight]\nrise = \"c[i]*(x - a)\"\nfall = \"b - x\"\n",
+    );
+    let commands: [&[&str]; 6] = [
+        &["eval", "--x", "1"],
+        &["shape"],
+        &["check", "--classical", "--property", "unity"],
+        &["formula"],
+        &["bezier", "--points", "0 1 2 3"],
+        &["float"],
+    ];
+    for command in commands {
+        for (member, told) in [
+            (&["--family", "lupas"][..], "--set: the family lupas needs `q`: give it, such as --set q=1/3"),
+            (&["--family", "lupas", "--set", "p=1"], "--set: the family lupas has no `p`: it has q"),
+            (&["--family", "lupas", "--set", "q=0"], "`q` of the family lupas can't be 0: q > 0"),
+            (&["--family", "nurbs", "--set", "omega=1"], "omega[2] is not given: give more numbers"),
+            (&["--family", "nurbs", "--set", "omega=1,0"], "`omega[i]` of the family nurbs can't be 0"),
+            (
+                &["--family", "phillips", "--set", "q=2"],
+                "the family phillips is for knots that are bernstein",
+            ),
+            (&["--family", "lupsa"], "--family: there is no family `lupsa`, and no such file"),
+            (&["--family", &pole], "its denominator is 0 at some x there"),
+            (&["--family", &circle], "the recursion of `c` never ends"),
+            (&["--set", "q=1"], "--family is missing: say whose parameters are set"),
+        ] {
+            let (code, text) = ask(command[0], &[&command[1..], member].concat());
+            assert!(code == 2 && text.contains(told), "{command:?} {member:?}: {code} {text}");
+        }
+    }
+}
+
+/// The family of a paper is the one that --set is about.
+#[test]
+fn a_papers_own_family_need_not_be_named() {
+    let on = ["check", "--paper", "pq", "--degree", "2", "--knots", "0 0 0 1 1 1"];
+    let set = ["--set", "p=2", "--set", "q=3"];
+    let short = said(&[&on[..], &set].concat());
+    assert_eq!(short, said(&[&on[..], &["--family", "pq-lupas"], &set].concat()));
+    assert!(short.1.contains("Family pq-lupas, p = 2, q = 3, for every x:"), "{}", short.1);
+    let (code, text) = said(&on);
+    assert!(code == 2 && text.contains("--set: the family pq-lupas needs `p`"), "{text}");
+    let claim = ["check", "--paper", "pq", "--claim", "k; U : p = 2*q/3"];
+    assert_eq!(said(&[&claim[..], &set].concat()).0, 0);
+    assert_eq!(said(&[&claim[..], &["--set", "p=1", "--set", "q=3"]].concat()).0, 1);
+    // Polynomial B-splines have no parameter, and functions with an index have α.
+    let on = ["--degree", "2", "--knots", "0 0 0 1 1 1"];
+    let classical = said(&[&["check", "--paper", "classical"], &on[..]].concat());
+    assert_eq!(classical, said(&[&["check", "--paper", "classical"], &on[..], &["--alpha", "inf"]].concat()));
+    let (code, text) = said(&[&["check", "--paper", "rational-bsplines"], &on[..]].concat());
+    assert!(code == 2 && text.contains("--alpha is missing"), "{text}");
 }
 
 #[test]

@@ -23,19 +23,23 @@ fn every_formula_has_its_figures_and_its_worst_case() {
         for field in ["max_ulp", "p99_ulp", "median_ulp", "max_absolute", "max_sum"] {
             assert!(of[field].as_str().unwrap().parse::<f64>().unwrap() >= 0.0, "{of}");
         }
-        // The command that is printed finds the same error again.
-        let worst = &of["worst"];
-        let command = worst["reproduce"].as_str().unwrap().strip_prefix("knotproof float ").unwrap();
-        let quoted: Vec<&str> = command.split('"').collect();
-        let mut arguments: Vec<&str> = quoted[0].split_whitespace().collect();
-        arguments.push(quoted[1]);
-        arguments.extend(quoted[2].split_whitespace());
-        let (_, again, _) = run(&arguments);
-        let again =
-            again["formulas"].as_array().unwrap().iter().find(|other| other["name"] == of["name"]).unwrap();
-        assert_eq!(again["max_ulp"], of["max_ulp"]);
-        assert_eq!(again["worst"], *worst);
+        is_shown_again(of);
     }
+}
+
+/// The command that is printed finds the same error again.
+fn is_shown_again(of: &Value) {
+    let worst = &of["worst"];
+    let command = worst["reproduce"].as_str().unwrap().strip_prefix("knotproof float ").unwrap();
+    let quoted: Vec<&str> = command.split('"').collect();
+    let mut arguments: Vec<&str> = quoted[0].split_whitespace().collect();
+    arguments.push(quoted[1]);
+    arguments.extend(quoted[2].split_whitespace());
+    let (_, again, _) = run(&arguments);
+    let again =
+        again["formulas"].as_array().unwrap().iter().find(|other| other["name"] == of["name"]).unwrap();
+    assert_eq!(again["max_ulp"], of["max_ulp"]);
+    assert_eq!(again["worst"], *worst);
 }
 
 #[test]
@@ -44,6 +48,45 @@ fn an_instance_is_measured_for_all_its_indices() {
     assert_eq!((code, &found["degree"]), (0, &2.into()));
     let (_, same, _) = run(&["--instance", "U4", "--count", "20", "--steps", "50"]);
     assert_eq!(found, same);
+}
+
+/// One ratio for all intervals is an index: its formulas, in the same floats. A search would see the weights in other pairs.
+#[test]
+fn a_member_that_is_an_index_has_its_figures() {
+    let on = ["--degree", "3", "--knots", "0 0 0 0 1 2 7/2 4 4 4 4", "--steps", "0"];
+    let two = "rho=2,2,2,2,2,2,2,2,2,2,2;2,2,2,2,2,2,2,2,2,2;2,2,2,2,2,2,2,2,2";
+    let (code, member, _) = run(&[&on[..], &["--family", "free-ratios", "--set", two]].concat());
+    let (_, index, _) = run(&[&on[..], &["--alpha", "2"]].concat());
+    assert_eq!((code, &member["family"]["name"]), (0, &serde_json::json!("free-ratios")));
+    let names: Vec<_> = member["formulas"].as_array().unwrap().iter().map(|of| of["name"].clone()).collect();
+    assert_eq!(names, ["ratio", "triangle"]);
+    for name in ["ratio", "triangle"] {
+        let (own, other) = (of(&member, name), of(&index, name));
+        for field in ["tried", "max_ulp", "p99_ulp", "median_ulp", "max_absolute", "max_sum", "sign_errors"] {
+            assert!(own[field] == other[field] && !own[field].is_null(), "{name}, {field}");
+        }
+        assert!(own.get("bound_ulp").is_none(), "nothing is proved");
+    }
+}
+
+/// Numbers that f64 does not have are rounded, and the worst case is shown again by its command.
+#[test]
+fn the_worst_case_of_a_member_is_shown_again() {
+    let on = ["--degree", "2", "--knots", "0 0 0 1/3 2 2 2", "--steps", "200", "--count", "50"];
+    let arguments = [&on[..], &["--family", "lupas", "--set", "q=1/3"]].concat();
+    let (code, found, _) = run(&arguments);
+    let rounded: Vec<_> = found["rounded"].as_array().unwrap().iter().map(|of| of["what"].clone()).collect();
+    assert_eq!((code, rounded), (0, vec!["t_3".into(), "q".into()]));
+    for name in ["ratio", "triangle"] {
+        let worst = &of(&found, name)["worst"];
+        assert_eq!(worst["float"]["family"]["parameters"]["q"], "0x1.5555555555555p-2");
+        is_shown_again(of(&found, name));
+    }
+    let told = text(&arguments);
+    assert!(
+        told.contains("degree 2, family lupas, q = 1/3") && told.contains("No bound is proved"),
+        "{told}"
+    );
 }
 
 fn text(arguments: &[&str]) -> String {

@@ -117,6 +117,78 @@ const BASES: [(&str, usize); 4] = [
     ("0 0 0 0 1 1 1 1", 1),
 ];
 
+/// Members of families that are not those of an index: what chooses them, the degree, and knots that they are for.
+const MEMBERS: [(&[&str], &str, &str); 6] = [
+    (&["--family", "smoothstep"], "2", "0 0 0 1/2 2 3 3 3"),
+    (&["--family", "square"], "3", "0 1 2 4 5 7 8 9"),
+    (&["--family", "lupas", "--set", "q=1/2"], "2", "0 0 0 1 2 2 2"),
+    (&["--family", "phillips", "--set", "q=3"], "3", "0 0 0 0 1 1 1 1"),
+    (&["--family", "nurbs", "--set", "omega=1,2,1/2,3"], "2", "0 0 0 1 2 2 2"),
+    (&["--family", "knot-weights", "--set", "omega=1,2,1/2,3,1,1,2,5"], "2", "0 1 2 2 3 5 6 7"),
+];
+
+/// Also where a function is negative: that of Phillips for q > 1.
+#[test]
+fn members_of_other_families_have_the_values_of_eval() {
+    let mut compared = 0;
+    for (member, degree, knots) in MEMBERS {
+        let on = [&["--degree", degree, "--knots", knots], member].concat();
+        let forms = ["--factored", "--expanded"].map(|form| formula(&[&on[..], &[form]].concat()));
+        for found in &forms {
+            assert_eq!((&found["family"]["name"], found.get("alpha")), (&json!(member[1]), None));
+        }
+        for x in ["-1", "0", "1/3", "1/2", "9/10", "1", "7/4", "2", "5/2", "9"] {
+            let mut eval = Command::cargo_bin("knotproof").unwrap();
+            let eval = eval.args(["eval", "--format", "json", "--x", x]).args(&on).assert().success();
+            let values: Value = serde_json::from_slice(&eval.get_output().stdout).unwrap();
+            let values: Vec<_> = values["values"].as_array().unwrap().iter().map(number).collect();
+            let x = parse_rational(x).unwrap();
+            for found in &forms {
+                let mut own = vec![integer(0); values.len()];
+                for piece in found["pieces"].as_array().unwrap() {
+                    let (from, to) = (number(&piece["from"]), number(&piece["to"]));
+                    if from <= x && (x < to || piece["closed"] == true && x == to) {
+                        let [p, q] = ["numerator", "denominator"]
+                            .map(|part| value(piece[part].as_str().unwrap(), &x, &integer(0)));
+                        own[usize::try_from(piece["index"].as_u64().unwrap()).unwrap()] = p / q;
+                    }
+                }
+                assert_eq!(own, values, "{member:?} at {x}");
+                compared += values.len();
+            }
+        }
+    }
+    assert!(compared > 400, "{compared}");
+}
+
+/// What Maxima reads is what --equals reads, and linear forms with one ratio are an index.
+#[test]
+fn formulas_of_a_member_are_compared() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("functions.mac");
+    let file = path.to_str().unwrap();
+    let on = ["--degree", "2", "--knots", "0 0 0 1 3 3 3"];
+    let free = ["--family", "free-ratios", "--set", "rho=2,2,2,2,2,2;2,2,2,2,2"];
+    let maxima = text(&[&on[..], &free, &["--as", "maxima"]].concat());
+    std::fs::write(&path, &maxima).unwrap();
+    let compare = |member: &[&str]| {
+        let arguments = [&on[..], member, &["--equals", file]].concat();
+        let output = knotproof(&arguments).output().unwrap();
+        (output.status.code().unwrap(), String::from_utf8(output.stdout).unwrap())
+    };
+    for member in [&free[..], &["--alpha", "2"]] {
+        let (code, told) = compare(member);
+        assert!(code == 0 && told.matches("equal for every x").count() == 4, "{told}");
+    }
+    let (code, told) = compare(&["--family", "lupas", "--set", "q=2"]);
+    assert!(code == 1 && told.contains("not equal at x = "), "{told}");
+    std::fs::write(&path, "G_0(x) := alpha*x$").unwrap();
+    let arguments = [&on[..], &free, &["--equals", file]].concat();
+    let output = knotproof(&arguments).assert().code(2).get_output().stderr.clone();
+    let told = String::from_utf8(output).unwrap();
+    assert!(told.contains("free-ratios, rho = 2") && told.contains("have no index"), "{told}");
+}
+
 /// The pieces of the JSON, and the lines of the text, have the values of the functions.
 #[test]
 fn what_is_printed_has_the_values_of_the_functions() {

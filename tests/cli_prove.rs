@@ -90,13 +90,13 @@ fn certificates_are_written_in_pairs_and_are_the_recorded_ones() {
     let amended = checked.iter().find(|checked| checked["form"] == "amended").unwrap();
     let expected = json!({
         "claim": "P2.1.3", "form": "amended", "verdict": "proved", "scope": "knots", "degrees": [1], "sections": 0,
-        "steps": 0, "shown": "derived",
+        "steps": 0, "shown": "derived", "any_weights": false,
     });
     assert_eq!(amended, &expected);
     let degrees = checked.iter().find(|checked| checked["claim"] == "X.derivative").unwrap();
     let expected = json!({
         "claim": "X.derivative", "form": "printed", "verdict": "refuted", "scope": "instance",
-        "degrees": [1, 2, 3, 4, 5, 6], "sections": 0, "steps": 0, "shown": "point",
+        "degrees": [1, 2, 3, 4, 5, 6], "sections": 0, "steps": 0, "shown": "point", "any_weights": false,
     });
     assert_eq!(degrees, &expected);
     // All of what is recorded for the two claims, and the same files.
@@ -183,11 +183,11 @@ fn a_folder_of_certificates_is_checked_in_the_order_of_the_names() {
     assert_eq!((&found["rejected"], &found["unknown"]), (&json!([]), &json!([])));
     let expected = json!([
         {"claim": "P3.3.2", "form": "amended", "verdict": "proved", "scope": "knots",
-            "degrees": [0, 1, 2, 3, 4, 5, 6, 7, 8], "sections": 18, "steps": 90, "shown": "derived"},
+            "degrees": [0, 1, 2, 3, 4, 5, 6, 7, 8], "sections": 18, "steps": 90, "shown": "derived", "any_weights": false},
         {"claim": "T3.5.1", "form": "printed", "verdict": "refuted", "scope": "instance", "degrees": [1],
-            "sections": 0, "steps": 0, "shown": "point"},
+            "sections": 0, "steps": 0, "shown": "point", "any_weights": false},
         {"claim": "X.G1", "form": "degrees", "verdict": "proved", "scope": "knots", "degrees": [2],
-            "sections": 1, "steps": 5, "shown": "argued"},
+            "sections": 1, "steps": 5, "shown": "argued", "any_weights": false},
     ]);
     assert_eq!(found["checked"], expected);
     let (code, found) = text(&["verify", "--foreign", path]);
@@ -564,7 +564,7 @@ fn a_proved_claim_is_explained() {
     assert_eq!(code, 0);
     for part in [
         "T3.5.2 (Theorem 3.5 (2)): Positivity\n",
-        "As printed: proved (knots, for k ≤ 8)\n",
+        "As printed: proved (knots, for k ≤ 8, any weights)\n",
         "  For every U, every 0 ≤ i ≤ n and t_i < x < t_{i+k+1}: G_i^k(x) > 0.\n",
         "  why: Windows and goals follow from the sentence",
         "  certificate: proofs/certs/T3.5.2.printed.statement and .proof; checked by engine, prover, checker\n",
@@ -589,7 +589,7 @@ fn a_refuted_claim_is_explained_with_witness_and_amendment() {
         "  again: knotproof eval --degree 1 --knots 0,0,1,2 --alpha -1 --x 3/2\n",
         "  why: At these numbers all hypotheses are true",
         "  certificate: proofs/certs/T3.5.3.printed.statement",
-        "As amended: proved (knots, for k ≤ 8)\n",
+        "As amended: proved (knots, for k ≤ 8, any weights)\n",
         "  For every U, every k ≤ j ≤ n and every x in [t_j, t_{j+1}): ",
         "  certificate: proofs/certs/T3.5.3.amended.statement",
         "Note: ",

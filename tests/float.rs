@@ -3,11 +3,16 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
 #![allow(clippy::float_cmp, reason = "exact floats are expected")]
 
+use std::sync::Arc;
+
 use knotproof::float::{
-    Effort, Errors, FloatBasis, Method, MethodRecord, Population, Probe, Ulps, hexadecimal, study,
+    Effort, Errors, FloatBasis, FloatMember, Method, MethodRecord, Population, Probe, Ulps, hexadecimal,
+    study,
 };
+use knotproof::language::families;
+use knotproof::meaning::{Instance, Weighting};
 use knotproof::scalar::{RationalAlgebra, exact_value, integer, parse_rational, rational, ulp};
-use knotproof::spline::Side;
+use knotproof::spline::{Basis, KnotVector, Side};
 use num_traits::{Signed, Zero};
 use proptest::prelude::*;
 
@@ -77,7 +82,7 @@ fn the_worst_case_is_within_the_bound_and_can_be_measured_again() {
             };
             for texts in [&record.float, &record.exact] {
                 let knots: Vec<f64> = texts.knots.iter().map(float).collect();
-                let case = case(&knots, degree, float(&texts.alpha), float(&texts.x));
+                let case = case(&knots, degree, float(texts.alpha.as_ref().unwrap()), float(&texts.x));
                 assert_eq!(Errors::of(of.formula, &case), again);
             }
         }
@@ -90,6 +95,33 @@ fn the_worst_case_is_within_the_bound_and_can_be_measured_again() {
 }
 
 /// What one case shows of each formula: the figures of a study of it alone.
+/// What a member is measured against are the values of its definition, by the terms of its file.
+#[test]
+fn members_are_measured_against_their_definition() {
+    let family = families().iter().find(|family| family.name == "smoothstep").expect("it is there");
+    let weights = Weighting::of(family, &[]).expect("it has no parameters");
+    let knots = KnotVector::new([0, 0, 0, 1, 3, 3, 3].map(integer).to_vec()).expect("knots");
+    let basis = Basis::over(knots, 2, weights.clone()).expect("knots enough");
+    let member = Arc::new(FloatMember::nearest(&basis).expect("numbers that are floats"));
+    let on = Instance::on(basis).expect("any knots").by_definition();
+    for x in [0.0, 0.1, 0.75, 1.0, 2.9, 3.0] {
+        let case = Probe::of_member(&member, x, Side::Right).expect("a point");
+        for formula in Method::OF_MEMBERS {
+            let errors = Errors::of(formula, &case);
+            let floats = formula.values(&case);
+            let off = |(c, float): (usize, &f64)| {
+                let i = (case.span.index() + c).checked_sub(2).expect("all of them exist");
+                let exact = on.value(&weights, (i, 2), &exact_value(x).expect("finite"), Side::Right, 0);
+                (exact_value(*float).expect("finite") - exact).abs()
+            };
+            let largest = floats.iter().enumerate().map(off).max().expect("three values");
+            assert_eq!((errors.absolute, errors.ulps.len()), (largest, 3), "{x}, {formula:?}");
+        }
+        // α stands for nothing.
+        assert!(Method::Accurate.values(&case).iter().all(|value| value.is_nan()));
+    }
+}
+
 fn alone(case: &Probe) -> Vec<knotproof::float::Figures> {
     study(&Population::Cases(vec![case.clone()]), &Method::ALL, EFFORT)
 }

@@ -275,7 +275,7 @@ fn only_what_is_serious_is_red() {
 #[test]
 fn the_status_says_for_which_degrees() {
     let words = |id: &str| RECORDED.claims.iter().find(|record| record.id == id).unwrap().words();
-    assert_eq!(words("T3.5.2"), "proved (knots, for k ≤ 8)");
+    assert_eq!(words("T3.5.2"), "proved (knots, for k ≤ 8, any weights)");
     assert_eq!(words("P2.1.1"), "proved (knots)");
 }
 

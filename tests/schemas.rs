@@ -104,6 +104,8 @@ fn undescribed(schema: &Value, path: &str, found: &mut Vec<String>) {
 }
 
 const VECTOR: [&str; 6] = ["--degree", "2", "--knots", "0 0 0 1 2 2 2", "--alpha", "5"];
+const MEMBER: [&str; 8] =
+    ["--degree", "2", "--knots", "0 0 0 1 2 2 2", "--family", "lupas", "--set", "q=1/2"];
 const POINTS: [&str; 2] = ["--points", "0,0 1,2 2,2 3,0"];
 
 /// What says something of the paper carries its number.
@@ -112,6 +114,7 @@ const OF_PAPER: [&str; 8] = ["check", "judge", "report", "explain", "prove", "ve
 /// A name of a schema, and commands that write what it describes.
 fn examples() -> Vec<(&'static str, Vec<Vec<&'static str>>)> {
     let on = |command: &'static str, more: &[&'static str]| [&[command], &VECTOR[..], more].concat();
+    let of_member = |command: &'static str, more: &[&'static str]| [&[command], &MEMBER[..], more].concat();
     let two_maxima = ["--degree", "3", "--knots", "0 0 0 0 1 2 4 4", "--alpha", "5/2", "--index", "2"];
     vec![
         (
@@ -123,12 +126,14 @@ fn examples() -> Vec<(&'static str, Vec<Vec<&'static str>>)> {
                 on("eval", &["--x", "1/2", "--digits", "5", "--derivatives", "1"]),
                 on("eval", &["--points-file", "points.csv", "--derivatives", "1", POINTS[0], POINTS[1]]),
                 on("eval", &["--points-file", "points.csv", "--index", "1", "--float"]),
+                of_member("eval", &["--x", "1/2", POINTS[0], POINTS[1]]),
             ],
         ),
         (
             "formula",
             vec![
                 on("formula", &[]),
+                of_member("formula", &[]),
                 vec![
                     "formula",
                     "--degree",
@@ -163,7 +168,14 @@ fn examples() -> Vec<(&'static str, Vec<Vec<&'static str>>)> {
                 vec!["families", "polya", "--table"],
             ],
         ),
-        ("bezier", vec![on("bezier", &POINTS), on("bezier", &[POINTS[0], POINTS[1], "--float"])]),
+        (
+            "bezier",
+            vec![
+                on("bezier", &POINTS),
+                on("bezier", &[POINTS[0], POINTS[1], "--float"]),
+                of_member("bezier", &POINTS),
+            ],
+        ),
         (
             "check",
             vec![
@@ -204,12 +216,14 @@ fn examples() -> Vec<(&'static str, Vec<Vec<&'static str>>)> {
                     "2",
                 ],
                 on("shape", &["--index", "1", "--free-knot", "3"]),
+                of_member("shape", &[]),
             ],
         ),
         (
             "float",
             vec![
                 vec!["float", "--degree", "1", "--count", "10", "--steps", "0"],
+                of_member("float", &["--count", "10", "--steps", "0"]),
                 vec!["float", "--degree", "1", "--knots", "0 0.1 1/3 2", "--alpha", "-1", "--x", "0.2"],
             ],
         ),

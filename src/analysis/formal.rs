@@ -4,14 +4,18 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
 
+use num_traits::{Signed, Zero};
+
 use crate::scalar::{
-    Monomial, Multivariate, Polynomial, RationalAlgebra, Ring, integer, over_one_denominator,
+    Monomial, Multivariate, Polynomial, RationalAlgebra, RationalFunction, Ring, integer,
+    over_one_denominator,
 };
-use crate::spline::{Active, Basis, Factors, FractionFree, Index, Span, triangle};
+use crate::spline::{Active, Basis, Factors, FormTable, Forms, FractionFree, Index, Span, triangle};
 
 /// A polynomial in x and α with integer coefficients as content·∏ factor^power.
 ///
-/// Each factor has coprime coefficients; none is a number, and none occurs twice. The content is positive.
+/// Each factor has coprime coefficients, and none occurs twice. The content is positive; none of the factors is a number,
+/// unless all is a negative number: then one is −1.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Factored {
     content: BigInt,
@@ -29,7 +33,7 @@ pub struct FormalPiece {
     pub closed: bool,
     /// The powers of α, α − 1, x − t_a and t_b − x that divide it, then the rest.
     pub numerator: Factored,
-    /// A product of linear polynomials in x.
+    /// For an index a product of linear polynomials in x; for another family of divisors of the denominators of weights.
     pub denominator: Factored,
 }
 
@@ -38,11 +42,23 @@ pub struct FormalPiece {
 pub struct FormalFunction {
     /// i.
     pub index: usize,
-    /// One for each span of its support that is not empty, from left to right: none if the function is 0.
+    /// One for each span of its support that is not empty, from left to right, unless it is 0 there: none if the function
+    /// is 0.
     pub pieces: Vec<FormalPiece>,
 }
 
-/// All functions of a basis as formal expressions, for one index α or with α as a symbol.
+/// Whose functions they are.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Whose {
+    /// Those of one index.
+    Index(Index),
+    /// Those of every index: α is a symbol.
+    EveryIndex,
+    /// Those of a member of another family, as people read it.
+    Member(String),
+}
+
+/// All functions of a basis as formal expressions, for one index α, with α as a symbol, or for forms.
 ///
 /// On the span \[t_j, t_{j+1}) the [recursion without a division](FractionFree) is run over polynomials in x and α, and
 /// then reduced by the factors of the denominators, which are known and irreducible. With r = p/q these are
@@ -51,6 +67,9 @@ pub struct FormalFunction {
 ///
 /// positive on the span. For a symbol α, p = α and q = α − 1, so a factor is x − t_b + α(t_b − t_a), as the paper writes it:
 /// it has the sign of α. The expressions hold for α < 0 and for α > 1; α = ∞ is no value of the symbol.
+///
+/// For forms the triangle is run over rational functions of x, [`Basis::active`], and what it gives in lowest terms is split
+/// into divisors of the `over` of the forms.
 ///
 /// ```
 /// use knotproof::analysis::FormalBasis;
@@ -66,8 +85,7 @@ pub struct FormalFunction {
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FormalBasis {
-    basis: Basis,
-    symbolic: bool,
+    basis: Basis<Whose>,
     functions: Vec<FormalFunction>,
 }
 
@@ -79,54 +97,82 @@ impl FormalBasis {
     /// The highest degree k: that of a numerator or a denominator in either variable is then at most 120, which
     /// [`Multivariate`] has room for.
     pub const DEGREE_LIMIT: usize = 20;
+    /// The highest degree of a numerator or a denominator for forms: likewise.
+    pub const QUOTIENT_LIMIT: usize = 120;
 
     /// For the index of the basis; `None` if its degree exceeds [`DEGREE_LIMIT`](Self::DEGREE_LIMIT).
     #[must_use]
     pub fn of(basis: &Basis) -> Option<Self> {
         let ratio = basis.index().ratio();
         let [p, q] = [ratio.numer(), ratio.denom()].map(|c| Multivariate::constant(c.clone()));
-        Self::with_ratio(basis, &p, &q, false)
+        Self::with_ratio(basis.with(Whose::Index(basis.index().clone())), &p, &q)
     }
 
-    /// For α as a symbol: the index of the basis stands for nothing; `None` as in [`of`](Self::of).
+    /// For α as a symbol: the weights of the basis stand for nothing; `None` as in [`of`](Self::of).
     #[must_use]
-    pub fn for_every_index(basis: &Basis) -> Option<Self> {
+    pub fn for_every_index<W>(basis: &Basis<W>) -> Option<Self> {
         let alpha = Multivariate::variable(Self::ALPHA);
-        Self::with_ratio(basis, &alpha, &alpha.minus(&alpha.one()), true)
+        Self::with_ratio(basis.with(Whose::EveryIndex), &alpha, &alpha.minus(&alpha.one()))
     }
 
-    fn with_ratio(basis: &Basis, p: &Multivariate, q: &Multivariate, symbolic: bool) -> Option<Self> {
+    /// For forms without a pole on a closed span, those of a `member` of a family; `None` if a
+    /// [`quotient_degree`](Basis::quotient_degree) exceeds [`QUOTIENT_LIMIT`](Self::QUOTIENT_LIMIT).
+    #[must_use]
+    pub fn of_forms(basis: &Basis<FormTable>, member: String) -> Option<Self> {
+        if basis.knots().spans().any(|span| basis.quotient_degree(span) > Self::QUOTIENT_LIMIT) {
+            return None;
+        }
+        Some(Self::by(basis.with(Whose::Member(member)), |span| of_forms(basis, span)))
+    }
+
+    fn with_ratio(basis: Basis<Whose>, p: &Multivariate, q: &Multivariate) -> Option<Self> {
         if basis.degree() > Self::DEGREE_LIMIT {
             return None;
         }
-        let recursion = Recursion::new(basis, p, q);
+        let recursion = Recursion::new(&basis, p, q);
+        let functions = |span| recursion.on(span).map(|quotient| Some(quotient.clone()));
+        Some(Self::by(basis.clone(), functions))
+    }
+
+    /// From the functions that live on each span; `None` for one that is 0 there.
+    fn by(basis: Basis<Whose>, on: impl Fn(Span) -> Active<Option<(Factored, Factored)>>) -> Self {
         let functions = (0..=basis.n()).map(|index| FormalFunction { index, pieces: Vec::new() });
         let mut functions: Vec<_> = functions.collect();
         for span in basis.knots().spans() {
-            for (i, (numerator, denominator)) in recursion.on(span).iter() {
-                let [from, to] = [span.index(), span.index() + 1].map(|i| basis.knots().t(i));
+            let [from, to] = [span.index(), span.index() + 1].map(|i| basis.knots().t(i));
+            for (i, quotient) in on(span).iter() {
+                let Some((numerator, denominator)) = quotient.clone() else { continue };
                 functions[i].pieces.push(FormalPiece {
                     from: from.clone(),
                     to: to.clone(),
                     closed: to == basis.knots().last(),
-                    numerator: numerator.clone(),
-                    denominator: denominator.clone(),
+                    numerator,
+                    denominator,
                 });
             }
         }
-        Some(Self { basis: basis.clone(), symbolic, functions })
+        Self { basis, functions }
     }
 
-    /// The basis; its index is without meaning where α is a symbol.
+    /// Knots and degree, and whose functions they are.
     #[must_use]
-    pub fn basis(&self) -> &Basis {
+    pub fn basis(&self) -> &Basis<Whose> {
         &self.basis
     }
 
-    /// α, or `None` where it is a symbol.
+    /// α, if they are those of one index.
     #[must_use]
     pub fn index(&self) -> Option<&Index> {
-        (!self.symbolic).then(|| self.basis.index())
+        match self.basis.weights() {
+            Whose::Index(index) => Some(index),
+            Whose::EveryIndex | Whose::Member(_) => None,
+        }
+    }
+
+    /// Is α a symbol?
+    #[must_use]
+    pub fn is_symbolic(&self) -> bool {
+        *self.basis.weights() == Whose::EveryIndex
     }
 
     /// G_0^k, …, G_n^k.
@@ -198,6 +244,14 @@ impl Factored {
         product
     }
 
+    /// The opposite: of one factor, if there is one with an odd power.
+    fn negate(&mut self) {
+        match self.factors.iter_mut().rev().find(|(_, power)| power % 2 == 1) {
+            Some((factor, _)) => *factor = factor.negate(),
+            None => self.factors.push((Multivariate::constant(-1), 1)),
+        }
+    }
+
     fn multiply(&mut self, polynomial: &Multivariate) {
         let (content, factor) = primitive(polynomial);
         self.content *= content;
@@ -225,7 +279,7 @@ fn primitive(p: &Multivariate) -> (BigInt, Multivariate) {
 
 /// The knots as integers T_i/D, and r = p/q in any ring of polynomials.
 struct Recursion<'a> {
-    basis: &'a Basis,
+    basis: &'a Basis<Whose>,
     knots: Vec<BigInt>,
     scale: BigInt,
     p: &'a Multivariate,
@@ -233,7 +287,7 @@ struct Recursion<'a> {
 }
 
 impl<'a> Recursion<'a> {
-    fn new(basis: &'a Basis, p: &'a Multivariate, q: &'a Multivariate) -> Self {
+    fn new(basis: &'a Basis<Whose>, p: &'a Multivariate, q: &'a Multivariate) -> Self {
         let (knots, scale) = over_one_denominator(basis.knots().knots());
         Self { basis, knots, scale, p, q }
     }
@@ -321,6 +375,75 @@ fn reduced(
     }
     above.multiply(&rest);
     (above, below)
+}
+
+/// The functions on a span, as numerators and denominators in lowest terms; `None` for one that is 0.
+fn of_forms(basis: &Basis<FormTable>, span: Span) -> Active<Option<(Factored, Factored)>> {
+    let (knots, j) = (basis.knots(), span.index());
+    let x = RationalFunction::variable(&integer(1));
+    let Ok(functions) = basis.active(span, &x) else { unreachable!("the span is one of the knots") };
+    let line = |constant: &BigRational, slope: i64| Polynomial::new(constant.clone(), [integer(slope)]);
+    let inside = (knots.t(j) + knots.t(j + 1)) / integer(2);
+    let ends = knots.stop_knots().map(|(t, _)| line(&-t, 1)).collect::<Vec<_>>();
+    let over = |((_, i, d), forms): ((usize, usize, usize), &Forms)| {
+        let (p, q) = (line(&-knots.t(i), 1), line(knots.t(i + d), -1));
+        let [_, _, over] = forms.values(&p, &q, |c| Polynomial::constant(c.clone()));
+        over
+    };
+    let here = basis.weights().iter().filter(|((at, ..), _)| *at == j);
+    let poles: Vec<_> = here.map(over).collect();
+    functions.map(|f| {
+        if f.is_zero() {
+            return None;
+        }
+        let (above, mut numerator) = split(f.numerator(), &ends, &inside);
+        let (below, mut denominator) = split(f.denominator(), &poles, &inside);
+        let content = above / below;
+        numerator.content = content.numer().abs();
+        denominator.content = content.denom().clone();
+        if content.is_negative() {
+            numerator.negate();
+        }
+        Some((numerator, denominator))
+    })
+}
+
+/// (c, F) with p = cF ≠ 0: divisors of the likely factors, as often as they divide p, then what is left. Each is positive
+/// at `inside`, or rising if it is 0 there.
+fn split(
+    p: &Polynomial<BigRational>,
+    likely: &[Polynomial<BigRational>],
+    inside: &BigRational,
+) -> (BigRational, Factored) {
+    let (mut content, mut rest) = (p.leading().clone(), p.monic());
+    let mut product = Factored::product(BigInt::from(1), []);
+    let mut multiply = |factor: &Polynomial<BigRational>| {
+        let (_, scale) = over_one_denominator(factor.coefficients());
+        let integral = factor.scaled(&BigRational::from_integer(scale.clone()));
+        let integral = integral.map(|c| Multivariate::constant(c.to_integer()));
+        let (common, mut primitive) = primitive(&in_x(&integral));
+        let value = factor.evaluate(inside);
+        let negative =
+            if Zero::is_zero(&value) { factor.leading().is_negative() } else { value.is_negative() };
+        if negative {
+            primitive = primitive.negate();
+        }
+        let unit = BigRational::new(common, scale);
+        content *= if negative { -unit } else { unit };
+        product.multiply(&primitive);
+    };
+    for factor in likely {
+        loop {
+            let common = rest.gcd(factor);
+            let Some((quotient, _)) = rest.divide(&common).filter(|_| common.degree() > 0) else { break };
+            multiply(&common);
+            rest = quotient;
+        }
+    }
+    if rest.degree() > 0 {
+        multiply(&rest);
+    }
+    (content, product)
 }
 
 #[cfg(test)]

@@ -165,6 +165,20 @@ pub fn common_numerators<S: ExactField>(functions: &[RationalFunction<S>]) -> Ve
     functions.iter().map(|f| f.numerator().times(&quotient(&common, f.denominator()))).collect()
 }
 
+/// Q, monic, and with it the P_i of [`common_numerators`]: no polynomial divides Q and all of them. `None` without a function.
+#[must_use]
+pub fn over_common_denominator<S: ExactField>(
+    functions: &[RationalFunction<S>],
+) -> Option<(Polynomial<S>, Vec<Polynomial<S>>)> {
+    // Of 1 over the common denominator the numerator is that itself.
+    let one = functions.first()?.one();
+    let mut numerators = common_numerators(&[functions, &[one]].concat());
+    let denominator = numerators.pop()?;
+    let scale = denominator.leading().reciprocal()?;
+    let monic = |p: &Polynomial<S>| p.scaled(&scale);
+    Some((monic(&denominator), numerators.iter().map(monic).collect()))
+}
+
 /// One row for each function, given as its pieces on one span after the other: the coefficients of the
 /// numerators over one denominator for each span. A linear relation between functions is one between rows.
 ///

@@ -1,10 +1,9 @@
 //! Minors of the matrices (G_i(x_j)), x_1 < x_2 < …: a total positivity that fails, fails close to a knot.
 
-use crate::scalar::{BigRational, Jet, integer, rational};
-use crate::spline::{Basis, Side};
+use crate::scalar::{BigRational, integer, rational};
+use crate::spline::{Basis, HasWeights, Side};
 
 use super::linear::determinant;
-use super::piece::Jets;
 
 /// Three consecutive functions and three points with a negative minor.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -22,16 +21,10 @@ pub struct NegativeMinor {
 /// A negative minor of order 3 close to a knot, if there is one by this test: where the derivatives jump, the
 /// minor of (G_i) at x − ε, x, x + ε is ε² det(G, D⁻G, D⁺G) + O(ε³).
 #[must_use]
-pub fn negative_minor(basis: &Basis) -> Option<NegativeMinor> {
-    negative_minor_of(basis, &|x, side, order| basis.jets(x, side, order))
-}
-
-/// The same by the jets of all functions at a point, of any weights.
-#[must_use]
-pub fn negative_minor_of<W>(basis: &Basis<W>, jets: Jets<'_>) -> Option<NegativeMinor> {
+pub fn negative_minor<W: HasWeights>(basis: &Basis<W>) -> Option<NegativeMinor> {
     let close = basis.knots().inner_stop_knots().filter(|(_, p)| *p <= basis.degree());
     close.map(|(x, _)| x).find_map(|x| {
-        let (left, right) = (jets(x, Side::Left, 1), jets(x, Side::Right, 1));
+        let (left, right) = (basis.jets(x, Side::Left, 1), basis.jets(x, Side::Right, 1));
         let column =
             |i: usize| [&right[i].coefficients()[0], &left[i].coefficients()[1], &right[i].coefficients()[1]];
         let negative = |first: &usize| {
@@ -39,20 +32,18 @@ pub fn negative_minor_of<W>(basis: &Basis<W>, jets: Jets<'_>) -> Option<Negative
                 (*first..first + 3).map(|i| column(i).map(Clone::clone).to_vec()).collect();
             determinant(&corner, &integer(1)) < integer(0)
         };
-        (0..basis.n().saturating_sub(1)).find(negative).and_then(|first| near(jets, x, first))
+        (0..basis.n().saturating_sub(1)).find(negative).and_then(|first| near(basis, x, first))
     })
 }
 
 /// The points x − ε, x, x + ε with the largest ε = 2^(−e) at which the minor is negative.
-fn near(jets: Jets<'_>, x: &BigRational, first: usize) -> Option<NegativeMinor> {
+fn near<W: HasWeights>(basis: &Basis<W>, x: &BigRational, first: usize) -> Option<NegativeMinor> {
     /// A corner with a smaller ε than 2^−40 is passed over.
     const HALVINGS: i32 = 40;
     (1..=HALVINGS).find_map(|e| {
         let epsilon = rational(1, 2).pow(e);
         let points = [x - &epsilon, x.clone(), x + &epsilon];
-        let value = |jet: &Jet<BigRational>| jet.coefficients()[0].clone();
-        let row =
-            |x: &BigRational| jets(x, Side::Right, 0)[first..first + 3].iter().map(value).collect::<Vec<_>>();
+        let row = |x: &BigRational| basis.values(x, Side::Right)[first..first + 3].to_vec();
         let rows: Vec<_> = points.iter().map(row).collect();
         let value = determinant(&rows, &integer(1));
         (value < integer(0)).then_some(NegativeMinor { first, points, rows, value })

@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 
 use crate::scalar::{Polynomial, RationalAlgebra, RationalFunction, Ring, spend};
-use crate::spline::{Active, Basis, FormTable, KnotVector, Pairs, Span, SpanError, triangle};
+use crate::spline::{Active, Basis, HasWeights, KnotVector, Pairs, Span, SpanError, WeightKind, triangle};
 
 use super::local_knots::SpanQuotient;
 use super::piece::{Piece, constant};
@@ -62,7 +62,7 @@ pub struct SpanPieces {
     ends: (BigRational, BigRational),
 }
 
-/// All pieces of a basis, which they know: [`span_quotients`](super::span_quotients()) on every span.
+/// All pieces of a basis, which they know: for an index [`span_quotients`](super::span_quotients()) on every span.
 ///
 /// They are what the triangle gives over rational functions of u, `basis.active(span, &positive_coordinate(…)?)`.
 ///
@@ -86,41 +86,14 @@ pub struct Pieces {
 }
 
 impl Pieces {
-    /// The quotients of every span.
+    /// The functions on every span; forms have no pole on a closed span.
     #[must_use]
-    pub fn of(basis: &Basis) -> Self {
+    pub fn of<W: HasWeights>(basis: &Basis<W>) -> Self {
         let knots = basis.knots();
         let on_span = |span: Span| {
             spend();
             let ends = (knots.t(span.index()).clone(), knots.t(span.index() + 1).clone());
-            let functions = own_quotients(basis, span).map(SpanQuotient::piece);
-            SpanPieces { span, x: coordinate_between(&ends.0, &ends.1), functions, ends }
-        };
-        let spans = knots.spans().map(on_span).collect();
-        Self { basis: basis.with(()), spans, zero: constant(knots.first().zero()) }
-    }
-
-    /// The same for any weights, by the recursion over functions of u; the weights have no pole on a closed span.
-    #[must_use]
-    pub fn of_forms(basis: &Basis<FormTable>) -> Self {
-        let knots = basis.knots();
-        let on_span = |span: Span| {
-            spend();
-            let j = span.index();
-            let ends = (knots.t(j).clone(), knots.t(j + 1).clone());
-            let zero = constant(ends.0.zero());
-            // p and q times 1 + u, which cancels: forms are homogeneous.
-            let linear = |at_start: BigRational, at_end: BigRational| Polynomial::new(at_start, [at_end]);
-            let share = |i: usize, d: usize| {
-                let (a, b) = (knots.t(i), knots.t(i + d));
-                let p = linear(&ends.0 - a, &ends.1 - a);
-                let q = linear(b - &ends.0, b - &ends.1);
-                let [rise, fall, over] =
-                    basis.weights().get(j, i, d)?.values(&p, &q, |c| Polynomial::constant(c.clone()));
-                Some((RationalFunction::new(&rise, &over)?, RationalFunction::new(&fall, &over)?))
-            };
-            let weights = Pairs::new(&zero, |i, d| share(i, d).unwrap_or_else(|| (zero.clone(), zero.one())));
-            let functions = triangle(&weights, span, basis.degree(), knots.m());
+            let functions = own_pieces(basis, span);
             SpanPieces { span, x: coordinate_between(&ends.0, &ends.1), functions, ends }
         };
         let spans = knots.spans().map(on_span).collect();
@@ -156,6 +129,26 @@ impl Pieces {
     pub fn one(&self) -> Piece {
         self.zero.one()
     }
+}
+
+/// The pieces of the functions on a span of the basis: of forms by the recursion over functions of u.
+pub(super) fn own_pieces<W: HasWeights>(basis: &Basis<W>, span: Span) -> Active<Piece> {
+    let (knots, j) = (basis.knots(), span.index());
+    let table = match basis.weights().kind() {
+        WeightKind::Index(index) => return own_quotients(basis, index, span).map(SpanQuotient::piece),
+        WeightKind::Forms(table) => table,
+    };
+    let (start, end, zero) = (knots.t(j), knots.t(j + 1), constant(knots.first().zero()));
+    // p and q times 1 + u, which cancels: forms are homogeneous.
+    let linear = |at_start: BigRational, at_end: BigRational| Polynomial::new(at_start, [at_end]);
+    let share = |i: usize, d: usize| {
+        let (a, b) = (knots.t(i), knots.t(i + d));
+        let (p, q) = (linear(start - a, end - a), linear(b - start, b - end));
+        let [rise, fall, over] = table.get(j, i, d)?.values(&p, &q, |c| Polynomial::constant(c.clone()));
+        Some((RationalFunction::new(&rise, &over)?, RationalFunction::new(&fall, &over)?))
+    };
+    let weights = Pairs::new(&zero, |i, d| share(i, d).unwrap_or_else(|| (zero.clone(), zero.one())));
+    triangle(&weights, span, basis.degree(), knots.m())
 }
 
 impl SpanPieces {

@@ -1,10 +1,14 @@
 //! Curves as rational Bézier curves, span by span.
 
 use num_rational::BigRational;
+use num_traits::Signed;
+use thiserror::Error;
 
 use crate::scalar::{Polynomial, RationalAlgebra, Ring, integer};
-use crate::spline::{Curve, Point, Side, Span, binomial};
+use crate::spline::{Curve, HasWeights, Point, Side, Span, WeightKind, binomial};
 
+use super::linear::over_common_denominator;
+use super::pieces::own_pieces;
 use super::span_quotients::OneDenominator;
 
 /// A curve on one span [t_j, t_{j+1}] as a rational Bézier curve: with s = (x − t_j)/(t_{j+1} − t_j),
@@ -21,7 +25,10 @@ use super::span_quotients::OneDenominator;
 ///
 /// **All weights are positive**, for every knot vector, index and polygon, and no control point is at infinity:
 /// what is left of q is still a product of factors u + c with c > 0, so that none of its N + 1 coefficients is 0
-/// or less, and no p_c has a higher degree than q, since the curve is finite at u = ∞, that is, at t_{j+1}.
+/// or less, and no p_c has a higher degree than q, since the curve is finite at u = ∞, that is, at t_{j+1}. For the forms of
+/// another family q is some polynomial that is positive for all u ≥ 0, and its coefficients need not be: then q and all p_c
+/// are multiplied by 1 + u until they are, which they are in the end (Pólya), and N is the least degree with positive
+/// weights.
 ///
 /// **The degree.** q starts with at most k(k + 1)/2 factors: one for each d = 1..k and each different c = A/B,
 /// A = r(t_j − a) + (b − t_j), B = r(t_{j+1} − a) + (b − t_{j+1}), that an interval [a, b] = [t_i, t_{i+d}] over
@@ -43,7 +50,7 @@ use super::span_quotients::OneDenominator;
 /// let basis = Basis::new(knots, 2, "-1".parse::<Index>()?)?;
 /// let points = [[0, 0], [1, 2], [2, 0]].map(|point| point.map(integer).to_vec()).to_vec();
 /// let curve = Curve::new(basis, points.clone())?;
-/// let pieces: Vec<_> = RationalBezier::pieces(&curve).collect();
+/// let pieces = RationalBezier::pieces(&curve).collect::<Result<Vec<_>, _>>()?;
 /// assert_eq!(pieces[0].weights(), [integer(1), rational(1, 2), rational(1, 4)]);
 /// assert_eq!(pieces[0].points(), points);
 /// // It is the curve for every x.
@@ -59,41 +66,49 @@ pub struct RationalBezier {
     points: Vec<Point>,
 }
 
-/// u + c.
-fn linear(c: &BigRational) -> Polynomial<BigRational> {
-    Polynomial::new(c.clone(), [integer(1)])
+/// A curve with a piece that has no rational Bézier form that is asked for.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[error(
+    "on [{from}, {to}] no rational Bézier curve of degree up to {limit} has positive weights only",
+    limit = RationalBezier::HIGHEST_DEGREE
+)]
+pub struct RationalBezierError {
+    from: BigRational,
+    to: BigRational,
 }
 
 impl RationalBezier {
-    /// The pieces of a curve on all spans of [t_0, t_m] that are not empty, from left to right.
-    pub fn pieces(curve: &Curve) -> impl Iterator<Item = Self> {
+    /// How far the degree is raised in search of positive weights.
+    pub const HIGHEST_DEGREE: usize = 300;
+
+    /// The pieces of a curve on all spans of [t_0, t_m] that are not empty, from left to right. Forms have no pole on a
+    /// closed span.
+    ///
+    /// # Errors
+    /// [`RationalBezierError`], never for the weights of an index.
+    pub fn pieces<W: HasWeights>(
+        curve: &Curve<W>,
+    ) -> impl Iterator<Item = Result<Self, RationalBezierError>> {
         curve.basis().knots().spans().map(|span| Self::on(curve, span))
     }
 
-    fn on(curve: &Curve, span: Span) -> Self {
-        let OneDenominator { mut factors, numerators } = OneDenominator::of(curve.basis(), span);
-        let zero = Polynomial::constant(integer(0));
-        let coordinate = |c: usize| {
-            let terms = numerators.iter().map(|(i, p)| p.scaled(&curve.points()[i][c]));
-            terms.fold(zero.clone(), |sum, term| sum.plus(&term))
-        };
-        let mut coordinates: Vec<_> = (0..curve.dimension()).map(coordinate).collect();
-        factors.retain(|c| match divided(&coordinates, &linear(c)) {
-            Some(quotients) => {
-                coordinates = quotients;
-                false
+    fn on<W: HasWeights>(curve: &Curve<W>, span: Span) -> Result<Self, RationalBezierError> {
+        let [from, to] = [span.index(), span.index() + 1].map(|i| curve.basis().knots().t(i).clone());
+        let (mut denominator, mut coordinates) = quotients(curve, span);
+        let one = Polynomial::constant(integer(1));
+        let more = one.plus(&Polynomial::variable(&integer(1)));
+        while !denominator.coefficients().iter().all(Signed::is_positive) {
+            if denominator.degree() >= Self::HIGHEST_DEGREE {
+                return Err(RationalBezierError { from, to });
             }
-            None => true,
-        });
-        let denominator = factors.iter().fold(zero.one(), |product, c| product.times(&linear(c)));
-        let degree = factors.len();
-        // All q_m > 0: see above.
-        let q = denominator.coefficients();
+            denominator = denominator.times(&more);
+            coordinates.iter_mut().for_each(|p| *p = p.times(&more));
+        }
+        let (degree, q) = (denominator.degree(), denominator.coefficients());
         let weights = (0..=degree).map(|m| &q[m] / (&q[0] * binomial(degree, m))).collect();
         let entry = |p: &Polynomial<_>, m: usize| p.coefficients().get(m).map_or(integer(0), |p| p / &q[m]);
         let points = (0..=degree).map(|m| coordinates.iter().map(|p| entry(p, m)).collect()).collect();
-        let [from, to] = [span.index(), span.index() + 1].map(|i| curve.basis().knots().t(i).clone());
-        Self { span, from, to, weights, points }
+        Ok(Self { span, from, to, weights, points })
     }
 
     /// The span [t_j, t_{j+1}).
@@ -156,14 +171,13 @@ impl RationalBezier {
     ///
     /// At five points, both ends among them, the piece is evaluated by de Casteljau, and the curve by the recursion
     /// and, on [t_k, t_{n+1}], by de Boor (T4.1). Then both are compared at the N + K + 1 points u = 0, 1, …, N + K,
-    /// K = k(k + 1)/2. In u both are quotients of polynomials, of degree N and of degree at most K, with positive
-    /// denominators: so each coordinate of their difference has a numerator of degree at most N + K, and one with
-    /// more roots is 0.
+    /// with K = k(k + 1)/2 for an index, and for forms the sum of the degrees of those over the span. In u both are quotients
+    /// of polynomials, of degree N and of degree at most K, with denominators that are not 0: so each coordinate of their
+    /// difference has a numerator of degree at most N + K, and one with more roots is 0.
     #[must_use]
-    pub fn disagreement(&self, curve: &Curve) -> Option<BigRational> {
+    pub fn disagreement<W: HasWeights>(&self, curve: &Curve<W>) -> Option<BigRational> {
         let length = &self.to - &self.from;
-        let k = curve.basis().degree();
-        let last = self.degree() + k * (k + 1) / 2;
+        let last = self.degree() + curve.basis().quotient_degree(self.span);
         let (weight, coordinates) = self.in_positive_coordinate();
         let by_casteljau = |quarter: usize| {
             let x = &self.from + &length * integer(quarter) / integer(4);
@@ -198,6 +212,35 @@ impl RationalBezier {
     }
 }
 
+/// q with q(u) > 0 for u ≥ 0, and the p_c: the coordinates of the curve on a span are p_c/q in lowest terms.
+fn quotients<W: HasWeights>(
+    curve: &Curve<W>,
+    span: Span,
+) -> (Polynomial<BigRational>, Vec<Polynomial<BigRational>>) {
+    let (basis, zero) = (curve.basis(), Polynomial::constant(integer(0)));
+    let WeightKind::Index(index) = basis.weights().kind() else {
+        let coordinates = curve.combine_unchecked(&own_pieces(basis, span));
+        let over = over_common_denominator(&coordinates);
+        // Without a function on the span the curve is 0 there.
+        return over.unwrap_or_else(|| (zero.one(), vec![zero; curve.dimension()]));
+    };
+    let OneDenominator { mut factors, numerators } = OneDenominator::of(basis, index, span);
+    let coordinate = |c: usize| {
+        let terms = numerators.iter().map(|(i, p)| p.scaled(&curve.points()[i][c]));
+        terms.fold(zero.clone(), |sum, term| sum.plus(&term))
+    };
+    let linear = |c: &BigRational| Polynomial::new(c.clone(), [integer(1)]);
+    let mut coordinates: Vec<_> = (0..curve.dimension()).map(coordinate).collect();
+    factors.retain(|c| match divided(&coordinates, &linear(c)) {
+        Some(quotients) => {
+            coordinates = quotients;
+            false
+        }
+        None => true,
+    });
+    (factors.iter().fold(zero.one(), |product, c| product.times(&linear(c))), coordinates)
+}
+
 /// All the quotients, if the divisor divides all.
 fn divided(
     polynomials: &[Polynomial<BigRational>],
@@ -225,7 +268,7 @@ mod tests {
     #[test]
     fn a_wrong_piece_is_noticed() {
         let curve = curve(2, "-1".parse().unwrap());
-        let right = RationalBezier::pieces(&curve).next().unwrap();
+        let right = RationalBezier::pieces(&curve).next().unwrap().unwrap();
         assert_eq!(right.disagreement(&curve), None);
         for m in 0..=2 {
             let mut weights = right.clone();
@@ -251,7 +294,7 @@ mod tests {
         let knots = KnotVector::bernstein(5, &integer(0), &integer(1)).unwrap();
         let basis = Basis::new(knots, 5, Index::infinity()).unwrap();
         let zero = Curve::new(basis, vec![vec![integer(0)]; 6]).unwrap();
-        let mut piece = RationalBezier::pieces(&zero).next().unwrap();
+        let mut piece = RationalBezier::pieces(&zero).next().unwrap().unwrap();
         assert_eq!(piece.degree(), 0);
         // s(s − 1/4)(s − 1/2)(s − 3/4)(s − 1) in powers of s, then in Bernstein polynomials.
         let powers = [0, 3, -25, 70, -80, 32].map(|c| rational(c, 32));

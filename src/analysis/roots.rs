@@ -84,6 +84,7 @@ impl IsolatedRoot {
         if self.lo < self.hi && !polynomial.may_have_rational_root() {
             return None;
         }
+        let mut bits = FIRST_BITS;
         while self.lo < self.hi {
             let [(a, d), (b, e)] = [&self.lo, &self.hi].map(positive_parts);
             let candidate: BigInt = (a * &scale).div_floor(&d) + 1;
@@ -92,7 +93,7 @@ impl IsolatedRoot {
                 return None;
             }
             if (&candidate + 1_u32) * e < end {
-                self.refine();
+                bits = self.interpolate(bits);
                 continue;
             }
             let u = BigRational::new(candidate, scale.clone());
@@ -120,10 +121,61 @@ impl IsolatedRoot {
         sign_in_unit(&common, &self.lo) != sign_in_unit(&common, &self.hi)
     }
 
+    /// Quadratic interval refinement (Abbott 2006): the interval is cut into 2^bits parts, the line through the values at its ends says
+    /// which of them holds the root, and two signs prove it. Then the next step cuts into twice as many bits, and after a guess that was
+    /// wrong into half as many; these are returned.
+    fn interpolate(&mut self, bits: u64) -> u64 {
+        if bits < 2 {
+            self.refine();
+            return FIRST_BITS;
+        }
+        let depth = |y: &BigRational| y.denom().trailing_zeros().unwrap_or(0);
+        let common = depth(&self.lo).max(depth(&self.hi)) + bits;
+        let [lo, hi] = [&self.lo, &self.hi].map(|y| y.numer() << (common - depth(y)));
+        let one = BigInt::one() << common;
+        // Σ c_i a^i (2^common − a)^(n−i): the value at y = a/2^common, up to one positive factor.
+        let value = |a: &BigInt| {
+            let rest = &one - a;
+            let (mut value, mut power) = (BigInt::zero(), BigInt::one());
+            for c in self.polynomial.coefficients().iter().rev() {
+                value = value * a + c * &power;
+                power *= &rest;
+            }
+            value
+        };
+        let (at_lo, at_hi) = (value(&lo), value(&hi));
+        let part: BigInt = (&hi - &lo) >> bits;
+        let last = (BigInt::one() << bits) - 1;
+        let index = ((&at_lo << bits) / (&at_lo - &at_hi)).clamp(BigInt::zero(), last);
+        let start = &lo + &part * index;
+        let end = &start + &part;
+        let sign = |a: &BigInt| match a {
+            a if *a == lo => self.below,
+            a if *a == hi => self.below.opposite(),
+            a => Sign::of(&value(a)),
+        };
+        let signs = [sign(&start), sign(&end)];
+        let hit = [&start, &end].into_iter().zip(signs).find(|(_, sign)| *sign == Sign::Zero);
+        if let Some((place, _)) = hit {
+            let y = dyadic(place.clone(), common);
+            (self.lo, self.hi) = (y.clone(), y);
+        } else if signs == [self.below, self.below.opposite()] {
+            (self.lo, self.hi) = (dyadic(start, common), dyadic(end, common));
+            return bits * 2;
+        } else {
+            self.refine();
+            return bits / 2;
+        }
+        bits
+    }
+
     fn sign_at(&self, y: &BigRational) -> Sign {
         sign_in_unit(&self.polynomial, y)
     }
 }
+
+/// Into how many parts, as a power of 2, an interval is cut at first.
+const FIRST_BITS: u64 = 4;
 
 /// The sign at u = y/(1 − y) for 0 ≤ y ≤ 1.
 fn sign_in_unit(p: &IntegerPolynomial, y: &BigRational) -> Sign {
@@ -381,6 +433,17 @@ mod tests {
         let p = polynomial(&[-3, 7]).times(&polynomial(&[-11, 5])).times(&polynomial(&[-5, 0, 1]));
         let found: Vec<_> = positive_roots(&p).iter_mut().map(IsolatedRoot::rational).collect();
         assert_eq!(found, [Some(rational(3, 7)), Some(rational(11, 5)), None]);
+    }
+
+    /// A rational root between irrational ones that are close, with a denominator that takes many steps.
+    #[test]
+    fn a_rational_root_with_a_long_denominator_is_recognised() {
+        let long = BigRational::new(BigInt::from(3).pow(70), BigInt::from(7).pow(50));
+        let linear = Polynomial::new(-long.clone(), [integer(1)]);
+        let p = linear.times(&polynomial(&[-2, 0, 1])).times(&polynomial(&[-200_000_001, 0, 100_000_000]));
+        let mut found: Vec<_> = positive_roots(&p).iter_mut().map(IsolatedRoot::rational).collect();
+        found.retain(Option::is_some);
+        assert_eq!(found, [Some(long)]);
     }
 
     #[test]

@@ -2,9 +2,7 @@
 
 use num_rational::BigRational;
 
-use crate::spline::{Basis, Side};
-
-use super::piece::Jets;
+use crate::spline::{Basis, HasWeights, Side};
 
 /// The one-sided derivatives of a function at a knot of its support.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -38,21 +36,12 @@ pub struct KnotSlopes {
 /// # Panics
 /// If i > n.
 #[must_use]
-pub fn knot_slopes(basis: &Basis, i: usize) -> Vec<KnotSlopes> {
-    knot_slopes_of(basis, i, &|x, side, order| basis.jets(x, side, order))
-}
-
-/// The same by the jets of all functions at a point, of any weights.
-///
-/// # Panics
-/// If i > n.
-#[must_use]
-pub fn knot_slopes_of<W>(basis: &Basis<W>, i: usize, jets: Jets<'_>) -> Vec<KnotSlopes> {
+pub fn knot_slopes<W: HasWeights>(basis: &Basis<W>, i: usize) -> Vec<KnotSlopes> {
     assert!(i <= basis.n(), "there is no function {i}: the basis has the functions 0 to {}", basis.n());
     let (first, last) = (basis.knots().first(), basis.knots().last());
     let mut knots = basis.knots().knots()[i..=i + basis.degree() + 1].to_vec();
     knots.dedup();
-    let slope = |at: &BigRational, side| jets(at, side, 1)[i].derivatives()[1].clone();
+    let slope = |at: &BigRational, side| basis.jets(at, side, 1)[i].derivatives()[1].clone();
     knots
         .into_iter()
         .map(|at| KnotSlopes {

@@ -4,7 +4,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 
 use crate::scalar::{Bilinear, Bivariate, Fixed, Polynomial, Ring, ScaleBy, Whole, Width, may_vanish};
-use crate::spline::{Active, Basis, Factors, FractionFree, KnotVector, Span, SpanError, triangle};
+use crate::spline::{Active, Basis, Factors, FractionFree, Index, KnotVector, Span, SpanError, triangle};
 
 use super::local_knots::{SpanQuotient, coprime_gaps};
 
@@ -46,12 +46,12 @@ struct FactoredQuotient {
 /// [`SpanError::Foreign`] for a span of another knot vector.
 pub fn span_quotients(basis: &Basis, span: Span) -> Result<Active<SpanQuotient<BigInt>>, SpanError> {
     basis.knots().ends(span)?;
-    Ok(own_quotients(basis, span))
+    Ok(own_quotients(basis, basis.index(), span))
 }
 
-/// [`span_quotients`] on a span of the basis.
-pub(super) fn own_quotients(basis: &Basis, span: Span) -> Active<SpanQuotient<BigInt>> {
-    factored_quotients(basis, span).map(|factored| factored.quotient.clone())
+/// [`span_quotients`] on a span of the basis, for the weights of an index.
+pub(super) fn own_quotients<W>(basis: &Basis<W>, index: &Index, span: Span) -> Active<SpanQuotient<BigInt>> {
+    factored_quotients(basis, index, span).map(|factored| factored.quotient.clone())
 }
 
 /// [`span_quotients`] for every slope ratio r at once: the coefficients are polynomials in r. Nothing is reduced.
@@ -97,9 +97,8 @@ pub fn symbolic_quotients(
 }
 
 /// [`span_quotients`] with the factors of the denominators.
-fn factored_quotients(basis: &Basis, span: Span) -> Active<FactoredQuotient> {
-    let ratio = basis.index().ratio();
-    let ratio = (ratio.numer().clone(), ratio.denom().clone());
+fn factored_quotients<W>(basis: &Basis<W>, index: &Index, span: Span) -> Active<FactoredQuotient> {
+    let ratio = (index.ratio().numer().clone(), index.ratio().denom().clone());
     let near = Neighbourhood::of(basis.knots(), basis.degree(), span, ratio);
     if let Some(words) = near.in_words::<i64>() {
         words.quotients()
@@ -293,10 +292,10 @@ impl OneDenominator {
         self.factors.iter().fold(one, |product, c| product.times(&linear(c)))
     }
 
-    /// On a span of the basis.
+    /// On a span of the basis, for the weights of an index.
     #[must_use]
-    pub fn of(basis: &Basis, span: Span) -> Self {
-        let functions = factored_quotients(basis, span);
+    pub fn of<W>(basis: &Basis<W>, index: &Index, span: Span) -> Self {
+        let functions = factored_quotients(basis, index, span);
         let mut common: Vec<(BigInt, BigInt)> = Vec::new();
         for function in functions.values() {
             for factor in lacking(&common, &function.factors) {
@@ -367,7 +366,7 @@ mod tests {
                     });
                     assert_eq!(pieces, reference);
 
-                    let one = OneDenominator::of(&basis, span);
+                    let one = OneDenominator::of(&basis, basis.index(), span);
                     assert!(one.factors.iter().all(Signed::is_positive));
                     let factors: Vec<_> = one.factors.iter().map(|c| (c.clone(), integer(1))).collect();
                     let mut q = Polynomial::constant(integer(1));
@@ -410,7 +409,10 @@ mod tests {
         let knots = KnotVector::new((0..8).map(integer).collect()).unwrap();
         let factors = |alpha: &str| {
             let basis = Basis::new(knots.clone(), 3, alpha.parse().unwrap()).unwrap();
-            knots.spans().map(|span| OneDenominator::of(&basis, span).factors.len()).collect::<Vec<_>>()
+            knots
+                .spans()
+                .map(|span| OneDenominator::of(&basis, basis.index(), span).factors.len())
+                .collect::<Vec<_>>()
         };
         assert_eq!(factors("inf"), [3; 7]);
         assert_eq!(factors("-1"), [3, 5, 5, 5, 5, 4, 3]);

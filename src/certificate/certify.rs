@@ -1,5 +1,8 @@
 //! From a judged claim to its certificates.
 
+use std::borrow::Cow;
+use std::sync::Arc;
+
 use rayon::prelude::*;
 use thiserror::Error;
 
@@ -12,6 +15,7 @@ use super::proof::{SectionProof, to_sexp};
 use super::prove::{ProofError, prove};
 use super::sexp::Sexp;
 use super::statement::{Shown, Statement};
+use super::weights::Weighted;
 use super::windows::{Argued, Windows, WindowsError, listed, windows};
 
 /// A statement with its proof.
@@ -57,11 +61,19 @@ pub enum Uncertified {
 }
 
 impl Certificate {
-    /// Proves a statement.
+    /// Proves a statement: where that can be, for any weights at all.
     ///
     /// # Errors
     /// [`CertificateError`], if no proof is found.
     pub fn of(statement: Statement) -> Result<Self, CertificateError> {
+        let statement = match statement.for_any_weights() {
+            // The least degree with something to show tells mostly whether that is in vain.
+            Some(any) if any.least().is_none_or(|least| prove(&least).is_ok()) => match prove(&any) {
+                Ok(proof) => return Ok(Self { statement: any, proof }),
+                Err(_) => statement,
+            },
+            _ => statement,
+        };
         match prove(&statement) {
             Ok(proof) => Ok(Self { statement, proof }),
             Err(error) => Err(failed(&statement.claim, statement.form, error)),
@@ -135,7 +147,8 @@ fn stated(
 ) -> Result<Option<Statement>, CertificateError> {
     let id = claim.id();
     let failed = move |error: Uncertified| failed(id, form, error);
-    let Some(sentence) = claim.sentence(form) else { return Ok(None) };
+    let Some(sentence) = sentence_of(claim, form) else { return Ok(None) };
+    let sentence = &*sentence;
     let found = windows(claim, form, witness).map_err(|error| failed(error.into()))?;
     let parse = |text: &str| {
         Sexp::parse_all(text).map_err(|error| failed(ProofError::Statement(error.into()).into()))
@@ -161,16 +174,19 @@ fn stated(
             return proved(claim, of, sentence, &degrees).map(Some);
         }
         // What is about weights alone stands for degree 1.
-        (None, Some(witness)) => match point(witness) {
+        (None, Some(witness)) => match point(witness, &claim.paper.about.family) {
             Some(point) => (Scope::Instance, vec![witness.k.unwrap_or(1)], Shown::Points(vec![point])),
             None => return Ok(None),
         },
         (None, None) => return Ok(None),
     };
     let sentence = in_brackets(claim, form, sentence)?;
+    let (weighted, family) = weights(claim, form)?;
     Ok(Some(Statement {
         claim: id.to_owned(),
         form,
+        weighted,
+        family,
         refuted: witness.is_some(),
         scope,
         degrees,
@@ -189,7 +205,8 @@ pub fn derived(
     sentence: &Sentence,
     degrees: &[usize],
 ) -> Result<Statement, CertificateError> {
-    let sections = degrees.par_iter().map(|k| derive(sentence, claim.definitions, claim, *k));
+    let weighted = Weighted::Family(Arc::clone(&claim.paper.about.family));
+    let sections = degrees.par_iter().map(|k| derive(sentence, claim.definitions, claim, *k, &weighted));
     let sections =
         sections.collect::<Result<_, _>>().map_err(|error: NoWindow| failed(claim.id(), form, error))?;
     Ok(Statement { shown: Shown::Derived(sections), ..said(claim, form, sentence, degrees)? })
@@ -202,15 +219,44 @@ fn said(
     sentence: &Sentence,
     degrees: &[usize],
 ) -> Result<Statement, CertificateError> {
+    let (weighted, family) = weights(claim, form)?;
     Ok(Statement {
         claim: claim.id().to_owned(),
         form,
+        weighted,
+        family,
         refuted: false,
         scope: reach(sentence),
         degrees: degrees.to_vec(),
         sentence: in_brackets(claim, form, sentence)?,
         shown: Shown::Derived(Vec::new()),
     })
+}
+
+/// The sentence of a form; where the family is for some knots only, its knots are of that kind.
+fn sentence_of(claim: Claim<'_>, form: Form) -> Option<Cow<'_, Sentence>> {
+    let (sentence, knots) = (claim.sentence(form)?, &claim.paper.about.family.knots);
+    if knots.is_empty() {
+        return Some(Cow::Borrowed(sentence));
+    }
+    let mut sentence = sentence.clone();
+    for binder in &mut sentence.given {
+        if let Binder::Knots(own) = binder {
+            own.extend(
+                knots.iter().filter(|adjective| !own.contains(adjective)).copied().collect::<Vec<_>>(),
+            );
+        }
+    }
+    Some(Cow::Owned(sentence))
+}
+
+/// The weights of the paper, and how a certificate says them.
+fn weights(claim: Claim<'_>, form: Form) -> Result<(Weighted, Sexp), CertificateError> {
+    let weighted = Weighted::Family(Arc::clone(&claim.paper.about.family));
+    match weighted.to_sexp() {
+        Ok(family) => Ok((weighted, family)),
+        Err(what) => Err(failed(claim.id(), form, Uncertified::Unprintable(what.to_string()))),
+    }
 }
 
 /// How far it reaches, if it follows from windows: these are for every α.
@@ -266,9 +312,9 @@ pub fn certify(
     Ok(Some(certificate).filter(|certificate| !is_point || certificate.check().is_ok()))
 }
 
-/// Certificates are about the weights of an index.
+/// Can a certificate say the weights of the paper?
 fn has_format(claim: Claim<'_>) -> bool {
-    claim.paper.about.family.moebius().is_some()
+    Weighted::Family(Arc::clone(&claim.paper.about.family)).to_sexp().is_ok()
 }
 
 /// A paper that says nothing of windows: what follows from the sentence in degrees up to this one is proved, where that is
@@ -278,7 +324,7 @@ const UNASKED: usize = 3;
 /// The certificate in those degrees in which windows follow from the sentence and all goals have a proof that the checker
 /// accepts.
 fn unasked(claim: Claim<'_>, form: Form) -> Option<Certificate> {
-    let sentence = claim.sentence(form)?;
+    let sentence = &*sentence_of(claim, form)?;
     let proved = |degrees: &[usize]| {
         let certificate = Certificate::of(derived(claim, form, sentence, degrees).ok()?).ok()?;
         certificate.check().is_ok().then_some(certificate)

@@ -4,44 +4,17 @@ use std::cell::RefCell;
 use std::collections::HashMap;
 
 use num_traits::Signed;
-use thiserror::Error;
 
 use crate::analysis::determinant;
-use crate::scalar::{Jet, Multivariate, Quotient, RationalAlgebra, Ring};
+use crate::language::Name;
+use crate::scalar::{Jet, Multivariate, Quotient, RationalAlgebra, Ring, integer};
 use crate::spline::{Active, Span, Triangle, Weights, de_boor};
 
-use super::statement::{Class, Gap, Section};
+use super::error::{Evaluated, EvaluationError};
+use super::interval::Interval;
+use super::statement::{Gap, Section};
 use super::term::{OfWeight, Place, Term, Where};
-
-/// Why a term has no value.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
-pub enum EvaluationError {
-    /// No such parameter, abbreviation or window.
-    #[error("`{0}` is not declared")]
-    Unknown(String),
-    /// Something divides by what could be 0.
-    #[error("a denominator could be 0: {0}")]
-    Division(String),
-    /// A knot that the window does not show.
-    #[error("window {window} does not show the knot {index} that this depends on")]
-    OutsideWindow {
-        /// The window.
-        window: String,
-        /// The knot.
-        index: i64,
-    },
-    /// An empty span, or one that could be.
-    #[error("span {span} of window {window} could be empty")]
-    EmptySpan {
-        /// The window.
-        window: String,
-        /// The span.
-        span: i64,
-    },
-    /// More unknowns than a polynomial can have.
-    #[error("more than {} parameters and unknowns", Multivariate::VARIABLES)]
-    TooMany,
-}
+use super::weights::{Class, Weighted};
 
 /// How far the definition is unfolded.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -61,6 +34,10 @@ enum Unknown {
     Share(Quotient, Quotient),
     /// A derivative of a weight, by its value.
     Slope(Quotient),
+    /// Of any weights: 1 − w_i^d, w_i^d, or its derivative, at this x and unit.
+    Weight(OfWeight, String, i64, usize, Quotient, Quotient),
+    /// A parameter of the family, by its window and its indices.
+    Parameter(String, String, Vec<i64>),
     /// G_i^d, or DG_i^d.
     Function(bool, i64, usize, Place),
 }
@@ -68,30 +45,32 @@ enum Unknown {
 /// The values that one section gives to names.
 pub struct Evaluator<'a> {
     section: &'a Section,
+    weighted: &'a Weighted,
+    /// The member that a reflection leads to: the window with the parameters that there were before, and the index of t_m there.
+    dual: Option<(String, i64)>,
     unfolding: Unfolding,
     knots: HashMap<&'a str, (i64, Vec<Quotient>)>,
     variables: RefCell<Vec<(Option<Unknown>, Class)>>,
     names: HashMap<String, Quotient>,
 }
 
-/// A failed evaluation, or a value.
-pub(super) type Evaluated<T = Quotient> = Result<T, EvaluationError>;
-
 impl<'a> Evaluator<'a> {
     /// Prepares a section.
     ///
     /// # Errors
     /// [`EvaluationError`], if a name is not declared where it is used.
-    pub fn new(section: &'a Section, unfolding: Unfolding) -> Evaluated<Self> {
+    pub fn new(section: &'a Section, weighted: &'a Weighted, unfolding: Unfolding) -> Evaluated<Self> {
         let mut evaluator = Self {
             section,
+            weighted,
+            dual: None,
             unfolding,
             knots: HashMap::new(),
             variables: RefCell::new(Vec::new()),
             names: HashMap::new(),
         };
-        for (name, class) in &section.parameters {
-            evaluator.declare(name.clone(), *class)?;
+        for (name, class) in evaluator.parameters() {
+            evaluator.declare(name, class)?;
         }
         for (name, value) in &section.lets {
             let value = evaluator.term(value)?;
@@ -112,6 +91,45 @@ impl<'a> Evaluator<'a> {
             evaluator.knots.insert(&window.name, (window.first, knots));
         }
         Ok(evaluator)
+    }
+
+    /// What is declared in the section and before it, but for gaps and what belongs to windows.
+    pub(super) fn parameters(&self) -> Vec<(String, Class)> {
+        let single = self.weighted.single().into_iter().map(|(name, class)| (name.to_string(), class));
+        let u = ("u".to_owned(), Class::Positive);
+        std::iter::once(u).chain(single).chain(self.section.parameters.iter().cloned()).collect()
+    }
+
+    /// A parameter of the family; one with indices is a variable of the window's own.
+    fn parameter(&self, window: &str, name: &str, indices: &[i64]) -> Evaluated {
+        if indices.is_empty() {
+            return self.names.get(name).cloned().ok_or_else(|| EvaluationError::Unknown(name.to_owned()));
+        }
+        let class = self.weighted.class(name).ok_or_else(|| EvaluationError::Unknown(name.to_owned()))?;
+        self.unknown(Unknown::Parameter(window.to_owned(), name.to_owned(), indices.to_vec()), class)
+    }
+
+    /// The same of the member at hand.
+    fn own_parameter(&self, window: &str, name: &Name, indices: &[i64]) -> Evaluated {
+        let Weighted::Family(family) = self.weighted else {
+            return Err(EvaluationError::Unknown(name.to_string()));
+        };
+        if let Some((before, m)) = &self.dual {
+            let Some(dual) = &family.dual else { return Err(EvaluationError::Weight("its dual".into())) };
+            if let Some((_, term)) = dual.iter().find(|(own, _)| own == name) {
+                let parameter = family.parameters.iter().find(|own| own.name == *name);
+                let at = |which: &str| {
+                    let at = parameter?.indices.iter().position(|index| **index == *which)?;
+                    indices.get(at).copied()
+                };
+                let unit = Jet::constant(self.integer(1), 0);
+                let [x, a, b] = [(); 3].map(|()| unit.clone());
+                let (i, d) = (at("i").unwrap_or(0), at("d").unwrap_or(0));
+                let interval = Interval { x, a, b, unit, i, d, m: Some(*m) };
+                return interval.number(term, &|name, indices| self.parameter(before, name, indices));
+            }
+        }
+        self.parameter(window, name, indices)
     }
 
     fn declare(&mut self, name: String, class: Class) -> Evaluated {
@@ -136,7 +154,7 @@ impl<'a> Evaluator<'a> {
     /// The number of the variable that a parameter is.
     #[must_use]
     pub fn variable_of(&self, parameter: &str) -> Option<usize> {
-        let at = self.section.parameters.iter().position(|(name, _)| name == parameter);
+        let at = self.parameters().iter().position(|(name, _)| name == parameter);
         at.or_else(|| {
             let value = self.names.get(parameter)?;
             (0..self.variables.borrow().len()).find(|&at| *value == Quotient::variable(at))
@@ -186,9 +204,10 @@ impl<'a> Evaluator<'a> {
                     OfWeight::Derivative => w.coefficients()[1].clone(),
                 })
             }
-            Term::Function { derivative, i, degree, place } => {
-                let order = usize::from(*derivative);
-                Ok(self.function(place, *i, *degree, order)?.coefficients()[order].clone())
+            Term::Function { order, i, degree, place } => {
+                let coefficient = self.function(place, *i, *degree, *order)?.coefficients()[*order].clone();
+                let factorial = (1..=*order).fold(integer(1), |product, factor| product * integer(factor));
+                Ok(coefficient.times(&coefficient.embed(&factorial)))
             }
             Term::DeBoor { i, level, degree, place } => {
                 let first = place.span - to_i64(*degree);
@@ -212,22 +231,36 @@ impl<'a> Evaluator<'a> {
                         return Err(EvaluationError::Unknown(name.clone()));
                     }
                 }
-                let inner = Self {
-                    section: self.section,
-                    unfolding: self.unfolding,
-                    knots: self.knots.clone(),
-                    variables: RefCell::new(self.variables.take()),
-                    names,
-                };
-                let value = inner.term(body);
-                self.variables.replace(inner.variables.into_inner());
-                value
+                self.inside(names, self.dual.clone(), body)
             }
+            Term::Dual(window, m, body) => self.inside(self.names.clone(), Some((window.clone(), *m)), body),
+            Term::Parameter(window, name, indices) => self.parameter(window, name, indices),
             Term::Determinant(rows) => {
                 let rows: Evaluated<Vec<_>> = rows.iter().map(|row| terms(row)).collect();
                 Ok(determinant(&rows?, &self.integer(1)))
             }
         }
+    }
+
+    /// A term where names mean something else.
+    fn inside(
+        &self,
+        names: HashMap<String, Quotient>,
+        dual: Option<(String, i64)>,
+        body: &Term,
+    ) -> Evaluated {
+        let inner = Self {
+            section: self.section,
+            weighted: self.weighted,
+            dual,
+            unfolding: self.unfolding,
+            knots: self.knots.clone(),
+            variables: RefCell::new(self.variables.take()),
+            names,
+        };
+        let value = inner.term(body);
+        self.variables.replace(inner.variables.into_inner());
+        value
     }
 
     /// G_i^d with derivatives up to the order, by the triangle on its own d + 2 knots: no other is looked at.
@@ -241,6 +274,9 @@ impl<'a> Evaluator<'a> {
             Some(d) => {
                 let (first, last) = (j.saturating_sub(d), j.min(m - d - 1));
                 let unknown = |at: usize| {
+                    if order > 1 {
+                        return Err(EvaluationError::Order);
+                    }
                     let value = |derivative| {
                         let unknown = Unknown::Function(derivative, i + to_i64(at), d, place.clone());
                         self.unknown(unknown, Class::Real)
@@ -322,12 +358,16 @@ impl<'a> Evaluator<'a> {
         if self.unfolding.related && q.numerator() < p.numerator() {
             return Ok(self.integer(1).minus(&self.share(q, p)?));
         }
-        let class = match (self.class_of(p), self.class_of(q)) {
+        self.unknown(Unknown::Share(p.clone(), q.clone()), self.share_class(p, q))
+    }
+
+    /// The sign of p/(p + q).
+    fn share_class(&self, p: &Quotient, q: &Quotient) -> Class {
+        match (self.class_of(p), self.class_of(q)) {
             (Class::Positive, Class::Positive | Class::Nonnegative) => Class::Positive,
             (Class::Real, _) | (_, Class::Real) => Class::Real,
             _ => Class::Nonnegative,
-        };
-        self.unknown(Unknown::Share(p.clone(), q.clone()), class)
+        }
     }
 
     /// The sign of a polynomial as far as its coefficients show it.
@@ -407,35 +447,85 @@ impl PlaceWeights<'_, '_> {
             return Err(outside(i));
         }
         let (a, b, start, end) = (knot(i)?, knot(i + to_i64(d))?, knot(*span)?, knot(span + 1)?);
-        let ratio = &evaluator.names["r"];
         let [near, far] = &self.ends;
         let measure = near.plus(far);
-        let p = ratio.times(&near.times(&start.minus(a)).plus(&far.times(&end.minus(a))));
-        let q = near.times(&b.minus(start)).plus(&far.times(&b.minus(end)));
+        let at_x = |a: &Quotient| near.times(&start.minus(a)).plus(&far.times(&end.minus(a)));
+        let (order, jet) = (self.order, |of| evaluator.jet(of, self.order));
+        let zero = || evaluator.integer(0);
+        // All lengths are measured from a, in this unit.
+        let x = jet([Ok(at_x(a)), Ok(measure.clone())])?;
+        let b = Jet::constant(b.minus(a).times(&measure), order);
+        let [rise, fall] = match evaluator.weighted {
+            Weighted::Any => [x.clone(), b.minus(&x)],
+            Weighted::Family(family) => {
+                let (a, unit) = (Jet::constant(zero(), order), Jet::constant(measure.clone(), order));
+                let interval = Interval { x, a, b, unit, i, d: to_i64(d), m: None };
+                interval.shares(family, &|name, indices| evaluator.own_parameter(window, name, indices))?
+            }
+        };
+        let (p, q) = (rise.coefficients()[0].clone(), fall.coefficients()[0].clone());
         let whole = p.plus(&q);
         evaluator.definite(whole.numerator())?;
-        let zero = p.is_zero() || q.is_zero();
-        if evaluator.unfolding.weights_from.is_some_and(|from| d >= from) && !zero {
-            let (p, q) = integral(&p, &q);
-            let slope = |sign: i64| {
-                let length = b.minus(a).times(&measure).times(&measure);
-                let value = ratio.times(&length).over(&whole).and_then(|value| value.over(&whole));
-                let value = value.ok_or_else(|| EvaluationError::Division("(p + q)²".into()))?;
-                Ok(evaluator.unknown(Unknown::Slope(value), Class::Real)?.times(&evaluator.integer(sign)))
-            };
-            let slopes = if self.order == 0 {
-                [Ok(measure.zero()), Ok(measure.zero())]
-            } else {
-                [slope(1), slope(-1)]
-            };
-            let [rise, fall] = slopes;
-            let w = evaluator.jet([evaluator.share(&p, &q), rise], self.order)?;
-            let complement = evaluator.jet([evaluator.share(&q, &p), fall], self.order)?;
-            return Ok((w, complement));
+        let is_end = p.is_zero() || q.is_zero();
+        if *evaluator.weighted == Weighted::Any {
+            if order > 1 {
+                return Err(EvaluationError::Order);
+            }
+            return self.of_any(i, d, [p, q], [at_x(&zero()), measure]);
         }
-        let rise = evaluator.jet([Ok(p), Ok(ratio.times(&measure))], self.order)?;
-        let fall = evaluator.jet([Ok(q), Ok(measure.negate())], self.order)?;
+        if evaluator.unfolding.weights_from.is_some_and(|from| d >= from) && !is_end {
+            if order > 1 {
+                return Err(EvaluationError::Order);
+            }
+            let (p, q) = integral(&p, &q);
+            let value = || {
+                let [rising, falling] = [&rise, &fall].map(|share| share.coefficients()[1].clone());
+                let [p, q] = [&rise, &fall].map(|share| share.coefficients()[0].clone());
+                let change = rising.times(&q).minus(&p.times(&falling));
+                let value = change.over(&whole).and_then(|value| value.over(&whole));
+                value.ok_or_else(|| EvaluationError::Division("(p + q)²".into()))
+            };
+            let slope = |sign: i64| match order {
+                0 => Ok(zero()),
+                _ => Ok(evaluator
+                    .unknown(Unknown::Slope(value()?), Class::Real)?
+                    .times(&evaluator.integer(sign))),
+            };
+            let w = jet([evaluator.share(&p, &q), slope(1)])?;
+            return Ok((w, jet([evaluator.share(&q, &p), slope(-1)])?));
+        }
         rise.shares(&fall).ok_or_else(|| EvaluationError::Division("p + q".into()))
+    }
+
+    /// Of weights that are known by their zeros alone: p = x − a, q = b − x.
+    fn of_any(
+        &self,
+        i: i64,
+        d: usize,
+        [p, q]: [Quotient; 2],
+        [x, unit]: [Quotient; 2],
+    ) -> Evaluated<(Jet<Quotient>, Jet<Quotient>)> {
+        let evaluator = self.evaluator;
+        let unknown = |which, class| {
+            let window = self.place.window.clone();
+            evaluator.unknown(Unknown::Weight(which, window, i, d, x.clone(), unit.clone()), class)
+        };
+        let one = evaluator.integer(1);
+        let w = match (p.is_zero(), q.is_zero()) {
+            (true, _) => evaluator.integer(0),
+            (_, true) => one.clone(),
+            _ => unknown(OfWeight::Weight, evaluator.share_class(&p, &q))?,
+        };
+        let v = match evaluator.unfolding.related || p.is_zero() || q.is_zero() {
+            true => one.minus(&w),
+            false => unknown(OfWeight::Complement, evaluator.share_class(&q, &p))?,
+        };
+        let slope = match self.order {
+            0 => evaluator.integer(0),
+            _ => unknown(OfWeight::Derivative, Class::Real)?,
+        };
+        let jet = |of| evaluator.jet(of, self.order);
+        Ok((jet([Ok(w), Ok(slope.clone())])?, jet([Ok(v), Ok(slope.negate())])?))
     }
 }
 

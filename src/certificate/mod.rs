@@ -9,12 +9,14 @@ mod derive;
 mod error;
 mod evaluate;
 mod expansion;
+mod interval;
 mod point;
 mod proof;
 mod prove;
 mod sexp;
 mod statement;
 mod term;
+mod weights;
 mod windows;
 
 pub use certify::{
@@ -22,11 +24,12 @@ pub use certify::{
     statement_text,
 };
 pub use derive::{NoWindow, derive};
-pub use error::StatementError;
-pub use evaluate::{EvaluationError, Evaluator, Unfolding};
+pub use error::{EvaluationError, StatementError};
+pub use evaluate::{Evaluator, Unfolding};
 pub use proof::{Lemma, Rule, SectionProof};
 pub use prove::{GoalError, ProofError, prove};
 pub use sexp::{Sexp, SyntaxError};
-pub use statement::{Class, Gap, Hint, Section, Shown, Statement, Window};
+pub use statement::{Gap, Hint, Section, Shown, Statement, Window};
 pub use term::{Formula, OfWeight, Place, Term, Where};
+pub use weights::{Class, Weighted};
 pub use windows::{Numbers, Windows, WindowsError, window_fault, windows};

@@ -9,11 +9,13 @@ use thiserror::Error;
 use crate::analysis::in_span;
 use crate::scalar::{BigRational, Multivariate, Quotient, Ring, integer};
 
+use super::error::EvaluationError;
 use super::error::StatementError;
-use super::evaluate::{EvaluationError, Evaluator, Unfolding, sign};
+use super::evaluate::{Evaluator, Unfolding, sign};
 use super::proof::{Lemma, Rule, SectionProof};
-use super::statement::{Class, Gap, Hint, Section, Statement};
+use super::statement::{Gap, Hint, Section, Statement};
 use super::term::{Formula, OfWeight, Place, Term};
+use super::weights::{Class, Weighted};
 
 /// Why a statement could not be proved.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -52,24 +54,42 @@ pub enum GoalError {
 /// # Errors
 /// [`ProofError`]: the first goal that resists.
 pub fn prove(statement: &Statement) -> Result<Vec<SectionProof>, ProofError> {
-    prove_sections(&statement.expand()?)
+    prove_sections(&statement.expand()?, &statement.weighted)
 }
 
 /// The same for sections.
-pub(super) fn prove_sections(sections: &[Section]) -> Result<Vec<SectionProof>, ProofError> {
+pub(super) fn prove_sections(
+    sections: &[Section],
+    weighted: &Weighted,
+) -> Result<Vec<SectionProof>, ProofError> {
     let numbered: Vec<_> = (1..).zip(sections).collect();
-    let proofs: Vec<_> = numbered.par_iter().map(|(number, section)| of_section(*number, section)).collect();
+    let proofs: Vec<_> =
+        numbered.par_iter().map(|(number, section)| of_section(*number, section, weighted)).collect();
     proofs.into_iter().collect()
 }
 
-fn of_section(number: usize, section: &Section) -> Result<SectionProof, ProofError> {
+/// A section, and the weights in it.
+#[derive(Clone, Copy)]
+struct Subject<'a> {
+    section: &'a Section,
+    weighted: &'a Weighted,
+}
+
+impl<'a> Subject<'a> {
+    fn evaluator(self, unfolding: Unfolding) -> Result<Evaluator<'a>, EvaluationError> {
+        Evaluator::new(self.section, self.weighted, unfolding)
+    }
+}
+
+fn of_section(number: usize, section: &Section, weighted: &Weighted) -> Result<SectionProof, ProofError> {
     let failed = |goal, reason| ProofError::Goal { section: number, goal, reason };
-    let lemmas = lemmas(section).map_err(|reason| failed(0, reason))?;
+    let subject = Subject { section, weighted };
+    let lemmas = lemmas(subject).map_err(|reason| failed(0, reason))?;
     let rule = |(goal, formula): (usize, &Formula)| {
         let hinted = section.hints.iter().find(|hint| hint.formula == *formula);
         let rule = match hinted {
-            Some(hint) => by_hint(section, hint, &lemmas),
-            None => rule_for(section, formula),
+            Some(hint) => by_hint(subject, hint, &lemmas),
+            None => rule_for(subject, formula),
         };
         rule.map_err(|reason| failed(goal, reason))
     };
@@ -79,22 +99,23 @@ fn of_section(number: usize, section: &Section) -> Result<SectionProof, ProofErr
 }
 
 /// The lemmas that hints tell of, each proved from those before it.
-fn lemmas(section: &Section) -> Result<Vec<(Formula, Lemma)>, GoalError> {
+fn lemmas(subject: Subject<'_>) -> Result<Vec<(Formula, Lemma)>, GoalError> {
     let mut proved = Vec::new();
+    let Subject { section, .. } = subject;
     for hint in section.hints.iter().filter(|hint| !section.goals.contains(&hint.formula)) {
-        let rule = by_hint(section, hint, &proved)?;
+        let rule = by_hint(subject, hint, &proved)?;
         proved.push((hint.formula.clone(), Lemma { formula: hint.text.clone(), rule }));
     }
     Ok(proved)
 }
 
 /// An equation by other equations: left − right is the sum of theirs, each with its factor.
-fn by_hint(section: &Section, hint: &Hint, lemmas: &[(Formula, Lemma)]) -> Result<Rule, GoalError> {
+fn by_hint(subject: Subject<'_>, hint: &Hint, lemmas: &[(Formula, Lemma)]) -> Result<Rule, GoalError> {
     if hint.using.is_empty() {
-        return rule_for(section, &hint.formula);
+        return rule_for(subject, &hint.formula);
     }
     let unfolding = Unfolding { weights_from: Some(1), functions_to: Some(hint.functions), related: true };
-    let evaluator = Evaluator::new(section, unfolding)?;
+    let evaluator = subject.evaluator(unfolding)?;
     let difference = |formula: &Formula| match formula {
         Formula::Equal(left, right) => Ok(evaluator.term(left)?.minus(&evaluator.term(right)?)),
         _ => Err(GoalError::NoRule),
@@ -123,32 +144,44 @@ fn ways(section: &Section, sides: [&Term; 2]) -> impl Iterator<Item = Option<usi
     (1..=highest).map(Some).chain([None])
 }
 
-fn rule_for(section: &Section, formula: &Formula) -> Result<Rule, GoalError> {
+fn rule_for(subject: Subject<'_>, formula: &Formula) -> Result<Rule, GoalError> {
     match formula {
         Formula::Equal(left, right) => {
-            for weights in ways(section, [left, right]) {
+            for weights in ways(subject.section, [left, right]) {
                 let unfolding = Unfolding { weights_from: weights, functions_to: None, related: true };
-                let evaluator = Evaluator::new(section, unfolding)?;
-                if evaluator.term(left)? == evaluator.term(right)? {
+                let evaluator = subject.evaluator(unfolding)?;
+                if sides(&evaluator, left, right)?.is_some_and(|[left, right]| left == right) {
                     return Ok(by(weights));
                 }
             }
             Err(GoalError::False)
         }
-        Formula::Greater(large, small) => compare(section, large, small, Class::Positive),
-        Formula::AtLeast(large, small) => compare(section, large, small, Class::Nonnegative),
+        Formula::Greater(large, small) => compare(subject, large, small, Class::Positive),
+        Formula::AtLeast(large, small) => compare(subject, large, small, Class::Nonnegative),
         Formula::Defined(term) => {
             let unfolding = Unfolding { weights_from: Some(1), ..Unfolding::default() };
-            Evaluator::new(section, unfolding)?.term(term)?;
+            subject.evaluator(unfolding)?.term(term)?;
             Ok(by(Some(1)))
         }
         Formula::Order { i, degree, place, order } => {
-            let evaluator = Evaluator::new(section, Unfolding::default())?;
+            let evaluator = subject.evaluator(Unfolding::default())?;
             let found = evaluator.order(*i, *degree, place)?;
             if found == Some(*order) { Ok(Rule::Orders) } else { Err(GoalError::False) }
         }
-        Formula::Outside(_, term, others) => functional(section, term, others),
-        Formula::Pole(_, functions, u) => pole(section, functions, u),
+        Formula::Outside(_, term, others) => functional(subject, term, others),
+        Formula::Pole(_, functions, u) => pole(subject, functions, u),
+    }
+}
+
+/// Both sides; `None` if they have higher derivatives of what is an unknown: those are for expanded weights.
+fn sides(
+    evaluator: &Evaluator<'_>,
+    left: &Term,
+    right: &Term,
+) -> Result<Option<[Quotient; 2]>, EvaluationError> {
+    match (evaluator.term(left), evaluator.term(right)) {
+        (Err(EvaluationError::Order), _) | (_, Err(EvaluationError::Order)) => Ok(None),
+        (left, right) => Ok(Some([left?, right?])),
     }
 }
 
@@ -161,18 +194,19 @@ fn enough(found: Class, wanted: Class) -> bool {
 }
 
 /// large > small, or ≥.
-fn compare(section: &Section, large: &Term, small: &Term, wanted: Class) -> Result<Rule, GoalError> {
-    for weights in ways(section, [large, small]) {
+fn compare(subject: Subject<'_>, large: &Term, small: &Term, wanted: Class) -> Result<Rule, GoalError> {
+    for weights in ways(subject.section, [large, small]) {
         let unfolding = Unfolding { weights_from: weights, ..Unfolding::default() };
-        let evaluator = Evaluator::new(section, unfolding)?;
-        let difference = evaluator.term(large)?.minus(&evaluator.term(small)?);
+        let evaluator = subject.evaluator(unfolding)?;
+        let Some([large, small]) = sides(&evaluator, large, small)? else { continue };
+        let difference = large.minus(&small);
         if enough(evaluator.class_of(&difference), wanted) {
             return Ok(by(weights));
         }
         if weights.is_none() {
             let classes = evaluator.classes();
-            let names: Vec<_> = section
-                .parameters
+            let parameters = evaluator.parameters();
+            let names: Vec<_> = parameters
                 .iter()
                 .filter_map(|(name, _)| Some((name.as_str(), evaluator.variable_of(name)?)))
                 .filter(|(_, at)| difference.numerator().degree_in(*at) > 0)
@@ -236,8 +270,8 @@ fn shifted(p: &Multivariate, variable: usize) -> Multivariate {
 }
 
 /// A functional Σ c·f(u) that is 0 on the others and not on the term.
-fn functional(section: &Section, term: &Term, others: &[Term]) -> Result<Rule, GoalError> {
-    let evaluator = Evaluator::new(section, Unfolding::default())?;
+fn functional(subject: Subject<'_>, term: &Term, others: &[Term]) -> Result<Rule, GoalError> {
+    let evaluator = subject.evaluator(Unfolding::default())?;
     let u = evaluator.variable_of("u").ok_or(GoalError::NoRule)?;
     let at = |f: &Quotient, point: &BigRational| {
         f.evaluate(point, |v| if v == u { point.clone() } else { integer(1) }).ok_or(GoalError::NoRule)
@@ -266,8 +300,8 @@ fn functional(section: &Section, term: &Term, others: &[Term]) -> Result<Rule, G
 }
 
 /// Does one of the functions have a pole at u?
-fn pole(section: &Section, functions: &[Term], at: &BigRational) -> Result<Rule, GoalError> {
-    let evaluator = Evaluator::new(section, Unfolding::default())?;
+fn pole(subject: Subject<'_>, functions: &[Term], at: &BigRational) -> Result<Rule, GoalError> {
+    let evaluator = subject.evaluator(Unfolding::default())?;
     let u = evaluator.variable_of("u").ok_or(GoalError::NoRule)?;
     for function in functions {
         let function = evaluator.term(function)?;

@@ -142,6 +142,16 @@ impl Sexp {
         Self::List(std::iter::once(Self::name(head)).chain(items).collect())
     }
 
+    /// Does the name stand in it anywhere?
+    #[must_use]
+    pub fn mentions(&self, name: &str) -> bool {
+        match self {
+            Self::Name(own) => own == name,
+            Self::List(parts) => parts.iter().any(|part| part.mentions(name)),
+            Self::Number(_) | Self::Text(_) => false,
+        }
+    }
+
     /// The head and the items of a list that begins with a name.
     #[must_use]
     pub fn as_form(&self) -> Option<(&str, &[Self])> {

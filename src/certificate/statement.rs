@@ -10,6 +10,7 @@ use super::error::StatementError;
 use super::expansion::{Integers, Range};
 use super::sexp::Sexp;
 use super::term::{self, Formula, Term};
+use super::weights::{Class, Weighted};
 
 /// A statement about a claim.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,6 +25,10 @@ pub struct Statement {
     pub scope: Scope,
     /// The degrees, rising.
     pub degrees: Vec<usize>,
+    /// The weights that it is about.
+    pub weighted: Weighted,
+    /// The same, as the certificate says it.
+    pub family: Sexp,
     /// The sentence, with its definitions, in canonical brackets.
     pub sentence: Vec<Sexp>,
     /// What there is to show.
@@ -44,17 +49,6 @@ pub enum Shown {
         /// What is to be shown.
         sections: Vec<Sexp>,
     },
-}
-
-/// The sign of a parameter.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Class {
-    /// Any real number.
-    Real,
-    /// ≥ 0.
-    Nonnegative,
-    /// > 0.
-    Positive,
 }
 
 /// A gap between two knots.
@@ -93,7 +87,7 @@ pub struct Hint {
 /// One section for certain values of its integers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Section {
-    /// The parameters with their signs, but for those of gaps.
+    /// The parameters with their signs, but for u, those of the family and those of gaps.
     pub parameters: Vec<(String, Class)>,
     /// The abbreviations.
     pub lets: Vec<(String, Term)>,
@@ -122,7 +116,7 @@ impl Statement {
             Sexp::form("degrees", self.degrees.iter().map(|k| degree(*k))),
         ];
         let mut all = vec![Sexp::int(2)];
-        all.extend(parts.into_iter().chain(self.sentence.iter().cloned()));
+        all.extend(parts.into_iter().chain([self.family.clone()]).chain(self.sentence.iter().cloned()));
         match &self.shown {
             Shown::Derived(_) => {}
             Shown::Points(points) => all.extend(points.iter().cloned()),
@@ -132,6 +126,40 @@ impl Statement {
             }
         }
         Sexp::form("statement", all)
+    }
+
+    /// The same for any weights at all, if it is derived and says nothing of those of its family.
+    pub(super) fn for_any_weights(&self) -> Option<Self> {
+        // Of examples and of weights alone more is decided by the weights than that.
+        let derived = matches!(self.shown, Shown::Derived(_)) && !self.refuted;
+        let derived = derived && self.scope == Scope::Knots && self.has_degree();
+        let family = Weighted::Any.to_sexp().ok()?;
+        let own = OF_WEIGHTS.iter().any(|name| self.sentence.iter().any(|part| part.mentions(name)));
+        (derived && !own).then(|| Self { weighted: Weighted::Any, family, ..self.clone() })
+    }
+
+    /// Of what is derived only the least degree that has anything to show.
+    pub(super) fn least(&self) -> Option<Self> {
+        let Shown::Derived(all) = &self.shown else { return None };
+        let least = |sections: &Vec<Section>| sections.iter().any(|section| !section.goals.is_empty());
+        // Of degree 0 there are no weights.
+        let (k, sections) = self.degrees.iter().zip(all).find(|(k, sections)| **k > 0 && least(sections))?;
+        Some(Self { degrees: vec![*k], shown: Shown::Derived(vec![sections.clone()]), ..self.clone() })
+    }
+
+    /// Is this what is written? What is written for any weights says more.
+    #[must_use]
+    pub fn is_said_by(own: &Sexp, written: &Sexp) -> bool {
+        let Ok(any) = Weighted::Any.to_sexp() else { return false };
+        let with = |own: &Sexp| match own {
+            Sexp::List(parts) => {
+                let is_family = |part: &Sexp| part.as_form().is_some_and(|(head, _)| head == "family");
+                let other = |part: &Sexp| if is_family(part) { any.clone() } else { part.clone() };
+                Sexp::List(parts.iter().map(other).collect())
+            }
+            other => other.clone(),
+        };
+        own == written || with(own) == *written
     }
 
     /// Does its sentence speak of a degree, and not of weights alone?
@@ -153,10 +181,22 @@ impl Statement {
         }
     }
 
-    /// With other sections in the place of those that are given.
+    /// The sections of a statement about one degree, given or derived; `None` if it has none.
+    #[must_use]
+    pub fn sections(&self) -> Option<Vec<Sexp>> {
+        let (_, sections) = self.in_brackets();
+        let all = match &self.shown {
+            Shown::Points(_) => false,
+            Shown::Derived(_) => self.degrees.len() == 1,
+            Shown::Argued { .. } => true,
+        };
+        (all && !sections.is_empty()).then_some(sections)
+    }
+
+    /// With other sections in the place of those that are given or derived.
     #[must_use]
     pub fn with_sections(self, sections: Vec<Sexp>) -> Self {
-        let because = self.argued().map_or("", |(because, _)| because).to_owned();
+        let (because, _) = self.in_brackets();
         Self { shown: Shown::Argued { because, sections }, ..self }
     }
 
@@ -212,6 +252,10 @@ impl Statement {
     }
 }
 
+/// What a sentence says of the weights of its family; that they are rational, and of some order, among it.
+const OF_WEIGHTS: [&str; 10] =
+    ["ratio", "alpha", "parameter", "dual", "phi", "f", "infinity", "smooth", "rational", "rank"];
+
 /// What begins the binders of a sentence on knots.
 const OF_KNOTS: [&str; 4] = ["degree", "knots", "instances", "gaps"];
 
@@ -240,7 +284,7 @@ fn expand(parts: &[Sexp], ints: &Integers, all: &mut Vec<Section>) -> Result<(),
         };
         return values.try_for_each(|value| expand(rest, &ints.with(name, value), all));
     }
-    let (parameters, lets) = (vec![("u".into(), Class::Positive), ("r".into(), Class::Positive)], Vec::new());
+    let (parameters, lets) = (Vec::new(), Vec::new());
     let (windows, goals, hints) = (Vec::new(), Vec::new(), Vec::new());
     let mut section = Section { parameters, lets, windows, goals, hints };
     for part in parts {
@@ -318,10 +362,7 @@ impl Section {
         for (head, class) in
             [("real", Class::Real), ("nonnegative", Class::Nonnegative), ("positive", Class::Positive)]
         {
-            let names: Vec<_> = of(class)
-                .filter(|(name, _)| !matches!(&**name, "u" | "r"))
-                .map(|(name, _)| term::declared(name))
-                .collect();
+            let names: Vec<_> = of(class).map(|(name, _)| term::declared(name)).collect();
             if !names.is_empty() {
                 parts.push(Sexp::form(head, names));
             }

@@ -62,10 +62,10 @@ pub enum Term {
     Point(Place),
     /// w_i^d, 1 − w_i^d or Dw_i^d.
     Weight(OfWeight, i64, usize, Place),
-    /// G_i^d, or DG_i^d.
+    /// G_i^d, or a derivative of it.
     Function {
-        /// DG rather than G.
-        derivative: bool,
+        /// Of the derivative by x; 0 for the function itself.
+        order: usize,
         /// i.
         i: i64,
         /// d.
@@ -86,6 +86,11 @@ pub enum Term {
     },
     /// The term with parameters replaced.
     At(Vec<(String, Term)>, Box<Term>),
+    /// The term for the member of the family that a reflection leads to: the window with the parameters that there were before, and
+    /// the index of t_m there.
+    Dual(String, i64, Box<Term>),
+    /// A parameter of the family that belongs to a window, with its indices.
+    Parameter(String, String, Vec<i64>),
     /// The determinant of these rows.
     Determinant(Vec<Vec<Term>>),
 }
@@ -189,7 +194,13 @@ pub(super) fn term(sexp: &Sexp, ints: &Integers) -> Result<Term, StatementError>
             Term::Weight(of, ints.value(i)?, natural(d)?, place(p, ints)?)
         }
         ("G" | "DG", [i, d, p]) => Term::Function {
-            derivative: head == "DG",
+            order: usize::from(head == "DG"),
+            i: ints.value(i)?,
+            degree: natural(d)?,
+            place: place(p, ints)?,
+        },
+        ("DG", [i, d, p, order]) => Term::Function {
+            order: natural(order)?,
             i: ints.value(i)?,
             degree: natural(d)?,
             place: place(p, ints)?,
@@ -200,6 +211,10 @@ pub(super) fn term(sexp: &Sexp, ints: &Integers) -> Result<Term, StatementError>
             degree: natural(k)?,
             place: place(p, ints)?,
         },
+        ("parameter", [Sexp::Name(window), Sexp::Name(name), indices @ ..]) => {
+            let indices = indices.iter().map(|index| ints.value(index)).collect::<Result<_, _>>()?;
+            Term::Parameter(window.clone(), name.clone(), indices)
+        }
         ("at", [Sexp::List(pairs), body]) => {
             let pair = |pair: &Sexp| match pair {
                 Sexp::List(items) => match items.as_slice() {
@@ -266,6 +281,8 @@ impl Term {
             Self::Knot(window, _) => window == name,
             Self::Point(place) | Self::Weight(_, _, _, place) => at(place),
             Self::Function { place, .. } | Self::DeBoor { place, .. } => at(place),
+            Self::Parameter(window, ..) => window == name,
+            Self::Dual(window, _, body) => window == name || body.names(name),
             Self::At(replaced, body) => {
                 body.names(name) || replaced.iter().any(|(_, value)| value.names(name))
             }
@@ -289,9 +306,9 @@ impl Term {
             }
             Self::Sum(all) | Self::Product(all) => *all = list(all),
             Self::Difference(a, b) | Self::Ratio(a, b) => (*a, *b) = both(a, b),
-            Self::Power(a, _) | Self::At(_, a) => **a = a.at_end(at),
+            Self::Power(a, _) | Self::At(_, a) | Self::Dual(_, _, a) => **a = a.at_end(at),
             Self::Determinant(rows) => rows.iter_mut().for_each(|row| *row = list(row)),
-            Self::Number(_) | Self::Named(_) | Self::Knot(..) => {}
+            Self::Number(_) | Self::Named(_) | Self::Knot(..) | Self::Parameter(..) => {}
         }
         moved
     }
@@ -375,9 +392,11 @@ impl Term {
                 };
                 Sexp::form(head, [Sexp::int(*i), natural(*d), place.to_sexp()])
             }
-            Self::Function { derivative, i, degree, place } => {
-                let head = if *derivative { "DG" } else { "G" };
-                Sexp::form(head, [Sexp::int(*i), natural(*degree), place.to_sexp()])
+            Self::Function { order, i, degree, place } => {
+                let head = if *order == 0 { "G" } else { "DG" };
+                let further = (*order > 1).then(|| natural(*order));
+                let fields = [Sexp::int(*i), natural(*degree), place.to_sexp()];
+                Sexp::form(head, fields.into_iter().chain(further))
             }
             Self::DeBoor { i, level, degree, place } => {
                 let parts = [Sexp::int(*i), natural(*level), natural(*degree), place.to_sexp()];
@@ -387,6 +406,14 @@ impl Term {
                 let pair =
                     |(name, value): &(String, Self)| Sexp::List(vec![Sexp::name(name), value.to_sexp()]);
                 Sexp::form("at", [Sexp::List(pairs.iter().map(pair).collect()), body.to_sexp()])
+            }
+            Self::Dual(window, m, body) => {
+                let dual = Sexp::form("dual", [Sexp::name(window), Sexp::int(*m)]);
+                Sexp::form("at", [Sexp::List(vec![dual]), body.to_sexp()])
+            }
+            Self::Parameter(window, name, indices) => {
+                let head = [Sexp::name(window), Sexp::name(name)];
+                Sexp::form("parameter", head.into_iter().chain(indices.iter().copied().map(Sexp::int)))
             }
             Self::Determinant(rows) => Sexp::form("det", rows.iter().map(|row| Sexp::List(all(row)))),
         }

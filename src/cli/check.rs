@@ -4,6 +4,7 @@ use std::borrow::Cow;
 use std::ffi::OsString;
 use std::fmt;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use clap::builder::PossibleValuesParser;
 use clap::builder::TypedValueParser as _;
@@ -33,7 +34,8 @@ use super::verdict::{Tally, styled};
 pub(super) struct Args {
     #[command(flatten)]
     instance: InstanceArgs,
-    /// The claims and the instances of this paper: a folder, or the name of one that comes with the program.
+    /// The claims and the instances of this paper: a folder, or the name of one that comes with the program. Its family is the
+    /// one that --set is about, unless --family names another.
     #[arg(long, value_name = "FOLDER|NAME", conflicts_with = "baseline")]
     paper: Option<OsString>,
     /// Only this claim, such as T3.5.3; may be repeated. Without it, every claim of the paper about bases and curves
@@ -149,7 +151,8 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         Some(name) => paper_of("--paper", name)?,
         None => Cow::Borrowed(paper()),
     };
-    let own = args.own_claims(&paper)?;
+    let own_family = args.paper.is_some().then_some(&paper.about.family);
+    let own = args.own_claims(&paper, own_family)?;
     let count = own.as_ref().map(|own| own.claims.len());
     // What they name of the paper is there too.
     let library = own.map(|own| paper.with(own));
@@ -168,7 +171,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         of: None,
     };
     let mut all = Vec::new();
-    let chosen_family = args.instance.family()?;
+    let chosen_family = args.instance.family(own_family)?;
     let member = |error| CliError::Member { argument: "--family", error };
     if let (Some(_), Some(of), true) = (&library, &chosen_family, args.instance.is_without_knots()) {
         check.of = Some(of.family.name.clone());
@@ -179,7 +182,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         let examples = examples_of(&paper.examples, &paper.about.family);
         // Own sentences may be about any weights, and the claims that are there if no paper is named.
         let any = args.paper.is_none();
-        let subjects = match args.instance.resolve_among(&examples)? {
+        let subjects = match args.instance.resolve_among(&examples, own_family)? {
             Resolved::Indices(subjects) => subjects,
             Resolved::Member(MemberSubject { label, basis, points }) => {
                 native(&paper, any, basis.weights())?;
@@ -188,6 +191,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
                 check.of = Some(basis.weights().to_string());
                 check.knots = basis.knots().knots().iter().map(ToString::to_string).collect();
                 check.label = label;
+                let points = points.map(|(points, _)| points);
                 let on = Instance::on(basis).map_err(member)?.with_points(points);
                 all.push((on.degree(), None, Cases::only(on)));
                 Subjects { label: None, cases: Vec::new() }
@@ -253,10 +257,10 @@ fn native(paper: &Paper, any: bool, weights: &Weighting) -> Result<(), CliError>
 
 impl Args {
     /// The sentence or the file of the user's own, if one is given.
-    fn own_claims(&self, paper: &Paper) -> Result<Option<File>, CliError> {
+    fn own_claims(&self, paper: &Paper, family: Option<&Arc<Family>>) -> Result<Option<File>, CliError> {
         if let Some(text) = &self.claim {
             let complain = |complaint| CliError::Claim { argument: "--claim", complaints: vec![complaint] };
-            let known = self.known(paper.known())?;
+            let known = self.known(paper.known(), family)?;
             let sentence = match self.instance.is_without_knots() {
                 true => known.one_line(text),
                 false => known.one_line_on_knots(text),
@@ -274,13 +278,13 @@ impl Args {
         let Some(path) = &self.claims else { return Ok(None) };
         let text = read("--claims", path)?;
         let name = path.display().to_string();
-        let file = paper.stanzas_about(self.known(paper.known())?, &name, &text);
+        let file = paper.stanzas_about(self.known(paper.known(), family)?, &name, &text);
         file.map(Some).map_err(|complaints| CliError::Claim { argument: "--claims", complaints })
     }
 
     /// What sentences may say of the family that is chosen.
-    fn known(&self, known: Known) -> Result<Known, CliError> {
-        Ok(match self.instance.family()? {
+    fn known(&self, known: Known, family: Option<&Arc<Family>>) -> Result<Known, CliError> {
+        Ok(match self.instance.family(family)? {
             Some(chosen) => known.about(&chosen.family),
             None => known,
         })

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use num_rational::BigRational;
 use thiserror::Error;
 
-use crate::analysis::FreeKnotError;
+use crate::analysis::{FreeKnotError, RationalBezierError};
 use crate::certificate::CertificateError;
 use crate::float::FloatError;
 use crate::json::JsonError;
@@ -16,7 +16,7 @@ use crate::report::{BaselineError, PageError, PictureError, ScriptError};
 use crate::scalar::NumberError;
 use crate::search::{AuditError, MergeError, PortionError, RecordError};
 use crate::settle::SettleError;
-use crate::spline::{BasisError, CurveError, KnotError};
+use crate::spline::{Basis, BasisError, CurveError, HasWeights, KnotError};
 
 use super::exit::Exit;
 use super::point_error::PointError;
@@ -198,6 +198,17 @@ pub enum CliError {
         /// Why.
         reason: &'static str,
     },
+    /// Weights of which the functions are quotients that take too long.
+    #[error(
+        "--degree: with these weights the functions are quotients of degree up to {degree} in x, and at most {limit} is \
+         possible here; choose a lower degree k, or weights of a lower degree"
+    )]
+    Quotients {
+        /// The degree of a function, above and below.
+        degree: usize,
+        /// The highest that is allowed.
+        limit: usize,
+    },
     /// A file with expressions that cannot be read, or not compared.
     #[error("--equals: {}, {error}", path.display())]
     Expression {
@@ -325,6 +336,9 @@ pub enum CliError {
         /// Where.
         x: BigRational,
     },
+    /// A piece of a curve that has no rational Bézier form with positive weights.
+    #[error("--family: {0}; choose other parameters, or a curve over fewer functions")]
+    Bezier(#[from] RationalBezierError),
     /// Neither a certificate nor a folder of certificates.
     #[error("PATH: {} is no certificate: give files NAME.statement, with NAME.proof beside them, or a folder of such", path.display())]
     NoCertificate {
@@ -447,6 +461,17 @@ pub enum CliError {
     /// A setting that is not written as one.
     #[error("--set: `{0}` has no `=`: write NAME=VALUES, such as q=1/3 or omega=1,2,1/2")]
     Setting(String),
+    /// A parameter that is to stay a letter.
+    #[error(
+        "--set: `{name}` has to be a number, and here is `{value}`: only α can stay unknown (`knotproof formula --alpha \
+         symbolic`, `knotproof shape --alpha all`); give numbers, one run for each"
+    )]
+    Letter {
+        /// The parameter.
+        name: String,
+        /// What was given.
+        value: String,
+    },
     /// Two settings of one name.
     #[error("--set: `{0}` is set twice: give it once")]
     SetTwice(String),
@@ -458,14 +483,14 @@ pub enum CliError {
         /// The families that come with the program.
         names: Vec<String>,
     },
-    /// A command that works with the weights of an index only.
+    /// An option that is about an index.
     #[error(
-        "--family: {what} the weights of an index only (families classical and mobius), and {family} has others; \
-         `knotproof check`, `eval`, `shape` and `search` take any family"
+        "{option}: it is for the weights of an index only (families classical and mobius), and {family} has others; leave it \
+         away, or choose an index with --alpha"
     )]
     OnlyIndices {
-        /// Who knows no others: `this command knows`.
-        what: &'static str,
+        /// The option.
+        option: &'static str,
         /// The family.
         family: String,
     },
@@ -512,7 +537,8 @@ impl CliError {
             Self::Missing { argument, .. } | Self::Degree { argument, .. } => Some(argument),
             Self::Parentheses { .. } | Self::PointsJson(_) | Self::NoPoints { .. } => Some("--points"),
             Self::Points { .. } | Self::NoPoint { .. } => Some("--points-file"),
-            Self::TooHigh { .. } => Some("--degree"),
+            Self::OnlyIndices { option, .. } => Some(option),
+            Self::TooHigh { .. } | Self::Quotients { .. } => Some("--degree"),
             Self::UnknownInstance { .. } | Self::Malformed { .. } => Some("--instance"),
             Self::SeveralIndices { .. } | Self::AllIndices | Self::SymbolicIndex => Some("--alpha"),
             Self::UnknownCommand { .. } => Some("COMMAND"),
@@ -541,8 +567,8 @@ impl CliError {
             Self::Claim { argument, .. } | Self::Member { argument, .. } | Self::Foreign { argument, .. } => {
                 Some(argument)
             }
-            Self::Setting(_) | Self::SetTwice(_) => Some("--set"),
-            Self::UnknownFamily { .. } | Self::OnlyIndices { .. } | Self::Negative { .. } => Some("--family"),
+            Self::Setting(_) | Self::Letter { .. } | Self::SetTwice(_) => Some("--set"),
+            Self::UnknownFamily { .. } | Self::Negative { .. } | Self::Bezier(_) => Some("--family"),
             Self::Recorded(_)
             | Self::NotRecorded(_)
             | Self::Conversion { .. }
@@ -553,6 +579,12 @@ impl CliError {
             | Self::Output(_) => None,
             Self::NoCertificate { .. } => Some("PATH"),
         }
+    }
+
+    /// Are the functions of a basis quotients of a degree that is not too high?
+    pub(super) fn if_quotients_exceed<W: HasWeights>(limit: usize, basis: &Basis<W>) -> Result<(), Self> {
+        let degree = basis.knots().spans().map(|span| basis.quotient_degree(span)).max().unwrap_or(0);
+        if degree > limit { Err(Self::Quotients { degree, limit }) } else { Ok(()) }
     }
 
     /// The claim that is not there, with those that begin like it.

@@ -23,7 +23,7 @@ pub(super) struct FamilyArgs {
     family: Option<OsString>,
     /// A parameter of the family: q=1/3; a list omega=1,2,1/2, from i = 0 on; by i and d "rho=1,2;3", a row for each d from 1 on.
     /// May be repeated.
-    #[arg(long, value_name = "NAME=VALUES", requires = "family", allow_hyphen_values = true)]
+    #[arg(long, value_name = "NAME=VALUES", conflicts_with = "alpha", allow_hyphen_values = true)]
     set: Vec<String>,
 }
 
@@ -35,24 +35,34 @@ pub(super) struct ChosenFamily {
 }
 
 impl FamilyArgs {
-    /// Is none chosen?
+    /// Is none chosen, and nothing set?
     pub(super) fn is_absent(&self) -> bool {
-        self.family.is_none()
+        self.family.is_none() && self.set.is_empty()
     }
 
-    /// The family with its settings, if one is chosen.
+    /// The family with its settings, if one is chosen; of a paper its `own`, if parameters alone are set.
     ///
     /// # Errors
     /// [`CliError`] where it is not there or not well formed, or a setting is not.
-    pub(super) fn chosen(&self) -> Result<Option<ChosenFamily>, CliError> {
-        let Some(name) = &self.family else { return Ok(None) };
-        let family = find(name)?;
+    pub(super) fn chosen(&self, own: Option<&Arc<Family>>) -> Result<Option<ChosenFamily>, CliError> {
+        let family = match (&self.family, own) {
+            (Some(name), _) => find(name)?,
+            (None, _) if self.set.is_empty() => return Ok(None),
+            (None, Some(own)) => Arc::clone(own),
+            (None, None) => {
+                let purpose = "say whose parameters are set, such as --family lupas --set q=1/3";
+                return Err(CliError::Needed { argument: "--family", purpose });
+            }
+        };
         let mut given: Vec<(String, Values)> = Vec::new();
         for setting in &self.set {
             let (name, text) = setting.split_once('=').ok_or_else(|| CliError::Setting(setting.clone()))?;
             let name = name.trim().split('[').next().unwrap_or_default().trim().to_owned();
             if given.iter().any(|(other, _)| *other == name) {
                 return Err(CliError::SetTwice(name));
+            }
+            if matches!(text.trim(), "symbolic" | "all") {
+                return Err(CliError::Letter { name, value: text.trim().to_owned() });
             }
             let values = values(text, &family, &name)?;
             given.push((name, values));

@@ -2,6 +2,7 @@
 
 use std::fmt;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
@@ -9,17 +10,20 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::float::{
-    Effort, FloatBasis, FloatError, Method, MethodRecord, Population, Probe, RangeRecord, hexadecimal, study,
+    Effort, FloatBasis, FloatError, FloatMember, Method, MethodRecord, Population, Probe, RangeRecord,
+    hexadecimal, study,
 };
+use crate::judge::OfFamily;
+use crate::meaning::Weighting;
 use crate::report::heat_map;
 use crate::scalar::{RationalAlgebra, decimal, exact_value, integer, parse_rational};
-use crate::spline::{Basis, Side};
+use crate::spline::{Basis, KnotVector, Side};
 
 use super::atomic::Folder;
 use super::error::CliError;
 use super::exact::Exact;
 use super::exit::Exit;
-use super::instance::InstanceArgs;
+use super::instance::{InstanceArgs, MemberSubject, Resolved};
 use super::output::Output;
 use super::provenance::Provenance;
 use super::table::{plain, right_aligned};
@@ -38,6 +42,9 @@ use super::whole_number::whole_number;
 /// next to underflow, are left out of the columns in ULP: they are counted, and have their part in the absolute errors
 /// and the signs. Numbers that f64 does not have are rounded, and the output says which.
 /// Up to degree 31: the functions in f64 compute in memory of a fixed size.
+///
+/// For a family that is not that of an index, on given knots, the formulas `ratio` and `triangle` are measured, with the weights of
+/// the family; the others are about α, and nothing is proved.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLE)]
 pub(super) struct Args {
@@ -66,6 +73,7 @@ const EXAMPLE: &str = r#"Examples:
   knotproof float --instance U4 --out pictures
   knotproof float --degree 2 --knots "100000000 100000001 100000002 100000003 100000004 100000005" --alpha -1
   knotproof float --degree 1 --knots "0 1 2" --alpha -0x1.8p-3 --x 0x1.8p-1 --format json
+  knotproof float --degree 3 --knots "0 0 0 0 1 2 3 3 3 3" --family lupas --set q=1/3
 Exit code 1: an error is larger than its proved bound, or a result is no number: with given knots one of any formula,
 with random ones one of a formula that has a bound."#;
 
@@ -89,10 +97,15 @@ pub(super) struct Comparison {
     steps: usize,
     /// What was given and is no `f64`.
     rounded: Vec<Rounded>,
+    /// The member of another family than that of an index, as it was given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    family: Option<OfFamily>,
     /// The positions of neighbouring knots that are different, and the same in `f64`.
     merged: Vec<[usize; 2]>,
     /// One for each way to compute a basis function in `f64`.
     formulas: Vec<MethodRecord>,
+    #[serde(skip)]
+    weights: Option<String>,
     #[serde(skip)]
     written: Vec<PathBuf>,
 }
@@ -100,7 +113,7 @@ pub(super) struct Comparison {
 /// A number that was rounded.
 #[derive(Debug, PartialEq, Serialize, JsonSchema)]
 struct Rounded {
-    /// `x`, `alpha` or `t_i`.
+    /// `x`, `alpha`, `t_i` or a parameter of a family.
     what: String,
     /// What was given.
     exact: Exact,
@@ -115,6 +128,8 @@ struct Rounded {
 struct Subjects {
     degree: usize,
     field: Population,
+    /// The member of another family than that of an index.
+    member: Option<Weighting>,
     rounded: Vec<Rounded>,
     merged: Vec<[usize; 2]>,
 }
@@ -127,14 +142,15 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
             return Err(CliError::Limits { argument, given, least, most });
         }
     }
-    let Subjects { degree, field, rounded, merged } = args.subject()?;
+    let Subjects { degree, field, member, rounded, merged } = args.subject()?;
     let [seed, count, steps] =
         [args.seed, args.count, args.steps].map(|n| u64::try_from(n).unwrap_or(u64::MAX));
     let written = match &args.out {
         Some(folder) => maps(folder, &field)?,
         None => Vec::new(),
     };
-    let figures = study(&field, &Method::ALL, Effort { seed, count, steps });
+    let methods = if member.is_some() { &Method::OF_MEMBERS[..] } else { &Method::ALL };
+    let figures = study(&field, methods, Effort { seed, count, steps });
     // On random knots the search looks for what breaks a formula, and one without a bound may break.
     let given = !matches!(field, Population::Degree(_));
     let kept = figures.iter().all(|of| of.keeps_bound() && !(given && of.not_finite > 0));
@@ -147,8 +163,10 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         count,
         steps,
         rounded,
+        family: member.as_ref().and_then(OfFamily::of),
         merged,
         formulas,
+        weights: member.as_ref().map(ToString::to_string),
         written,
     })?;
     Ok(if kept { Exit::Holds } else { Exit::Refuted })
@@ -158,6 +176,12 @@ impl Args {
     fn subject(&self) -> Result<Subjects, CliError> {
         if let Some(degree) = self.instance.degree_alone() {
             let degree = degree?;
+            if let Some(chosen) = self.instance.family(None)? {
+                // What is wrong with its parameters is told first.
+                chosen.member()?;
+                let purpose = "random cases are those of an index; give the knots of the family, such as --knots \"0 0 0 1 2 2 2\"";
+                return Err(CliError::Needed { argument: "--knots", purpose });
+            }
             // The floats have a highest degree; its error names it.
             let knots = (0..2 * degree.min(1000) + 2).map(|_| 0.0).chain([1.0]).collect();
             let refused = FloatBasis::new(knots, degree, f64::INFINITY).err();
@@ -170,41 +194,88 @@ impl Args {
                 }
                 (None, None) => {
                     let field = Population::Degree(degree);
-                    Ok(Subjects { degree, field, rounded: Vec::new(), merged: Vec::new() })
+                    Ok(Subjects { degree, field, member: None, rounded: Vec::new(), merged: Vec::new() })
                 }
             };
         }
-        let cases = self.instance.resolve()?.cases;
+        let cases = match self.instance.resolve_any()? {
+            Resolved::Indices(subjects) => subjects.cases,
+            Resolved::Member(subject) => return self.member(&subject),
+        };
         let bases = cases.iter().map(|case| float(&case.basis)).collect::<Result<Vec<_>, _>>()?;
         let degree = cases.first().map_or(0, |case| case.basis.degree());
         let (mut rounded, mut merged) = (Vec::new(), Vec::new());
         if let (Some(case), Some(float)) = (cases.first(), bases.first()) {
-            let exact = case.basis.knots().knots();
-            let pairs = exact.iter().zip(float.knots()).enumerate();
-            rounded
-                .extend(pairs.filter_map(|(i, (exact, &float))| Rounded::of(format!("t_{i}"), exact, float)));
-            let pairs = exact.windows(2).zip(float.knots().windows(2)).enumerate();
-            let same = pairs.filter(|(_, (exact, float))| exact[0] < exact[1] && float[0] >= float[1]);
-            merged.extend(same.map(|(i, _)| [i, i + 1]));
+            (rounded, merged) = rounding(case.basis.knots(), float);
         }
         for (case, float) in cases.iter().zip(&bases) {
             let alpha = case.basis.index().alpha();
             rounded.extend(alpha.and_then(|alpha| Rounded::of("alpha".to_owned(), &alpha, float.alpha())));
         }
-        let Some(exact) = &self.x else {
-            return Ok(Subjects { degree, field: Population::Bases(bases), rounded, merged });
+        let Some(x) = self.point(&mut rounded)? else {
+            let field = Population::Bases(bases);
+            return Ok(Subjects { degree, field, member: None, rounded, merged });
         };
-        let place = || Provenance::option("--x");
-        let x = 0.0_f64.embed(exact);
-        rounded.extend(Rounded::of("x".to_owned(), exact, x));
-        let at = |basis: FloatBasis<f64>| {
-            basis.span_at(x, Side::Right).map_err(|error| CliError::Float { place: place(), error })?;
-            Ok(Probe::at(basis, x, Side::Right))
-        };
-        let cases = bases.into_iter().map(at).collect::<Result<Vec<_>, CliError>>()?;
-        let field = Population::Cases(cases.into_iter().flatten().collect());
-        Ok(Subjects { degree, field, rounded, merged })
+        let cases = bases.into_iter().filter_map(|basis| Probe::at(basis, x, Side::Right));
+        let field = Population::Cases(cases.collect());
+        Ok(Subjects { degree, field, member: None, rounded, merged })
     }
+
+    /// The same for a member of another family.
+    fn member(&self, subject: &MemberSubject) -> Result<Subjects, CliError> {
+        if self.out.is_some() {
+            return Err(CliError::OnlyIndices { option: "--out", family: subject.family() });
+        }
+        let basis = &subject.basis;
+        // Where the member gives no weights on the knots, that is not due to a rounding.
+        let exact = basis.weights().on_knots(basis.knots(), basis.degree());
+        exact.map_err(|error| CliError::Member { argument: "--family", error })?;
+        let float = FloatMember::nearest(basis).map_err(|error| match error {
+            FloatError::Parameter(_) | FloatError::Member(_) => {
+                CliError::Float { place: Provenance::option("--set"), error }
+            }
+            error => CliError::Float { place: Provenance::option("--knots"), error },
+        })?;
+        let (mut rounded, merged) = rounding(basis.knots(), float.knots());
+        let named = |weights: &Weighting| -> Vec<(String, BigRational)> {
+            let all = weights.member().into_iter().flat_map(|member| member.named());
+            all.flat_map(|(name, values)| values.all().map(|value| (name.to_string(), value.clone())))
+                .collect()
+        };
+        let pairs = named(basis.weights()).into_iter().zip(named(float.weights()));
+        rounded.extend(
+            pairs.filter_map(|((name, exact), (_, float))| Rounded::of(name, &exact, 0.0_f64.embed(&float))),
+        );
+        let degree = basis.degree();
+        let member = Some(basis.weights().clone());
+        let (x, float) = (self.point(&mut rounded)?, Arc::new(float));
+        let field = match x {
+            Some(x) => Population::Cases(Probe::of_member(&float, x, Side::Right).into_iter().collect()),
+            None => Population::Member(float),
+        };
+        Ok(Subjects { degree, field, member, rounded, merged })
+    }
+
+    /// The point that is given, as a float.
+    fn point(&self, rounded: &mut Vec<Rounded>) -> Result<Option<f64>, CliError> {
+        let Some(exact) = &self.x else { return Ok(None) };
+        let x = 0.0_f64.embed(exact);
+        if !x.is_finite() {
+            return Err(CliError::Float { place: Provenance::option("--x"), error: FloatError::Point(x) });
+        }
+        rounded.extend(Rounded::of("x".to_owned(), exact, x));
+        Ok(Some(x))
+    }
+}
+
+/// The knots that are no floats, and the neighbours that became one.
+fn rounding(knots: &KnotVector, float: &FloatBasis<f64>) -> (Vec<Rounded>, Vec<[usize; 2]>) {
+    let (exact, float) = (knots.knots(), float.knots());
+    let pairs = exact.iter().zip(float).enumerate();
+    let rounded = pairs.filter_map(|(i, (exact, &float))| Rounded::of(format!("t_{i}"), exact, float));
+    let pairs = exact.windows(2).zip(float.windows(2)).enumerate();
+    let same = pairs.filter(|(_, (exact, float))| exact[0] < exact[1] && float[0] >= float[1]);
+    (rounded.collect(), same.map(|(i, _)| [i, i + 1]).collect())
 }
 
 impl Rounded {
@@ -239,7 +310,7 @@ fn maps(folder: &Path, field: &Population) -> Result<Vec<PathBuf>, CliError> {
             Some(basis) => (basis.knots().to_vec(), basis.degree()),
             None => return Ok(Vec::new()),
         },
-        Population::Cases(_) => return Ok(Vec::new()),
+        Population::Cases(_) | Population::Member(_) => return Ok(Vec::new()),
     };
     let folder = Folder::beside("--out", folder)?;
     let write = |formula: Method| {
@@ -327,8 +398,15 @@ impl fmt::Display for Comparison {
             );
         };
         let tried = first.tried;
-        writeln!(f, "Errors in f64, degree {}: largest found (of {tried} tried), in ULP", self.degree)?;
+        let of = self.weights.as_ref().map(|of| format!(", family {of}")).unwrap_or_default();
+        writeln!(f, "Errors in f64, degree {}{of}: largest found (of {tried} tried), in ULP", self.degree)?;
         writeln!(f, "{}\n", table.trim_fmt())?;
+        if self.weights.is_some() {
+            writeln!(
+                f,
+                "No bound is proved for this family: these errors are measured, and there may be larger ones."
+            )?;
+        }
         if self.formulas.iter().any(|of| of.not_finite > 0) {
             writeln!(f, "inf: a result is no number, which is worse than any bound.")?;
         }

@@ -5,11 +5,13 @@ use std::ffi::OsString;
 use std::ops::RangeInclusive;
 use std::path::Path;
 use std::str::FromStr;
+use std::sync::Arc;
 
 use num_rational::BigRational;
 
+use crate::language::Family;
 use crate::meaning::{Example, Weighting, examples};
-use crate::spline::{Basis, Curve, CurveError, Index, IndexError, KnotError, KnotVector, Point};
+use crate::spline::{AnyWeights, Basis, Curve, CurveError, Index, IndexError, KnotError, KnotVector, Point};
 
 use super::error::CliError;
 use super::exact::Exact;
@@ -104,8 +106,8 @@ pub(super) struct MemberSubject {
     pub(super) label: Option<String>,
     /// Its knots and weights.
     pub(super) basis: Basis<Weighting>,
-    /// Control points, as many as there are functions.
-    pub(super) points: Option<Vec<Point>>,
+    /// Control points, as many as there are functions, and where they stand.
+    pub(super) points: Option<(Vec<Point>, Provenance)>,
 }
 
 impl MemberSubject {
@@ -113,6 +115,19 @@ impl MemberSubject {
     pub(super) fn family(&self) -> String {
         self.basis.weights().member().map(|member| member.family().name.clone()).unwrap_or_default()
     }
+}
+
+/// One basis of any family with its weights, and the curve if there are control points.
+#[derive(Debug)]
+pub(super) struct Case {
+    /// The name of the paper's instance, or the file.
+    pub(super) label: Option<String>,
+    /// α, or the member of another family.
+    pub(super) weights: Weighting,
+    /// The basis.
+    pub(super) basis: Basis<AnyWeights>,
+    /// The curve on it.
+    pub(super) curve: Option<Curve<AnyWeights>>,
 }
 
 /// A basis, and the curve if there are control points.
@@ -141,10 +156,10 @@ impl InstanceArgs {
     /// # Errors
     /// [`CliError`], for the first thing that is wrong.
     pub(super) fn resolve(&self) -> Result<Subjects, CliError> {
-        match self.resolve_among(examples())? {
+        match self.resolve_any()? {
             Resolved::Indices(subjects) => Ok(subjects),
             Resolved::Member(subject) => {
-                Err(CliError::OnlyIndices { what: "this command knows", family: subject.family() })
+                Err(CliError::OnlyIndices { option: "--alpha", family: subject.family() })
             }
         }
     }
@@ -154,15 +169,19 @@ impl InstanceArgs {
     /// # Errors
     /// [`CliError`], for the first thing that is wrong.
     pub(super) fn resolve_any(&self) -> Result<Resolved, CliError> {
-        self.resolve_among(examples())
+        self.resolve_among(examples(), None)
     }
 
-    /// The same, with these instances for names.
+    /// The same, with these instances for names, and a paper's `own` family where no other is named.
     ///
     /// # Errors
     /// [`CliError`], for the first thing that is wrong.
-    pub(super) fn resolve_among(&self, examples: &[Example]) -> Result<Resolved, CliError> {
-        let member = self.family.chosen()?.as_ref().map(ChosenFamily::member).transpose()?;
+    pub(super) fn resolve_among(
+        &self,
+        examples: &[Example],
+        own: Option<&Arc<Family>>,
+    ) -> Result<Resolved, CliError> {
+        let member = self.family(own)?.as_ref().map(ChosenFamily::member).transpose()?;
         let given = match &self.instance {
             Some(name) => self.named(name, examples)?,
             None => Given::default(),
@@ -184,18 +203,21 @@ impl InstanceArgs {
         let degree = degree.ok_or_else(|| missing("--degree", "give the degree, such as --degree 2"))?;
         let (knots, place) =
             knots.ok_or_else(|| missing("--knots", "give the knots, such as --knots \"0 0 0 1 2 2 2\""))?;
-        let own = member.map(|member| vec![member]);
+        let member = member.map(|member| vec![member]);
         let alpha = self.indices()?.map(|list| list.into_iter().map(Weighting::Index).collect());
-        let weights = own.or(alpha).unwrap_or(given.weights);
+        let mut weights = member.or(alpha).unwrap_or(given.weights);
+        // What an index α is missing for, --alpha gives: only another family asks for its own parameters.
+        if let (true, Some(own)) =
+            (weights.is_empty(), own.filter(|own| !matches!(own.moebius(), Some(Some(_)))))
+        {
+            weights.push(ChosenFamily { family: Arc::clone(own), given: Vec::new() }.member()?);
+        }
         if let Some(weights @ Weighting::Family(_)) = weights.first() {
             let basis = Basis::over(knots, degree, weights.clone())
                 .map_err(|error| CliError::Basis { place: place.clone(), error })?;
             if let Some((points, place)) = &points {
-                let same = Basis::new(basis.knots().clone(), degree, Index::infinity());
-                let same = same.map_err(|error| CliError::Basis { place: place.clone(), error })?;
-                curve(&same, points, place)?;
+                curve(&basis, points, place)?;
             }
-            let points = points.map(|(points, _)| points);
             return Ok(Resolved::Member(MemberSubject { label, basis, points }));
         }
         let mut indices: Vec<_> = weights.iter().filter_map(Weighting::index).cloned().collect();
@@ -220,12 +242,12 @@ impl InstanceArgs {
         Ok(Resolved::Indices(Subjects { label, cases }))
     }
 
-    /// The family that is chosen, if there is one.
+    /// The family that is chosen, if there is one: see [`FamilyArgs::chosen`].
     ///
     /// # Errors
     /// [`CliError`], where it is not there or not well formed, or a setting is not.
-    pub(super) fn family(&self) -> Result<Option<ChosenFamily>, CliError> {
-        self.family.chosen()
+    pub(super) fn family(&self, own: Option<&Arc<Family>>) -> Result<Option<ChosenFamily>, CliError> {
+        self.family.chosen(own)
     }
 
     /// Is nothing said at all?
@@ -340,6 +362,38 @@ impl FunctionArgs {
     }
 }
 
+impl Resolved {
+    /// The one case there is, with its weights on the knots.
+    ///
+    /// # Errors
+    /// [`CliError::SeveralIndices`] if there are several indices, [`CliError::Member`] if the member of a family gives no
+    /// weights on the knots.
+    pub(super) fn only_case(self) -> Result<Case, CliError> {
+        match self {
+            Self::Indices(subjects) => {
+                let label = subjects.label.clone();
+                let Subject { basis, curve } = subjects.only_case()?;
+                let index = basis.index().clone();
+                let weights = AnyWeights::Index(index.clone());
+                Ok(Case {
+                    label,
+                    weights: Weighting::Index(index),
+                    curve: curve.map(|curve| curve.with(weights.clone())),
+                    basis: basis.with(weights),
+                })
+            }
+            Self::Member(MemberSubject { label, basis, points }) => {
+                let weights = basis.weights().clone();
+                let on = weights.on_knots(basis.knots(), basis.degree());
+                let on = on.map_err(|error| CliError::Member { argument: "--family", error })?;
+                let basis = basis.with(on);
+                let curve = points.map(|(points, place)| curve(&basis, &points, &place)).transpose()?;
+                Ok(Case { label, weights, basis, curve })
+            }
+        }
+    }
+}
+
 impl Subjects {
     /// The case of the one index there is.
     ///
@@ -400,7 +454,7 @@ fn knot_vector(knots: Vec<BigRational>, place: &Provenance) -> Result<KnotVector
     })
 }
 
-fn curve(basis: &Basis, points: &[Point], place: &Provenance) -> Result<Curve, CliError> {
+fn curve<W: Clone>(basis: &Basis<W>, points: &[Point], place: &Provenance) -> Result<Curve<W>, CliError> {
     Curve::new(basis.clone(), points.to_vec()).map_err(|error| {
         let place = match &error {
             CurveError::Dimension { position, .. } | CurveError::Mixed { position, .. } => {

@@ -27,6 +27,7 @@ mod man;
 mod merge;
 mod new;
 mod notation;
+mod of_weights;
 mod offered;
 mod on_knots;
 mod output;

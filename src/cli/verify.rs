@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::certificate::{Sexp, statement_text};
+use crate::certificate::{Sexp, Statement, statement_text};
 use crate::language::{Form, claims, paper};
 use crate::report::{Baseline, Finding};
 
@@ -67,6 +67,8 @@ pub(super) struct Row {
     steps: usize,
     /// How the goals come from the sentence: `derived`, none after a `point`, or `argued`.
     shown: String,
+    /// It is proved for any weights at all, not only for those of the family.
+    any_weights: bool,
 }
 
 impl Row {
@@ -78,10 +80,14 @@ impl Row {
         table
     }
 
-    /// `derived 40, point 30, argued 200`.
+    /// `derived 40, point 30, argued 200; for any weights 20`.
     pub(super) fn kinds(rows: &[Self]) -> String {
         let count = |kind: &str| rows.iter().filter(|row| row.shown == kind).count();
-        ["derived", "point", "argued"].map(|kind| format!("{kind} {}", count(kind))).join(", ")
+        let kinds = ["derived", "point", "argued"].map(|kind| format!("{kind} {}", count(kind))).join(", ");
+        match rows.iter().filter(|row| row.any_weights).count() {
+            0 => kinds,
+            any => format!("{kinds}; for any weights {any}"),
+        }
     }
 
     fn cells(&self) -> [String; 7] {
@@ -90,7 +96,7 @@ impl Row {
             visible(&self.claim),
             visible(&self.form),
             visible(&self.verdict),
-            visible(&self.scope),
+            format!("{}{}", visible(&self.scope), if self.any_weights { ", any weights" } else { "" }),
             degrees.join(" "),
             self.shown.clone(),
             self.steps.to_string(),
@@ -109,6 +115,7 @@ impl From<knotproof_checker::Checked> for Row {
             sections: checked.sections,
             steps: checked.goals + checked.lemmas,
             shown: checked.goals_are.to_owned(),
+            any_weights: checked.any_weights,
         }
     }
 }
@@ -158,8 +165,10 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         .into_par_iter()
         .map(|(statement, proof, path)| {
             let items = Sexp::parse_all(&statement).unwrap_or_default();
-            let is_it =
-                |own: &Own| matches!(items.as_slice(), [item] if Some(item) == own.statement.as_ref());
+            let is_it = |own: &Own| match (items.as_slice(), &own.statement) {
+                ([item], Some(own)) => Statement::is_said_by(own, item),
+                _ => false,
+            };
             let known = own.iter().position(is_it);
             (knotproof_checker::check(&statement, &proof), known, path.to_string_lossy().into_owned())
         })

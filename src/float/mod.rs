@@ -11,6 +11,7 @@ mod derivatives;
 mod error;
 mod fast;
 mod machine;
+mod member;
 mod pair;
 mod point;
 mod power;
@@ -23,6 +24,7 @@ pub use batch::Precision;
 pub use curve::FloatCurve;
 pub use error::{FloatError, HIGHEST_DEGREE};
 pub use fast::FAST_DEGREE;
+pub use member::FloatMember;
 pub use real::Real;
 pub use study::{
     Effort, Errors, Extreme, Figures, Method, MethodRecord, Population, Probe, ProbeRecord, RangeRecord,

@@ -4,7 +4,7 @@
 use super::basis::{FloatBasis, Ratio, length};
 use super::error::{FloatError, HIGHEST_DEGREE};
 use super::machine::Kernel;
-use super::pair::{Pair, Products};
+use super::pair::{Pair, Products, Split};
 use super::real::Real;
 use super::scaled::Scaled;
 use crate::spline::{Side, Span};
@@ -164,6 +164,11 @@ impl Task for DeBoor<'_> {
 /// The functions on the span at x, a point of the closed span, before they are rounded.
 pub(super) fn unrounded<F: Real>(basis: &FloatBasis<F>, span: Span, x: F) -> Column {
     basis.machine.run(AtPoint { basis, span, x, task: Triangle { degree: basis.degree() } })
+}
+
+/// The triangle with any weights, in the plain way.
+pub(super) fn by_weights(degree: usize, weights: &impl Weights) -> Column {
+    Triangle { degree }.run::<Split>(weights)
 }
 
 /// De Boor's algorithm on each of the columns, which hold a coordinate of d_{j−k}, …, d_j: the point comes out as their

@@ -10,7 +10,7 @@ use thiserror::Error;
 use crate::analysis::sign_pattern;
 use crate::language::{Family, Function, Int, Name, Parameter, Pattern, Real};
 use crate::scalar::{BigRational, Polynomial, RationalAlgebra, RationalFunction, Ring, integer};
-use crate::spline::{FormTable, Forms, Index, KnotVector};
+use crate::spline::{AnyWeights, FormTable, Forms, Index, KnotVector};
 
 use super::adjectives::has;
 use super::truth::Stop;
@@ -181,6 +181,17 @@ impl Values {
         }
     }
 
+    /// As behind `--set NAME=`, each number in a notation.
+    #[must_use]
+    pub fn written(&self, number: impl Fn(&BigRational) -> String) -> String {
+        let list = |list: &[BigRational]| list.iter().map(&number).collect::<Vec<_>>().join(",");
+        match self {
+            Self::One(value) => number(value),
+            Self::List(values) => list(values),
+            Self::Rows(rows) => rows.iter().map(|row| list(row)).collect::<Vec<_>>().join(";"),
+        }
+    }
+
     fn map<E>(&self, mut f: impl FnMut(&BigRational) -> Result<BigRational, E>) -> Result<Self, E> {
         Ok(match self {
             Self::One(value) => Self::One(f(value)?),
@@ -201,12 +212,7 @@ impl Values {
 /// As it is written behind `--set NAME=`.
 impl fmt::Display for Values {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let list = |list: &[BigRational]| list.iter().map(ToString::to_string).collect::<Vec<_>>().join(",");
-        match self {
-            Self::One(value) => write!(f, "{value}"),
-            Self::List(values) => f.write_str(&list(values)),
-            Self::Rows(rows) => f.write_str(&rows.iter().map(|row| list(row)).collect::<Vec<_>>().join(";")),
-        }
+        f.write_str(&self.written(ToString::to_string))
     }
 }
 
@@ -312,6 +318,30 @@ impl Weighting {
                 })
             }
         }
+    }
+
+    /// The weights on knots: an index as it is, for its kernels, and of another member the forms.
+    ///
+    /// # Errors
+    /// As [`FamilyMember::table`].
+    pub fn on_knots(&self, knots: &KnotVector, degree: usize) -> Result<AnyWeights, MemberError> {
+        match self {
+            Self::Index(index) => Ok(AnyWeights::Index(index.clone())),
+            Self::Family(member) => member.table(knots, degree).map(AnyWeights::Forms),
+        }
+    }
+
+    /// The member with other numbers for all that its parameters hold; an index as it is.
+    ///
+    /// # Errors
+    /// [`MemberError::Bound`] for a number that is out of bounds, or what `image` fails with.
+    pub fn map_numbers<E: From<MemberError>>(
+        &self,
+        mut image: impl FnMut(&BigRational) -> Result<BigRational, E>,
+    ) -> Result<Self, E> {
+        let Self::Family(member) = self else { return Ok(self.clone()) };
+        let given = member.named().map(|(name, values)| Ok((name.to_string(), values.map(&mut image)?)));
+        Ok(Self::of(&member.family, &given.collect::<Result<Vec<_>, E>>()?)?)
     }
 
     /// With another number for a parameter that has no index.
@@ -462,8 +492,10 @@ impl FamilyMember {
         let over = family.over.as_ref().map(polynomial).transpose()?;
         let degrees = [Some(&rise), Some(&fall), over.as_ref()];
         let n = degrees.into_iter().flatten().map(Polynomial::degree).max().unwrap_or(0);
-        let over = over.map(|over| homogeneous(&over, n));
-        Forms::new(homogeneous(&rise, n), homogeneous(&fall, n), over)
+        // (p + q)^N = (b − a)^N: so the forms have the values of the terms, and simple coefficients where those have.
+        let unit = (b - a).power(n).recip();
+        let form = |polynomial: &Polynomial<BigRational>| homogeneous(&polynomial.scaled(&unit), n);
+        Forms::new(form(&rise), form(&fall), over.as_ref().map(form))
             .ok_or_else(|| "its forms have no common degree".to_owned())
     }
 

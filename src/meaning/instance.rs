@@ -5,14 +5,14 @@ use std::hash::Hash;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use crate::analysis::{
-    Greatest, OneDenominator, Piece, Pieces, Sign, Tie, common_numerators, coordinate_between,
+    Greatest, OneDenominator, Piece, Pieces, Sign, Tie, coordinate_between, over_common_denominator,
     positive_coordinate, sign_pattern,
 };
 use crate::language::Name;
 use crate::scalar::{BigInt, BigRational, Jet, Polynomial, RationalAlgebra, Ring, integer};
 use crate::spline::{
-    Active, Basis, Evaluator, FormTable, Index, KnotVector, Obligation, Point, Side, Span, SpanError,
-    by_definition, by_weights, weight,
+    Active, AnyWeights, Basis, FormTable, Index, KnotVector, Obligation, Point, Sampler, Side, Span,
+    SpanError, by_definition, by_weights, weight,
 };
 
 use super::family::{MemberError, Weighting};
@@ -199,11 +199,14 @@ impl Instance {
         (*made).clone().map(Some)
     }
 
-    /// The basis of a degree ≤ k with the weights of a member of another family.
+    /// The basis of a degree ≤ k and a member of any family on the same knots.
     #[must_use]
-    pub fn forms_of(&self, weights: &Weighting, degree: usize) -> Option<Basis<FormTable>> {
-        let table = self.table(weights).ok()??;
-        Basis::over(self.knots()?.clone(), degree, table).ok()
+    pub fn any_basis_of(&self, weights: &Weighting, degree: usize) -> Option<Basis<AnyWeights>> {
+        let weights = match weights {
+            Weighting::Index(index) => AnyWeights::Index(index.clone()),
+            Weighting::Family(_) => AnyWeights::Forms(self.table(weights).ok()??),
+        };
+        Basis::over(self.knots()?.clone(), degree, weights).ok()
     }
 
     /// The first condition that fails of those which make all functions ≥ 0: for w_i^d on span j, as (j, i, d). For an index
@@ -234,13 +237,8 @@ impl Instance {
     #[must_use]
     pub fn pieces(&self, weights: &Weighting, degree: usize) -> Option<Arc<Pieces>> {
         let key = (weights.clone(), degree);
-        let pieces = match self.basis_of(weights, degree) {
-            Some(basis) => self.known.pieces.get(key, |_| Pieces::of(&basis)),
-            None => {
-                let basis = self.forms_of(weights, degree)?;
-                self.known.pieces.get(key, |_| Pieces::of_forms(&basis))
-            }
-        };
+        let basis = self.any_basis_of(weights, degree)?;
+        let pieces = self.known.pieces.get(key, |_| Pieces::of(&basis));
         if *weights == self.weights {
             self.compared.get(degree, |_| self.compare(&pieces, degree));
         }
@@ -356,17 +354,14 @@ impl Instance {
             let key = (weights.clone(), d, j);
             let over = self.known.over_one.get(key, |_| match weights {
                 Weighting::Index(index) => {
-                    let one = OneDenominator::of(&pieces.basis().with(index.clone()), span);
+                    let one = OneDenominator::of(pieces.basis(), index, span);
                     (Arc::new(one.denominator()), one.numerators)
                 }
                 Weighting::Family(_) => {
-                    // Of 1 over the common denominator the numerator is that itself.
-                    let functions = [on.functions.values(), &[on.x.one()]].concat();
-                    let mut numerators = common_numerators(&functions);
-                    let denominator = numerators.pop().unwrap_or_else(|| on.x.one().numerator().clone());
-                    let scale = denominator.leading().recip();
-                    let monic = numerators.iter().map(|numerator| numerator.scaled(&scale)).collect();
-                    (Arc::new(denominator.scaled(&scale)), Active::new(on.functions.first(), monic))
+                    let over = over_common_denominator(on.functions.values());
+                    let (denominator, numerators) =
+                        over.unwrap_or_else(|| (on.x.one().numerator().clone(), Vec::new()));
+                    (Arc::new(denominator), Active::new(on.functions.first(), numerators))
                 }
             });
             match over.1.get(i) {
@@ -393,10 +388,7 @@ impl Instance {
                 let table = self.defined(weights, d, span, &Jet::variable(x.clone(), order))?.ok()?.pop()?;
                 return Some(Active::new(0, table));
             }
-            match self.basis_of(weights, d) {
-                Some(basis) => Evaluator::new(&basis).jets(x, side, order),
-                None => Some(Active::new(0, self.forms_of(weights, d)?.jets(x, side, order))),
-            }
+            Sampler::new(&self.any_basis_of(weights, d)?).jets(x, side, order)
         });
         let jet = (*jets).as_ref().and_then(|jets| jets.get(i));
         jet.and_then(|jet| jet.derivatives().pop()).unwrap_or_else(|| integer(0))

@@ -1,7 +1,7 @@
 //! What is tried where a sentence speaks of any numbers: control values, and numbers beside knots. It knows functions, and no
 //! sentence; what is tried can refute, and proves nothing.
 
-use crate::analysis::{NegativeMinor, determinant, negative_minor, negative_minor_of};
+use crate::analysis::{NegativeMinor, determinant, negative_minor};
 use crate::scalar::{BigRational, integer};
 use crate::spline::{Basis, KnotVector};
 
@@ -40,13 +40,7 @@ fn signed(i: usize, size: BigRational) -> BigRational {
 
 /// A negative minor of the functions of a degree, if one is found.
 pub(super) fn minor(on: &Instance, weights: &Weighting, degree: usize) -> Option<NegativeMinor> {
-    match on.basis_of(weights, degree) {
-        Some(basis) => negative_minor(&basis),
-        None => {
-            let basis = on.forms_of(weights, degree)?;
-            negative_minor_of(&basis, &|x, side, order| basis.jets(x, side, order))
-        }
-    }
+    negative_minor(&on.any_basis_of(weights, degree)?)
 }
 
 /// From a negative minor: with f = Σ c_i G_i equal to 1, −1, 1 at its points, the c_i have the signs −, +, −, so f changes

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::certificate::{Certificate, Statement};
+use crate::certificate::{Certificate, Statement, Weighted};
 use crate::judge::{Verdict, Witness};
 use crate::language::{Cause, Claim, Form, Severity, Source};
 use crate::settle::{Outcome, Settled, grade};
@@ -18,6 +18,9 @@ pub struct Finding {
     #[serde(skip_serializing_if = "Option::is_none", default)]
     #[schemars(extend("enum" = ["points", "instance", "alpha", "knots", "degree"]))]
     pub scope: Option<String>,
+    /// The proof is for any weights at all, not only for those of the family.
+    #[serde(skip_serializing_if = "std::ops::Not::not", default)]
+    pub any_weights: bool,
     /// The degrees in which it was decided.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub degrees: Vec<usize>,
@@ -45,14 +48,18 @@ const ENGINE: &str = "engine";
 const CERTIFIED: [&str; 2] = ["prover", "checker"];
 
 impl Finding {
-    /// How far a proof reaches, with the degrees: `knots, for k ≤ 8`.
+    /// How far a proof reaches, with the degrees: `knots, for k ≤ 8`, and with `any weights` where it is for those.
     #[must_use]
     pub fn reach(&self) -> Option<String> {
         let scope = self.scope.clone()?;
-        Some(match degrees(&self.degrees) {
+        let mut reach = match degrees(&self.degrees) {
             degrees if degrees.is_empty() => scope,
             degrees => format!("{scope}, for {degrees}"),
-        })
+        };
+        if self.any_weights {
+            reach.push_str(", any weights");
+        }
+        Some(reach)
     }
 
     /// The status with the reach of a proof: `proved (knots, for k ≤ 8)`.
@@ -87,6 +94,7 @@ impl Finding {
             self.status = PROVED.to_owned();
             self.scope = Some(scope.name().to_owned());
             self.reason = None;
+            self.any_weights = certificate.statement.weighted == Weighted::Any;
             if certificate.statement.has_degree() {
                 self.degrees.clone_from(degrees);
             }
@@ -218,6 +226,7 @@ impl From<&Verdict> for Finding {
         let mut finding = Self {
             status: verdict.status().to_owned(),
             scope: verdict.scope().map(|scope| scope.name().to_owned()),
+            any_weights: false,
             degrees: Vec::new(),
             witness: None,
             reason: None,

@@ -311,7 +311,7 @@ impl MemberFunction {
     /// Its shape, from the pieces that its weights give.
     pub(super) fn shape(&self) -> Result<Shape, String> {
         let (basis, i) = (self.basis(&self.weights()?)?, self.full_knots().index);
-        let pieces = Pieces::of_forms(&basis);
+        let pieces = Pieces::of(&basis);
         if let Some(((_, j, d), fault)) = own_fault(&basis, i) {
             let negative = pieces.spans().iter().any(|on| {
                 on.functions.get(i).is_some_and(|g| {

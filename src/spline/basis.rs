@@ -3,13 +3,10 @@
 use num_rational::BigRational;
 use thiserror::Error;
 
-use crate::scalar::{Jet, RationalAlgebra, integer};
-
 use super::evaluator::Evaluator;
 use super::index::Index;
-use super::knots::{KnotVector, Side, Span, SpanError};
-use super::triangle::{Active, triangle};
-use super::weight::PointWeights;
+use super::knots::KnotVector;
+use super::triangle::Active;
 
 /// The basis (^αG_i^k), i = 0..n, of degree k and index α on U = (t_0, …, t_m), n = m − k − 1 (D3.3).
 ///
@@ -129,40 +126,6 @@ impl Basis {
     #[must_use]
     pub fn with_index(&self, index: Index) -> Self {
         self.with(index)
-    }
-
-    /// The functions that live on the span, at any scalar x of the closed span: a point, a jet, a variable.
-    ///
-    /// A variable, such as a [`RationalFunction`](crate::scalar::RationalFunction), stands for the points of the span:
-    /// the result is the functions as formulas.
-    ///
-    /// Over exact numbers this is the reference: every operation is reduced at once, and slow. [`Evaluator`] gives the
-    /// same values and jets.
-    ///
-    /// # Errors
-    /// [`SpanError`] for a span of another knot vector, and for a point outside of the closed span, NaN included.
-    pub fn active<S: RationalAlgebra>(&self, span: Span, x: &S) -> Result<Active<S>, SpanError> {
-        self.knots.ends_around(span, x)?;
-        let weights = PointWeights::new(&self.knots, x.embed(self.weights.ratio()), x.clone());
-        Ok(triangle(&weights, span, self.degree, self.knots.m()))
-    }
-
-    /// G_0^k, …, G_n^k at x as jets of the given order: values and one-sided derivatives.
-    ///
-    /// For many points of one basis, [`Evaluator::jets`] brings its knots to a common denominator once only.
-    #[must_use]
-    pub fn jets(&self, x: &BigRational, side: Side, order: usize) -> Vec<Jet<BigRational>> {
-        let jets = Evaluator::new(self).jets(x, side, order);
-        self.all(jets, &Jet::constant(integer(0), order))
-    }
-
-    /// G_0^k(x), …, G_n^k(x), as limits from the given side.
-    ///
-    /// For many points of one basis, [`Evaluator::values`] brings its knots to a common denominator once only.
-    #[must_use]
-    pub fn values(&self, x: &BigRational, side: Side) -> Vec<BigRational> {
-        let values = Evaluator::new(self).values(x, side);
-        self.all(values, &integer(0))
     }
 }
 

@@ -6,10 +6,10 @@ use thiserror::Error;
 use crate::scalar::{Jet, RationalAlgebra, integer};
 
 use super::basis::Basis;
-use super::evaluator::Evaluator;
+use super::index::Index;
+use super::kind::{HasWeights, Sampler};
 use super::knots::{Side, Span};
-use super::triangle::{Active, de_boor};
-use super::weight::PointWeights;
+use super::triangle::Active;
 
 /// A point of R^d, 1 ≤ d ≤ 3.
 pub type Point = Vec<BigRational>;
@@ -29,8 +29,8 @@ pub type Point = Vec<BigRational>;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-pub struct Curve {
-    basis: Basis,
+pub struct Curve<W = Index> {
+    basis: Basis<W>,
     points: Vec<Point>,
 }
 
@@ -83,12 +83,12 @@ pub enum CurveError {
     },
 }
 
-impl Curve {
+impl<W> Curve<W> {
     /// Checks the number of the control points and their dimension.
     ///
     /// # Errors
     /// [`CurveError`], with the position of the first offence.
-    pub fn new(basis: Basis, points: Vec<Point>) -> Result<Self, CurveError> {
+    pub fn new(basis: Basis<W>, points: Vec<Point>) -> Result<Self, CurveError> {
         let needed = basis.n() + 1;
         if points.len() != needed {
             let (degree, knots) = (basis.degree(), basis.knots().m() + 1);
@@ -107,9 +107,15 @@ impl Curve {
         Ok(Self { basis, points })
     }
 
+    /// The same knots, degree and control points with other weights.
+    #[must_use]
+    pub fn with<V>(&self, weights: V) -> Curve<V> {
+        Curve { basis: self.basis.with(weights), points: self.points.clone() }
+    }
+
     /// The basis.
     #[must_use]
-    pub fn basis(&self) -> &Basis {
+    pub fn basis(&self) -> &Basis<W> {
         &self.basis
     }
 
@@ -146,11 +152,13 @@ impl Curve {
         };
         (0..self.dimension()).filter_map(coordinate).collect()
     }
+}
 
+impl<W: HasWeights> Curve<W> {
     /// The point of the curve at x, as a limit from the given side: Σ d_i G_i^k(x).
     #[must_use]
     pub fn point(&self, x: &BigRational, side: Side) -> Point {
-        match Evaluator::new(&self.basis).values(x, side) {
+        match Sampler::new(&self.basis).values(x, side) {
             Some(active) => self.combine_unchecked(&active),
             None => vec![integer(0); self.dimension()],
         }
@@ -159,7 +167,7 @@ impl Curve {
     /// The coordinates of the curve at x as jets of the given order.
     #[must_use]
     pub fn jets(&self, x: &BigRational, side: Side, order: usize) -> Vec<Jet<BigRational>> {
-        match Evaluator::new(&self.basis).jets(x, side, order) {
+        match Sampler::new(&self.basis).jets(x, side, order) {
             Some(active) => self.combine_unchecked(&active),
             None => vec![Jet::constant(integer(0), order); self.dimension()],
         }
@@ -171,9 +179,7 @@ impl Curve {
     pub fn de_boor(&self, x: &BigRational, side: Side) -> Option<Vec<Active<Point>>> {
         let span = self.basis.knots().span_at(x, side)?;
         let points = self.points.get(self.local(span)?)?;
-        let ratio = self.basis.index().ratio().clone();
-        let weights = PointWeights::new(self.basis.knots(), ratio, x.clone());
-        de_boor(&weights, span, points)
+        self.basis.de_boor(span, x, points)
     }
 
     /// j − k..=j, for k ≤ j ≤ n.

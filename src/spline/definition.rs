@@ -6,8 +6,9 @@
 use crate::scalar::RationalAlgebra;
 
 use super::basis::Basis;
+use super::kind::{HasWeights, WeightKind};
 use super::knots::{Span, SpanError};
-use super::weight::weight;
+use super::weight::{Weights, weight};
 
 /// Entry d, i is G_i^d at x, for 0 ≤ d ≤ k and 0 ≤ i ≤ m − d − 1, where x is a scalar of the closed span (a
 /// point, a jet, or the span coordinate as a variable) and the limit is taken in the span.
@@ -16,13 +17,26 @@ use super::weight::weight;
 ///
 /// # Errors
 /// [`SpanError`] as for [`Basis::active`].
-pub fn by_definition<S: RationalAlgebra>(basis: &Basis, span: Span, x: &S) -> Result<Vec<Vec<S>>, SpanError> {
-    let (knots, ratio) = (basis.knots(), x.embed(basis.index().ratio()));
-    by_weights(basis, span, x, |i, d| {
-        let w = weight(&ratio, x, knots.t(i), knots.t(i + d)).0;
-        let complement = x.one().minus(&w);
-        (w, complement)
-    })
+pub fn by_definition<W: HasWeights, S: RationalAlgebra>(
+    basis: &Basis<W>,
+    span: Span,
+    x: &S,
+) -> Result<Vec<Vec<S>>, SpanError> {
+    let knots = basis.knots();
+    match basis.weights().kind() {
+        WeightKind::Index(index) => {
+            let ratio = x.embed(index.ratio());
+            by_weights(basis, span, x, |i, d| {
+                let w = weight(&ratio, x, knots.t(i), knots.t(i + d)).0;
+                let complement = x.one().minus(&w);
+                (w, complement)
+            })
+        }
+        WeightKind::Forms(table) => {
+            let weights = table.at(knots, span, x);
+            by_weights(basis, span, x, |i, d| weights.pair(i, d))
+        }
+    }
 }
 
 /// The same with any weights: `shares` gives w_i^d and what stands for 1 − w_i^d where [t_i, t_{i+d}) contains the span.

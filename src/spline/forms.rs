@@ -7,12 +7,9 @@ use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 use thiserror::Error;
 
-use crate::scalar::{Jet, RationalAlgebra, Ring, integer};
+use crate::scalar::{RationalAlgebra, Ring, integer};
 
-use super::basis::Basis;
-use super::definition::by_weights;
-use super::knots::{KnotVector, Side, Span, SpanError};
-use super::triangle::{Active, triangle};
+use super::knots::{KnotVector, Span};
 use super::weight::Weights;
 
 /// A weight on an interval [a, b] by binary forms of one degree N in p = x − a and q = b − x:
@@ -21,10 +18,10 @@ use super::weight::Weights;
 ///
 /// Where the two shares do not add up to 1, `over` is a form of its own.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Forms {
-    rise: Vec<BigRational>,
-    fall: Vec<BigRational>,
-    over: Vec<BigRational>,
+pub struct Forms<C = BigRational> {
+    rise: Vec<C>,
+    fall: Vec<C>,
+    over: Vec<C>,
 }
 
 /// Which of the conditions fails that make the functions positive for free.
@@ -103,22 +100,6 @@ impl Forms {
         product(&self.rise, &other.fall) == product(&self.fall, &other.rise)
     }
 
-    /// rise, fall and over at p and q of any ring, in which `embed` has the coefficients.
-    pub fn values<S: Ring>(&self, p: &S, q: &S, embed: impl Fn(&BigRational) -> S) -> [S; 3] {
-        let powers = |of: &S| {
-            let mut powers = vec![of.one()];
-            (1..self.rise.len()).for_each(|l| powers.push(powers[l - 1].times(of)));
-            powers
-        };
-        let (p, q) = (powers(p), powers(q));
-        let value = |form: &[BigRational]| {
-            let terms = form.iter().enumerate().filter(|(_, c)| !Zero::is_zero(*c));
-            let term = |(l, c): (usize, &BigRational)| embed(c).times(&p[l]).times(&q[form.len() - 1 - l]);
-            terms.map(term).fold(p[0].zero(), |sum, term| sum.plus(&term))
-        };
-        [value(&self.rise), value(&self.fall), value(&self.over)]
-    }
-
     /// w and 1 − w at x of [a, b]; `None` where over is 0.
     #[must_use]
     pub fn shares<S: RationalAlgebra>(&self, x: &S, a: &BigRational, b: &BigRational) -> Option<(S, S)> {
@@ -131,6 +112,37 @@ impl Forms {
     #[must_use]
     pub fn slope_ratio(&self) -> Option<BigRational> {
         (self.rise.len() == 2 && self.obligations().is_ok()).then(|| &self.rise[1] / &self.fall[0])
+    }
+}
+
+impl<C> Forms<C> {
+    /// N.
+    #[must_use]
+    pub fn degree(&self) -> usize {
+        self.rise.len() - 1
+    }
+
+    /// With coefficients of another kind.
+    #[must_use]
+    pub fn map<D>(&self, image: impl Fn(&C) -> D) -> Forms<D> {
+        let list = |form: &[C]| form.iter().map(&image).collect();
+        Forms { rise: list(&self.rise), fall: list(&self.fall), over: list(&self.over) }
+    }
+
+    /// rise, fall and over at p and q of any ring, in which `embed` has the coefficients.
+    pub fn values<S: Ring>(&self, p: &S, q: &S, embed: impl Fn(&C) -> S) -> [S; 3] {
+        let powers = |of: &S| {
+            let mut powers = vec![of.one()];
+            (1..self.rise.len()).for_each(|l| powers.push(powers[l - 1].times(of)));
+            powers
+        };
+        let (p, q) = (powers(p), powers(q));
+        let value = |form: &[C]| {
+            let terms = form.iter().map(&embed).enumerate().filter(|(_, c)| !c.is_zero());
+            let term = |(l, c): (usize, S)| c.times(&p[l]).times(&q[form.len() - 1 - l]);
+            terms.map(term).fold(p[0].zero(), |sum, term| sum.plus(&term))
+        };
+        [value(&self.rise), value(&self.fall), value(&self.over)]
     }
 }
 
@@ -170,6 +182,22 @@ impl FormTable {
         self.forms.get(&(j, i, d))
     }
 
+    /// w_i^d and 1 − w_i^d at any scalar x of the closed span.
+    pub fn at<'a, S: RationalAlgebra>(
+        &'a self,
+        knots: &'a KnotVector,
+        span: Span,
+        x: &'a S,
+    ) -> impl Weights<Scalar = S> + 'a {
+        Pairs::new(x, move |i, d| {
+            let forms = self.get(span.index(), i, d);
+            // Where over is 0 there is no value, and nobody asks for one.
+            forms
+                .and_then(|forms| forms.shares(x, knots.t(i), knots.t(i + d)))
+                .unwrap_or_else(|| (x.zero(), x.one()))
+        })
+    }
+
     /// All of them, by (j, i, d).
     pub fn iter(&self) -> impl Iterator<Item = ((usize, usize, usize), &Forms)> {
         self.forms.iter().map(|(place, forms)| (*place, forms))
@@ -201,46 +229,9 @@ impl<S: Ring, F: Fn(usize, usize) -> (S, S)> Weights for Pairs<S, F> {
     }
 }
 
-impl Basis<FormTable> {
-    fn shares<S: RationalAlgebra>(&self, span: Span, x: &S, i: usize, d: usize) -> (S, S) {
-        let (a, b) = (self.knots().t(i), self.knots().t(i + d));
-        let forms = self.weights().get(span.index(), i, d);
-        // Where over is 0 there is no value, and nobody asks for one.
-        forms.and_then(|forms| forms.shares(x, a, b)).unwrap_or_else(|| (x.zero(), x.one()))
-    }
-
-    /// The functions that live on the span, at any scalar x of it.
-    ///
-    /// # Errors
-    /// [`SpanError`] for a span of another knot vector, and for a point outside of the closed span.
-    pub fn active<S: RationalAlgebra>(&self, span: Span, x: &S) -> Result<Active<S>, SpanError> {
-        self.knots().ends_around(span, x)?;
-        let weights = Pairs::new(x, |i, d| self.shares(span, x, i, d));
-        Ok(triangle(&weights, span, self.degree(), self.knots().m()))
-    }
-
-    /// G_0^k, …, G_n^k at x as jets of the given order: values and one-sided derivatives.
-    #[must_use]
-    pub fn jets(&self, x: &BigRational, side: Side, order: usize) -> Vec<Jet<BigRational>> {
-        let span = self.knots().span_at(x, side);
-        let active = span.and_then(|span| self.active(span, &Jet::variable(x.clone(), order)).ok());
-        self.all(active, &Jet::constant(integer(0), order))
-    }
-
-    /// Entry d, i is G_i^d by the recursion word for word, zeros included.
-    ///
-    /// # Errors
-    /// As [`active`](Self::active).
-    pub fn by_definition<S: RationalAlgebra>(&self, span: Span, x: &S) -> Result<Vec<Vec<S>>, SpanError> {
-        by_weights(self, span, x, |i, d| self.shares(span, x, i, d))
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scalar::rational;
-    use crate::spline::Index;
 
     fn forms(rise: &[i64], fall: &[i64]) -> Forms {
         let all = |c: &[i64]| c.iter().map(|c| integer(*c)).collect();
@@ -261,24 +252,5 @@ mod tests {
             Forms::new(vec![integer(0), integer(1)], vec![integer(1), integer(0)], Some(vec![integer(2); 2]));
         assert_eq!(over.unwrap().obligations(), Err(Obligation::Shares));
         assert!(Forms::new(vec![integer(0)], vec![integer(1), integer(0)], None).is_none());
-    }
-
-    /// Linear forms with one ratio are an index: the same functions as by its own kernels.
-    #[test]
-    fn forms_of_an_index_give_its_functions() {
-        let knots = KnotVector::new([0, 0, 0, 1, 1, 2, 4, 4, 5].map(integer).to_vec()).unwrap();
-        let index = Index::from_ratio(rational(2, 3)).unwrap();
-        for degree in 1..=4 {
-            let Ok(basis) = Basis::new(knots.clone(), degree, index.clone()) else { continue };
-            let table =
-                FormTable::new(&knots, degree, |_, _, _| Ok::<_, ()>(forms(&[0, 2], &[3, 0]))).unwrap();
-            assert_eq!(table.get(3, 3, 1), None, "[t_3, t_4] is empty");
-            let other = basis.with(table);
-            for x in [rational(0, 1), rational(1, 3), rational(1, 1), rational(9, 2), rational(5, 1)] {
-                for side in [Side::Left, Side::Right] {
-                    assert_eq!(other.jets(&x, side, 2), basis.jets(&x, side, 2), "{degree}, {x}");
-                }
-            }
-        }
     }
 }

@@ -1,7 +1,10 @@
 //! One place of x with what is known there, while the integers of a sentence are chosen.
 
+use std::rc::Rc;
+
 use crate::env::Env;
 use crate::error::{Reason, Result};
+use crate::family::Family;
 use crate::fraction::Fraction;
 use crate::obligation::Subject;
 use crate::place::{Copies, Facts, Form, Gap, Place};
@@ -60,7 +63,7 @@ pub(crate) struct Numbers<'t> {
     pub(crate) knots: Vec<Node<'t>>,
     /// The example that they are of.
     pub(crate) example: Option<Node<'t>>,
-    /// Where all is a number: (points NAME value…) and (index NAME ratio), among others.
+    /// Where all is a number: (parameter NAME value…), (points NAME value…) and (index NAME ratio), among others.
     pub(crate) values: Option<Vec<Node<'t>>>,
 }
 
@@ -91,6 +94,7 @@ impl<'t> Numbers<'t> {
 }
 
 pub(crate) struct Case<'c, 't> {
+    pub(crate) family: Rc<Family<'t>>,
     pub(crate) definitions: &'c [Node<'t>],
     pub(crate) k: i64,
     pub(crate) place: Place,
@@ -112,10 +116,10 @@ pub(crate) struct Case<'c, 't> {
     pub(crate) symmetric: bool,
     /// Integers run around the mirror image of the span.
     pub(crate) mirrored: bool,
-    /// r of another member of the family.
-    pub(crate) ratio: Option<Node<'t>>,
-    /// Those of other indices, as far as they are known.
+    /// Ratios of other indices, as far as they are known.
     pub(crate) ratios: Vec<(&'t str, Node<'t>)>,
+    /// Another member of the family: what is replaced.
+    pub(crate) member: Option<Node<'t>>,
     pub(crate) numbers: Option<Numbers<'t>>,
     /// Functions are values, where knots are numbers.
     pub(crate) exact: bool,
@@ -129,13 +133,19 @@ pub(crate) struct Case<'c, 't> {
 
 impl<'c, 't> Case<'c, 't> {
     /// A place of which nothing but itself is known.
-    pub(crate) fn new(definitions: &'c [Node<'t>], k: i64, place: Place) -> Result<Self> {
+    pub(crate) fn new(
+        family: &Rc<Family<'t>>,
+        definitions: &'c [Node<'t>],
+        k: i64,
+        place: Place,
+    ) -> Result<Self> {
         Ok(Case {
+            family: family.clone(),
             definitions,
             k,
             place,
             facts: Facts::at(place, k),
-            section: Section::new(&[], Env::default())?,
+            section: Section::new(&[], Env::new(family.clone()))?,
             parameters: Vec::new(),
             shown: place.shown(k),
             closed: Vec::new(),
@@ -145,8 +155,8 @@ impl<'c, 't> Case<'c, 't> {
             on_knot: false,
             symmetric: false,
             mirrored: false,
-            ratio: None,
             ratios: Vec::new(),
+            member: None,
             numbers: None,
             exact: false,
             undecided: false,
@@ -159,7 +169,7 @@ impl<'c, 't> Case<'c, 't> {
     pub(crate) fn open(&mut self) -> Result<Vec<Node<'t>>> {
         let origin = Node::made("real", vec![Node::name_of("o")]);
         let fixed: Vec<_> = [origin].into_iter().chain(self.windows()).collect();
-        self.section = Section::new(&fixed, Env::default())?;
+        self.section = Section::new(&fixed, Env::new(self.family.clone()))?;
         self.parameters.clear();
         Ok(fixed)
     }
@@ -172,10 +182,7 @@ impl<'c, 't> Case<'c, 't> {
             Gap::Any if !self.closed.contains(&e) => Node::name_of("any"),
             _ => Node::whole_of(0),
         };
-        let turn = match self.place {
-            Place::Knot(Copies::Exactly(q)) => -q,
-            _ => 0,
-        };
+        let turn = self.turn();
         let reflected = |e: i64| match turn - e {
             of if !(first..last).contains(&of) => Node::name_of("any"),
             of if gap(of) == Node::whole_of(0) => gap(of),
@@ -188,6 +195,14 @@ impl<'c, 't> Case<'c, 't> {
         let mirror =
             self.symmetric.then(|| window("M", -self.k, (-self.k..=self.k).map(reflected).collect()));
         [window("W", first, (first..last).map(gap).collect())].into_iter().chain(mirror).collect()
+    }
+
+    /// Knot s' + e of the reflected window is s + 1 + turn − e.
+    pub(crate) fn turn(&self) -> i64 {
+        match self.place {
+            Place::Knot(Copies::Exactly(q)) => -q,
+            _ => 0,
+        }
     }
 
     /// A parameter, declared once.

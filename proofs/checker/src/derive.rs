@@ -2,8 +2,11 @@
 //!
 //! Whatever is not understood, or not decided, is no derivation. Hypotheses may be left out: what is shown is then stronger.
 
+use std::rc::Rc;
+
 use crate::case::{At, Bound, Case, Stop, read};
 use crate::error::{Reason, Result};
+use crate::family::Family;
 use crate::obligation::{
     Obligation, Point, Subject, is_variable, may_be_infinite, member, names_index, obligations, ratio,
     subjects,
@@ -33,7 +36,12 @@ fn orders_at_knots<'t>(d: i64) -> Vec<Node<'t>> {
 }
 
 /// The sections of a sentence for degree k.
-pub(crate) fn sections<'t>(definitions: &[Node<'t>], sentence: &Node<'t>, k: i64) -> Result<Vec<Node<'t>>> {
+pub(crate) fn sections<'t>(
+    family: &Rc<Family<'t>>,
+    definitions: &[Node<'t>],
+    sentence: &Node<'t>,
+    k: i64,
+) -> Result<Vec<Node<'t>>> {
     let mut all = Vec::new();
     for subject in subjects(definitions, sentence, k)? {
         for (number, obligation) in (1..).zip(obligations(sentence, k, &subject, false)?) {
@@ -41,7 +49,7 @@ pub(crate) fn sections<'t>(definitions: &[Node<'t>], sentence: &Node<'t>, k: i64
                 all.extend(orders_at_knots(d.whole()?));
                 continue;
             }
-            let mut walk = Walk::new(&obligation, definitions, k)?;
+            let mut walk = Walk::new(&obligation, family, definitions, k)?;
             let found = match subject {
                 Subject::Example(_) | Subject::Weights => walk.numbers(&subject)?,
                 Subject::Knots => match walk.all()? {
@@ -61,6 +69,7 @@ pub(crate) fn sections<'t>(definitions: &[Node<'t>], sentence: &Node<'t>, k: i64
 
 /// One obligation for one degree.
 pub(crate) struct Walk<'w, 't> {
+    pub(crate) family: &'w Rc<Family<'t>>,
     pub(crate) obligation: &'w Obligation<'t>,
     /// Those of the obligation, and the intervals of its reals.
     pub(crate) hypotheses: Vec<Node<'t>>,
@@ -76,7 +85,12 @@ pub(crate) struct Walk<'w, 't> {
 }
 
 impl<'w, 't> Walk<'w, 't> {
-    fn new(obligation: &'w Obligation<'t>, definitions: &'w [Node<'t>], k: i64) -> Result<Self> {
+    fn new(
+        obligation: &'w Obligation<'t>,
+        family: &'w Rc<Family<'t>>,
+        definitions: &'w [Node<'t>],
+        k: i64,
+    ) -> Result<Self> {
         let hypotheses = obligation.all_hypotheses();
         let point = match (&obligation.subject, obligation.point()) {
             (Some(Subject::Knots), point) => point?,
@@ -94,6 +108,7 @@ impl<'w, 't> Walk<'w, 't> {
         };
         let (declared, ratios) = (ratio(known), Vec::new());
         Ok(Walk {
+            family,
             obligation,
             hypotheses,
             point,
@@ -132,7 +147,7 @@ impl<'w, 't> Walk<'w, 't> {
         if self.obligation.forbids(place, self.k)? {
             return Ok(true);
         }
-        let mut case = Case::new(self.definitions, self.k, place)?;
+        let mut case = Case::new(self.family, self.definitions, self.k, place)?;
         case.symmetric = self.obligation.is("symmetric");
         case.mirrored = self.mirrored;
         // Gaps are closed first: the window is one for all cases.

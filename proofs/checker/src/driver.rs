@@ -1,10 +1,13 @@
 //! The way through a certificate: every section for every degree, every goal with its rule, nothing left over.
 
+use std::cell::RefCell;
 use std::fmt;
+use std::rc::Rc;
 
 use crate::derive::sections;
 use crate::env::Env;
 use crate::error::{Reason, Rejected, Result};
+use crate::family::Family;
 use crate::obligation::reach;
 use crate::point::Numbered;
 use crate::rules::Context;
@@ -38,15 +41,21 @@ pub struct Checked {
     pub goals: usize,
     /// Lemmas proved.
     pub lemmas: usize,
+    /// It holds for any weights whatever.
+    pub any_weights: bool,
     /// How the goals come from the sentence: `derived`, none after a `point`, or `argued`, given with a reason.
     pub goals_are: &'static str,
 }
 
 impl fmt::Display for Checked {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Checked { claim, form, verdict, scope, degrees, sections, goals, lemmas, goals_are } = self;
+        let Checked { claim, form, verdict, scope, degrees, sections, goals, lemmas, any_weights, goals_are } =
+            self;
         write!(f, "{claim} ({form}): {verdict}, scope {scope}, degrees")?;
         degrees.iter().try_for_each(|degree| write!(f, " {degree}"))?;
+        if *any_weights {
+            write!(f, "; for any weights")?;
+        }
         write!(f, "; {goals_are}; sections {sections}, goals {goals}, lemmas {lemmas}")
     }
 }
@@ -73,7 +82,7 @@ pub fn check_within(work: usize, statement: &str, proof: &str) -> std::result::R
 /// `place` is where the run has come to.
 fn run(statement: &str, proof: &str, place: &mut String) -> Result<Checked> {
     let statement = tree(statement)?;
-    let (mut checked, body) = header(&statement)?;
+    let (mut checked, family, body) = header(&statement)?;
     *place = "proof".to_owned();
     let proof = tree(proof)?;
     let [version, proofs @ ..] = proof.fields("proof")? else { return proof.wrong("a version") };
@@ -85,13 +94,13 @@ fn run(statement: &str, proof: &str, place: &mut String) -> Result<Checked> {
         *place = "statement".to_owned();
         let derived = match body {
             Body::Sections(_) | Body::Refuted => Vec::new(),
-            Body::Derived(definitions, sentence) => sections(definitions, sentence, k)?,
+            Body::Derived(definitions, sentence) => sections(&family, definitions, sentence, k)?,
         };
         let sections = if let Body::Sections(sections) = body { sections } else { &derived };
         for section in sections {
             *place = "statement".to_owned();
             let [ranges, declarations, goals] = parts(section)?;
-            for env in expanded(ranges, Env::default().with("k", k)?)? {
+            for env in expanded(ranges, Env::new(family.clone()).with("k", k)?)? {
                 checked.sections += 1;
                 *place = format!("section {}", checked.sections);
                 let proof = proofs.next().ok_or(Reason::Missing("section", checked.sections))?;
@@ -111,18 +120,18 @@ fn run(statement: &str, proof: &str, place: &mut String) -> Result<Checked> {
 
 /// What there is to prove.
 #[derive(Clone, Copy)]
-enum Body<'n, 't> {
+enum Body<'n> {
     /// Given, with the reason why they are the claim.
-    Sections(&'n [Node<'t>]),
+    Sections(&'n [Node<'n>]),
     /// Derived from definitions and a sentence.
-    Derived(&'n [Node<'t>], &'n Node<'t>),
+    Derived(&'n [Node<'n>], &'n Node<'n>),
     /// A point that refutes the sentence: nothing.
     Refuted,
 }
 
 /// What a statement says of itself, and what there is to prove.
-fn header<'n, 't>(node: &'n Node<'t>) -> Result<(Checked, Body<'n, 't>)> {
-    let [version, claim, form, verdict, scope, degrees, rest @ ..] = node.fields("statement")? else {
+fn header<'n>(node: &'n Node<'n>) -> Result<(Checked, Rc<Family<'n>>, Body<'n>)> {
+    let [version, claim, form, verdict, scope, degrees, family, rest @ ..] = node.fields("statement")? else {
         return node.wrong("the parts of a statement");
     };
     is_number(version, "format", 2)?;
@@ -133,9 +142,12 @@ fn header<'n, 't>(node: &'n Node<'t>) -> Result<(Checked, Body<'n, 't>)> {
     if !list.is_sorted_by(|a, b| a < b) {
         return degrees.wrong("rising degrees");
     }
+    let family = Family::read(family)?;
+    (1..=list.iter().max().map_or(0, |most| i64::from(*most))).try_for_each(|d| family.check(d))?;
+    let family = Rc::new(family);
     let (definitions, rest) = rest.split_at(rest.iter().take_while(|part| part.is("define")).count());
     let Some((sentence, rest)) = rest.split_first() else { return node.wrong("a sentence") };
-    read(definitions, sentence)?;
+    read(&family, definitions, sentence)?;
     let body = match rest {
         [] if verdict.is_word("proved") && scope.is_word(reach(sentence)?) => {
             Body::Derived(definitions, sentence)
@@ -145,11 +157,12 @@ fn header<'n, 't>(node: &'n Node<'t>) -> Result<(Checked, Body<'n, 't>)> {
             if !verdict.is_word("refuted") || !scope.is_word("instance") {
                 return node.wrong("refuted, scope instance, for a point");
             }
-            let numbers = points.iter().map(Numbered::new).collect::<Result<Vec<_>>>()?;
+            let numbers =
+                points.iter().map(|point| Numbered::new(&family, point)).collect::<Result<Vec<_>>>()?;
             if list.iter().map(|degree| i64::from(*degree)).ne(numbers.iter().map(Numbered::degree)) {
                 return degrees.wrong("the degree of the point");
             }
-            numbers.iter().try_for_each(|point| point.refutes(definitions, sentence))?;
+            numbers.iter().try_for_each(|point| point.refutes(&family, definitions, sentence))?;
             Body::Refuted
         }
         [because, sections @ ..] => {
@@ -177,13 +190,14 @@ fn header<'n, 't>(node: &'n Node<'t>) -> Result<(Checked, Body<'n, 't>)> {
         sections: 0,
         goals: 0,
         lemmas: 0,
+        any_weights: family.is_any(),
         goals_are: match body {
             Body::Derived(..) => "derived",
             Body::Refuted => "point",
             Body::Sections(_) => "argued",
         },
     };
-    Ok((checked, body))
+    Ok((checked, family, body))
 }
 
 /// The ranges of a section, its declarations, and its goals.
@@ -216,7 +230,7 @@ fn prove<'t>(
     let [label, steps @ ..] = proof.fields("section")? else { return proof.wrong("a number") };
     is_number(label, "section", checked.sections)?;
     let (lemmas, proofs) = steps.split_at(steps.iter().take_while(|step| step.is("lemma")).count());
-    let mut context = Context { section, lemmas: Vec::new() };
+    let mut context = Context { section, lemmas: Vec::new(), kept: RefCell::default() };
     let mut step = |what, number, label, rule: &Node<'t>| {
         *place = format!("{here}, {what} {number}, rule {}", rule.headed("a rule")?.0);
         is_number(label, what, number)

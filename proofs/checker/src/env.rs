@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use crate::error::{Reason, Result};
+use crate::family::Family;
 use crate::fraction::Fraction;
 use crate::poly::Poly;
 use crate::token::{Kind, Node};
@@ -21,7 +22,7 @@ const STEPS: usize = 100_000;
 pub(crate) enum Meaning {
     /// A parameter: a variable of the polynomials.
     Variable(usize),
-    /// An abbreviation, or what `u` or `r` has been replaced by.
+    /// An abbreviation, or what `u` or a parameter of the family has been replaced by.
     Value(Rc<Fraction>),
     Window(Rc<Window>),
 }
@@ -34,7 +35,12 @@ pub(crate) struct Window {
     pub(crate) knots: Vec<Poly>,
     /// A positive number, the same for all windows: equal weights in two of them are the same polynomials.
     pub(crate) scale: Poly,
+    /// Those parameters of the family that belong to its knots, by name, index of the knot, and degree.
+    pub(crate) parameters: Rc<Own>,
 }
+
+/// The parameters of a window.
+pub(crate) type Own = BTreeMap<(String, Vec<i64>), Fraction>;
 
 impl Window {
     pub(crate) fn knot(&self, index: i64) -> Result<&Poly> {
@@ -42,17 +48,29 @@ impl Window {
         let unknown = || Reason::NotDetermined(self.name.clone(), format!("t_{index}"));
         at.and_then(|at| self.knots.get(at)).ok_or_else(unknown)
     }
+
+    pub(crate) fn parameter(&self, name: &str, indices: &[i64]) -> Result<Fraction> {
+        let known = self.parameters.get(&(name.to_owned(), indices.to_vec())).cloned();
+        known.ok_or_else(|| Reason::NotDetermined(self.name.clone(), format!("{name} {indices:?}")))
+    }
 }
 
 /// All names, those with indices once for every choice of them.
-#[derive(Clone, Default)]
+#[derive(Clone)]
 pub(crate) struct Env<'t> {
+    pub(crate) family: Rc<Family<'t>>,
+    /// The member that a reflection leads to: the window where the parameters were before, and the index of t_m there.
+    pub(crate) dual: Option<(&'t str, i64)>,
     names: Rc<BTreeMap<(&'t str, Vec<i64>), Meaning>>,
     integers: Vec<(&'t str, i64)>,
     steps: Rc<Cell<usize>>,
 }
 
 impl<'t> Env<'t> {
+    pub(crate) fn new(family: Rc<Family<'t>>) -> Self {
+        Env { family, dual: None, names: Rc::default(), integers: Vec::new(), steps: Rc::default() }
+    }
+
     /// No name hides another, nor what a gap is called. With other indices it may come back, but not as the name of something without.
     pub(crate) fn check_free(&self, name: &'t str, indices: &[i64]) -> Result<()> {
         // Whoever looks a name up goes through those of the integers.

@@ -33,8 +33,8 @@ pub enum Reason {
     Taken(String),
     #[error("{0} is not positive")]
     NotPositive(String),
-    #[error("r moves with u")]
-    Moving,
+    #[error("{0} moves with u")]
+    Moving(String),
     #[error("a divisor without a sign")]
     Divisor,
     #[error("gap {1} of window {0} is not a polynomial without minus in parameters that are not real or u")]
@@ -51,6 +51,8 @@ pub enum Reason {
     NoWindow(&'static str),
     #[error("conclusion {0} is not decided at {1}: give sections, and `because`")]
     Undecided(usize, String),
+    #[error("a share of the weights of degree {1} {0}")]
+    Weight(&'static str, i64),
     #[error("{0}")]
     NotShown(&'static str),
 }

@@ -55,10 +55,12 @@ impl Fraction {
 
     /// The value itself, if it is positive: the numerator shows it, as denominators are positive.
     pub(crate) fn positive(self, name: &str, signs: &[Sign]) -> Result<Self> {
-        match self.num.sign(signs) {
-            Sign::Positive => Ok(self),
-            _ => Err(Reason::NotPositive(name.to_owned())),
-        }
+        self.at_least(Sign::Positive, name, signs)
+    }
+
+    /// The value itself, if it has such a sign.
+    pub(crate) fn at_least(self, sign: Sign, name: &str, signs: &[Sign]) -> Result<Self> {
+        if self.num.sign(signs) >= sign { Ok(self) } else { Err(Reason::NotPositive(name.to_owned())) }
     }
 
     /// Whether only such variables occur.

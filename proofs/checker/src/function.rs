@@ -1,6 +1,7 @@
 //! The functions of a sentence in a case: basis functions, weights and definitions at x.
 
 use crate::case::{At, Bound, Case, Found, Stop};
+use crate::integers::RANGE;
 use crate::place::{Copies, Form, Place};
 use crate::poly::Sign;
 use crate::token::{Kind, Node, tree};
@@ -33,11 +34,11 @@ impl<'t> Case<'_, 't> {
     /// A function at an argument; where knots are numbers, whatever the argument is.
     pub(crate) fn of(&mut self, function: &Node<'t>, argument: &Node<'t>) -> Found<Value<'t>> {
         let (side, [x, member @ ..]) = argument.headed("an argument")? else { return Err(Stop::Undecided) };
-        let ratio = match (member.first(), &self.ratio) {
-            (None, ratio) => ratio.clone(),
+        let other = match (member.first(), &self.member) {
+            (None, member) => member.clone(),
             // Inside of another member only what names its own index means the same.
             (Some(member), Some(_)) if !names_an_index(member)? => return Err(Stop::Undecided),
-            (Some(member), _) => Some(self.member(member)?),
+            (Some(member), _) => Some(self.other_member(member)?),
         };
         let (at, moved) = match self.place_of(x) {
             Err(Stop::Undecided) if self.numbers.is_some() => (At::X, Some(self.real(x)?)),
@@ -50,31 +51,45 @@ impl<'t> Case<'_, 't> {
             _ => return Err(Stop::Undecided),
         };
         let place = moved.map(|x| self.locate(x)).transpose()?;
-        let ratio = std::mem::replace(&mut self.ratio, ratio);
+        let member = std::mem::replace(&mut self.member, other);
         let value = self.function(function, at, 0);
-        self.ratio = ratio;
+        self.member = member;
         if let Some(place) = place {
             self.restore(place);
         }
         value
     }
 
-    pub(crate) fn member(&mut self, member: &Node<'t>) -> Found<Node<'t>> {
+    /// What is replaced for another member of the family.
+    fn other_member(&mut self, member: &Node<'t>) -> Found<Node<'t>> {
         let inverse = || Node::made("/", vec![Node::whole_of(1), Node::name_of("r")]);
-        match member.headed("another index")? {
-            ("alpha", [alpha]) if alpha.is_word("infinity") => Ok(Node::whole_of(1)),
-            ("alpha", [alpha]) if *alpha == tree("(- (int 1) (alpha alpha))")? => Ok(inverse()),
+        let ratio = match member.headed("another index")? {
+            ("dual", []) => return self.dual(),
+            ("alpha", [alpha]) if alpha.is_word("infinity") => Node::whole_of(1),
+            ("alpha", [alpha]) if *alpha == tree("(- (int 1) (alpha alpha))")? => inverse(),
             ("alpha", [alpha]) => match alpha.headed("an index")? {
-                ("alpha", [name]) if !name.is_word("alpha") => self.other(name.name()?),
-                _ => Err(Stop::Undecided),
+                ("alpha", [name]) if !name.is_word("alpha") => self.other(name.name()?)?,
+                _ => return Err(Stop::Undecided),
             },
             ("ratio", [ratio]) => {
                 let value = self.real(ratio)?;
                 let positive = value.plain.as_ref().is_some_and(|plain| self.sign(plain) == Sign::Positive);
-                if positive { Ok(value.term) } else { Err(Stop::Undecided) }
+                if positive { value.term } else { return Err(Stop::Undecided) }
             }
-            _ => Err(Stop::Undecided),
-        }
+            _ => return Err(Stop::Undecided),
+        };
+        Ok(Node::made("r", vec![ratio]))
+    }
+
+    /// (dual WINDOW M): t_i is reflected to t_{m−i}, so that t_{s+e} goes to t_{s'+M−e} for the span s' of the mirror image.
+    fn dual(&self) -> Found<Node<'t>> {
+        let (window, m) = match &self.numbers {
+            // One window has all knots, which count as they are counted.
+            Some(_) => ("W", self.shown.1 - self.shown.0),
+            None if self.symmetric => ("M", 1 + self.turn()),
+            None => return Err(Stop::Undecided),
+        };
+        Ok(Node::made("dual", vec![Node::name_of(window), Node::whole_of(m)]))
     }
 
     /// r of another index that is bound.
@@ -90,7 +105,7 @@ impl<'t> Case<'_, 't> {
 
     /// An index α = r/(r − 1), as a number; nothing for ∞.
     pub(crate) fn alpha(&mut self, name: &Node<'t>) -> Found<Option<Value<'t>>> {
-        if self.numbers.is_none() || self.ratio.is_some() {
+        if self.numbers.is_none() || self.member.is_some() {
             return Err(Stop::Undecided);
         }
         let name = name.name()?;
@@ -121,14 +136,15 @@ impl<'t> Case<'_, 't> {
     pub(crate) fn function(&mut self, node: &Node<'t>, at: At, order: i64) -> Found<Value<'t>> {
         match node.headed("a function")? {
             ("D", [of, by]) => match self.fixed(by)? {
-                by @ 0..=2 if order + by <= 2 => self.function(of, at, order + by),
+                by @ 0..=RANGE if order + by <= RANGE => self.function(of, at, order + by),
                 _ => Err(Stop::Undecided),
             },
+            // By the ends alone, as that of knots whose indices it does not give.
+            ("phi" | "f", _) if !self.family.is_by_ends() => Err(Stop::Undecided),
             (head @ ("phi" | "f"), [a, b]) if self.numbers.is_some() => {
                 let (a, b) = (self.real(a)?, self.real(b)?);
                 self.weight(head == "phi", a, b, at, order)
             }
-            _ if order > 1 => Err(Stop::Undecided),
             ("G", [i, degree @ ..]) => {
                 let i = self.int(i)?;
                 let degree = degree.first().map_or(Ok(self.k), |degree| self.fixed(degree))?;
@@ -136,7 +152,7 @@ impl<'t> Case<'_, 't> {
                     return Err(Stop::Undefined);
                 }
                 self.exists(&i, &Form::last(self.k - degree))?;
-                self.on_window(if order == 0 { "G" } else { "DG" }, &i, degree, at)
+                self.on_window(if order == 0 { "G" } else { "DG" }, &i, degree, at, order)
             }
             ("w", [i, degree]) => {
                 let (i, degree) = (self.int(i)?, self.fixed(degree)?);
@@ -144,9 +160,12 @@ impl<'t> Case<'_, 't> {
                     return Err(Stop::Undecided);
                 }
                 self.exists(&i, &Form::last(self.k + 1 - degree))?;
-                self.on_window(if order == 0 { "w" } else { "Dw" }, &i, degree, at)
+                if order > 1 {
+                    return Err(Stop::Undecided);
+                }
+                self.on_window(if order == 0 { "w" } else { "Dw" }, &i, degree, at, order)
             }
-            (head @ ("phi" | "f"), [a, b]) if at == At::X => {
+            (head @ ("phi" | "f"), [a, b]) if at == At::X && order <= 1 => {
                 let (a, b) = (self.real(a)?, self.real(b)?);
                 self.phi(head == "phi", a, b, order)
             }
@@ -157,6 +176,9 @@ impl<'t> Case<'_, 't> {
 
     /// The weight of any interval, as D2.3 has it, or a derivative of it; φ is 0 outside of it.
     fn weight(&mut self, cut: bool, a: Value<'t>, b: Value<'t>, at: At, order: i64) -> Found<Value<'t>> {
+        if !self.family.is_mobius()? {
+            return Err(Stop::Undecided);
+        }
         let x = self.x()?;
         if cut {
             let [from, to] = match (at, order) {
@@ -172,7 +194,11 @@ impl<'t> Case<'_, 't> {
                 _ => return Err(Stop::Undecided),
             }
         }
-        let r = self.ratio.clone().unwrap_or_else(|| Node::name_of("r"));
+        let r = match self.member.as_ref().map(|member| member.headed("")).transpose()? {
+            None => Node::name_of("r"),
+            Some(("r", [other])) => other.clone(),
+            Some(_) => return Err(Stop::Undecided),
+        };
         let r = self.leaf(r)?;
         let rise = r.clone().times(x.clone().minus(a.clone())?)?;
         let below = rise.clone().plus(b.clone().minus(x)?)?;
@@ -204,11 +230,17 @@ impl<'t> Case<'_, 't> {
             }
         }
         let (Some(a @ ..=0), Some(b @ 1..)) = (a.knot, b.knot) else { return Err(Stop::Undecided) };
-        self.term(if order == 0 { "w" } else { "Dw" }, a, b - a, 0, At::X)
+        self.term(if order == 0 { "w" } else { "Dw" }, [a, b - a, order], 0, At::X)
     }
 
     /// A function at the place of span e.
-    pub(crate) fn term(&self, head: &'static str, i: i64, degree: i64, e: i64, at: At) -> Found<Value<'t>> {
+    pub(crate) fn term(
+        &self,
+        head: &'static str,
+        [i, degree, order]: [i64; 3],
+        e: i64,
+        at: At,
+    ) -> Found<Value<'t>> {
         let mirrored = at == At::Mirrored;
         let on = match (self.place, self.place.on_span()) {
             (_, None) => return Err(Stop::Undecided),
@@ -218,6 +250,9 @@ impl<'t> Case<'_, 't> {
             _ if e != 0 => "to",
             (_, Some(on)) => on,
         };
+        if mirrored && self.member.as_ref().is_some_and(|member| member.is("dual")) {
+            return Err(Stop::Undecided);
+        }
         let window = Node::name_of(if mirrored { "M" } else { "W" });
         // Numbers are counted as they are, the knots of other windows from t_s.
         let from = match &self.numbers {
@@ -225,7 +260,9 @@ impl<'t> Case<'_, 't> {
             None => 0,
         };
         let place = Node::made(on, vec![window, Node::whole_of(e + from)]);
-        let mut term = Node::made(head, vec![Node::whole_of(i + from), Node::whole_of(degree), place]);
+        let mut fields = vec![Node::whole_of(i + from), Node::whole_of(degree), place];
+        fields.extend((order > 1).then(|| Node::whole_of(order)));
+        let mut term = Node::made(head, fields);
         let mut moved = Vec::new();
         if mirrored && self.place == Place::Inside {
             let inverse = Node::made("/", vec![Node::whole_of(1), Node::name_of("u")]);
@@ -233,19 +270,26 @@ impl<'t> Case<'_, 't> {
         }
         let u = self.numbers.as_ref().and_then(|numbers| numbers.u.clone());
         moved.extend(u.map(|u| Node::made("u", vec![u])));
-        moved.extend(self.ratio.iter().map(|ratio| Node::made("r", vec![ratio.clone()])));
+        moved.extend(self.member.clone());
         if !moved.is_empty() {
             term = Node::made("at", vec![Node::group_of(moved), term]);
         }
         match &self.numbers {
             // A weight tells where other functions are taken.
-            Some(_) if self.exact || head.ends_with('w') => Ok(self.leaf(term)?),
+            Some(_) if !self.family.is_any() && (self.exact || head.ends_with('w')) => Ok(self.leaf(term)?),
             _ => Ok(Value { term, plain: None, knot: None }),
         }
     }
 
     /// A function that exists, at the place: 0 if it does not live on the span.
-    fn on_window(&mut self, head: &'static str, i: &Form, degree: i64, at: At) -> Found<Value<'t>> {
+    fn on_window(
+        &mut self,
+        head: &'static str,
+        i: &Form,
+        degree: i64,
+        at: At,
+        order: i64,
+    ) -> Found<Value<'t>> {
         let basis = head.ends_with('G');
         let (span, e) = match (self.place, at) {
             (Place::Before | Place::After, _) | (Place::First(_), At::Left) => return Ok(Value::whole(0)),
@@ -270,7 +314,7 @@ impl<'t> Case<'_, 't> {
         if !basis && (i < first || i + degree > last) {
             return Err(Stop::Undecided);
         }
-        self.term(head, i, degree, e, at)
+        self.term(head, [i, degree, order], e, at)
     }
 
     /// A definition for some indices, its variable at a place; or its derivative.
@@ -299,7 +343,11 @@ impl<'t> Case<'_, 't> {
                 let reals = vec![(variable.name()?, Bound::Point(at))];
                 let outer =
                     (std::mem::replace(&mut self.ints, ints), std::mem::replace(&mut self.reals, reals));
-                let value = if order == 0 { self.real(body) } else { self.slope(body) };
+                let value = match order {
+                    0 => self.real(body),
+                    1 => self.slope(body),
+                    _ => Err(Stop::Undecided),
+                };
                 (self.ints, self.reals) = outer;
                 return value;
             }

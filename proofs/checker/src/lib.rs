@@ -1,11 +1,12 @@
 //! An independent checker of `knotproof`'s certificates: it reads a statement and its proof, derives every function
-//! from the paper's definition by itself, and accepts only what the proof proves completely.
+//! from the recursion and the weights of the statement's family by itself, and accepts only what the proof proves completely.
 //!
 //! `../FORMAT.md` is the specification. The checker multiplies, adds and compares; it shares no code with the program
 //! that writes certificates, not even the big integers.
 //!
 //! ```
 //! let statement = r#"(statement 2 (claim "example") (form printed) (verdict proved) (scope knots) (degrees 1 3)
+//!     (family "mobius" (parameter r () (> 0)) (rise (* (parameter r) (- (var x) (var a)))) (fall (- (var b) (var x))))
 //!     (sentence (for (degree 1) (knots) (integer j k n) (real x)) (if (chain (t j) (<= (var x)) (< (t (+ j 1)))))
 //!         (then (chain (sum i 0 n (of (G i) (at (var x)))) (= (int 1)))))
 //!     (because "The goal says so, on every knot vector.")
@@ -19,7 +20,7 @@
 //! # Ok::<(), knotproof_checker::Rejected>(())
 //! ```
 //!
-//! To be read in this order, from the ground up: `token` (text to a tree of brackets), `poly`, `fraction`, `env`
+//! To be read in this order, from the ground up: `token` (text to a tree of brackets), `poly`, `fraction`, `family` (which weights), `env`
 //! (names, integers, `each`), `terms` with `recursion` (what a term is worth, by the paper's definition), `section`
 //! (what is declared), `rules` (what a rule shows); then how a claim becomes sections: `sentence` (what may stand
 //! where), `place` (of x among the knots), `case` (what is known there) with `integers`, `value`, `function` and
@@ -35,6 +36,7 @@ mod derive;
 mod driver;
 mod env;
 mod error;
+mod family;
 mod file;
 mod fraction;
 mod function;

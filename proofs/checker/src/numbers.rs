@@ -117,7 +117,7 @@ impl<'w, 't> Walk<'w, 't> {
         };
         self.free = true;
         let found = all(self)?;
-        if found.is_ok() {
+        if found.is_ok() || !self.family.is_mobius()? {
             return Ok(found);
         }
         self.free = false;
@@ -167,9 +167,9 @@ impl<'w, 't> Walk<'w, 't> {
 
     /// A case of numbers, with x nowhere yet, and r as far as it is known.
     fn case(&self, numbers: Numbers<'t>, fixed: &[Node<'t>]) -> Result<Case<'w, 't>> {
-        let mut case = Case::new(self.definitions, self.k, Place::Inside)?;
+        let mut case = Case::new(self.family, self.definitions, self.k, Place::Inside)?;
         let declared: Vec<_> = self.declared.iter().chain(fixed).cloned().collect();
-        case.section = Section::new(&declared, Env::default())?;
+        case.section = Section::new(&declared, Env::new(self.family.clone()))?;
         (case.numbers, case.ratios) = (Some(numbers), self.ratios.clone());
         Ok(case)
     }

@@ -1,6 +1,7 @@
 //! What a sentence is about, and what it asks for: one conclusion at a time, under hypotheses.
 
 use std::collections::BTreeSet;
+use std::rc::Rc;
 
 use crate::case::{Case, read};
 use crate::error::{Reason, Result};
@@ -197,7 +198,7 @@ fn rank<'t>(
     found: &mut Vec<Obligation<'t>>,
 ) -> Result<()> {
     let no_window = Reason::NoWindow("a rank that is not counted");
-    let mut case = Case::new(&[], k, Place::Inside)?;
+    let mut case = Case::new(&Rc::default(), &[], k, Place::Inside)?;
     let count = match (a.part("int"), step.part::<1>("=")) {
         (Ok([rank]), Ok([b])) => {
             rank.part::<1>("rank").and_then(|[d]| d.part::<1>("integer")).ok().zip(b.part::<1>("int").ok())

@@ -2,10 +2,12 @@
 //! a conclusion is not.
 
 use std::cmp::Ordering;
+use std::rc::Rc;
 
 use crate::case::{Bound, Case, Found, Numbers, Stop, read};
 use crate::env::Env;
 use crate::error::{Reason, Result};
+use crate::family::Family;
 use crate::fraction::Fraction;
 use crate::obligation::{Obligation, Subject, check_weights, obligations};
 use crate::place::{Copies, Facts, Form, Place};
@@ -21,8 +23,7 @@ pub(crate) struct Numbered<'n, 't> {
     /// Of a sentence about weights there are none.
     k: Option<i64>,
     knots: &'n [Node<'t>],
-    ratio: &'n Node<'t>,
-    /// (instance NAME), (integer NAME value), (real NAME value), (points NAME value…), (index NAME ratio).
+    /// (instance NAME), (parameter NAME value…), (integer NAME value), (real NAME value), (points NAME value…), (index NAME ratio).
     values: &'n [Node<'t>],
 }
 
@@ -54,21 +55,16 @@ pub(crate) fn check_knots<'t>(node: &Node<'t>, knots: &[Node<'t>], k: i64) -> Re
 }
 
 impl<'n, 't> Numbered<'n, 't> {
-    pub(crate) fn new(node: &'n Node<'t>) -> Result<Self> {
-        let (k, knots, ratio, values) = match node.fields("point")? {
-            [k, knots, ratio, values @ ..] if k.is("k") => {
+    pub(crate) fn new(family: &Family<'t>, node: &'n Node<'t>) -> Result<Self> {
+        let (k, knots, values) = match node.fields("point")? {
+            [k, knots, values @ ..] if k.is("k") => {
                 let [degree] = k.part("k")?;
                 let (k, knots) = (i64::from(degree.degree()?), knots.some("knots")?);
                 check_knots(node, knots, k)?;
-                (Some(k), knots, ratio, values)
+                (Some(k), knots, values)
             }
-            [ratio, values @ ..] => (None, &[][..], ratio, values),
-            [] => return node.wrong("k, knots and a ratio"),
+            values => (None, &[][..], values),
         };
-        let [ratio] = ratio.part("ratio")?;
-        if sign(ratio, &Node::whole_of(0))? <= 0 {
-            return ratio.wrong("a ratio that is positive");
-        }
         for (at, value) in values.iter().enumerate() {
             if let (list @ ("samples" | "factors" | "columns"), numbers) = value.headed("a value")? {
                 if values.iter().take(at).any(|other| other.headed("").is_ok_and(|(head, _)| head == list)) {
@@ -88,7 +84,26 @@ impl<'n, 't> Numbered<'n, 't> {
                     k.is_some_and(|k| index(list.len()) == index(knots.len()).map(|m| m - k - 1))
                 }
                 // Another member of the family.
-                ("index", [other]) => sign(other, &Node::whole_of(0))? > 0 && sign(other, ratio)? != 0,
+                ("index", [other]) => {
+                    let ratio = values.iter().find_map(|value| match value.fields("parameter") {
+                        Ok([name, ratio]) if name.is_word("r") => Some(ratio),
+                        _ => None,
+                    });
+                    let differs =
+                        ratio.map(|ratio| sign(other, ratio)).transpose()?.is_some_and(|sign| sign != 0);
+                    sign(other, &Node::whole_of(0))? > 0 && differs
+                }
+                ("parameter", list) => match family.parameter(name.name()?) {
+                    Some(own) => {
+                        let (m, k) = (index(knots.len())? - 1, k.unwrap_or(1));
+                        let mut admitted = own.all(m, k).len() == list.len();
+                        for number in list {
+                            admitted &= own.admits(number)?;
+                        }
+                        admitted
+                    }
+                    None => false,
+                },
                 _ => false,
             };
             let again = values
@@ -96,10 +111,16 @@ impl<'n, 't> Numbered<'n, 't> {
                 .take(at)
                 .any(|other| other.headed("").is_ok_and(|(_, of)| of.first() == Some(name)));
             if !fits || again {
-                return value.wrong("integer, real, points or index with a name of its own and its numbers");
+                return value.wrong(
+                    "parameter, integer, real, points, instance or index with a name of its own and its numbers",
+                );
             }
         }
-        Ok(Numbered { k, knots, ratio, values })
+        let given = values.iter().filter(|value| value.is("parameter")).count();
+        if family.is_any() || given != family.parameters.len() {
+            return node.wrong("numbers for all parameters of one family");
+        }
+        Ok(Numbered { k, knots, values })
     }
 
     /// The degree; 1 for weights.
@@ -114,6 +135,30 @@ impl<'n, 't> Numbered<'n, 't> {
             _ => None,
         };
         self.values.iter().find_map(of)
+    }
+
+    /// (let NAME NUMBER), and (values W NAME (INDEX… NUMBER)…) for those that belong to knots.
+    fn parameters(&self, family: &Family<'t>) -> Result<Vec<Node<'t>>> {
+        let m = index(self.knots.len())? - 1;
+        let mut declared = Vec::new();
+        for own in &family.parameters {
+            let is_it = |value: &&'n Node<'t>| matches!(value.fields("parameter"), Ok([name, ..]) if name.is_word(own.name));
+            let numbers =
+                self.values.iter().find(is_it).map_or(Ok(&[][..]), |value| value.fields("parameter"))?;
+            let numbers = numbers.iter().skip(1).cloned();
+            let name = Node::name_of(own.name);
+            if own.indices.is_empty() {
+                declared.push(Node::made("let", [name].into_iter().chain(numbers).collect()));
+                continue;
+            }
+            let indices =
+                own.all(m, self.degree()).into_iter().map(|all| all.into_iter().map(Node::whole_of));
+            let items =
+                indices.zip(numbers).map(|(all, number)| Node::group_of(all.chain([number]).collect()));
+            declared
+                .push(Node::made("values", [Node::name_of("W"), name].into_iter().chain(items).collect()));
+        }
+        Ok(declared)
     }
 
     /// What these numbers are about: the example that is named, with its knots, if the sentence is about examples.
@@ -139,10 +184,15 @@ impl<'n, 't> Numbered<'n, 't> {
     ///
     /// # Errors
     /// If none is, or a value is missing.
-    pub(crate) fn refutes(&self, definitions: &[Node<'t>], sentence: &Node<'t>) -> Result<()> {
+    pub(crate) fn refutes(
+        &self,
+        family: &Rc<Family<'t>>,
+        definitions: &[Node<'t>],
+        sentence: &Node<'t>,
+    ) -> Result<()> {
         let subject = self.subject(definitions, sentence)?;
         for obligation in obligations(sentence, self.degree(), &subject, true)? {
-            if self.refuted(definitions, &subject, &obligation)? {
+            if self.refuted(family, definitions, &subject, &obligation)? {
                 return Ok(());
             }
         }
@@ -151,19 +201,16 @@ impl<'n, 't> Numbered<'n, 't> {
 
     fn refuted(
         &self,
+        family: &Rc<Family<'t>>,
         definitions: &[Node<'t>],
         subject: &Subject<'t>,
         obligation: &Obligation<'t>,
     ) -> Result<bool> {
-        let mut case = Case::new(definitions, self.degree(), Place::Inside)?;
-        let ratio = Node::made("let", vec![Node::name_of("r"), self.ratio.clone()]);
-        // Words look at the same r on other knots.
-        let r = Node::made("ratio", vec![self.ratio.clone()]);
-        let values = self.values.iter().cloned().chain([r]).collect();
-        let numbers = Numbers::of_knots(self.knots, subject, Some(values));
+        let mut case = Case::new(family, definitions, self.degree(), Place::Inside)?;
+        let numbers = Numbers::of_knots(self.knots, subject, Some(self.values.to_vec()));
         let window = (!self.knots.is_empty()).then(|| numbers.window());
-        let fixed: Vec<_> = window.into_iter().chain([ratio]).collect();
-        case.section = Section::new(&fixed, Env::default())?;
+        let fixed: Vec<_> = window.into_iter().chain(self.parameters(family)?).collect();
+        case.section = Section::new(&fixed, Env::new(family.clone()))?;
         (case.numbers, case.exact) = (Some(numbers), true);
         // Without a point any number does.
         if let Some(any) = self.knots.first() {

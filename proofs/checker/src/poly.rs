@@ -1,7 +1,8 @@
 //! Polynomials with whole coefficients in parameters and unknowns: added, multiplied and compared, never divided.
 
-use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
+use std::collections::{BTreeMap, HashMap};
+use std::hash::{BuildHasherDefault, Hasher};
 
 use dashu_int::IBig;
 use dashu_int::ops::BitTest;
@@ -29,6 +30,97 @@ type Monomial = Vec<u16>;
 #[derive(Clone, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Poly {
     terms: BTreeMap<Monomial, IBig>,
+}
+
+/// The exponents of the monomials of a product in one word: as many bits for each variable as the largest one needs, so that words add as
+/// monomials multiply.
+struct Packing {
+    widths: Vec<u32>,
+}
+
+impl Packing {
+    /// `None` if one word is not enough.
+    fn of(left: &Poly, right: &Poly) -> Result<Option<Self>> {
+        let largest = |poly: &Poly| {
+            let mut all = Vec::new();
+            for monomial in poly.terms.keys() {
+                all.resize(all.len().max(monomial.len()), 0);
+                all.iter_mut().zip(monomial).for_each(|(most, e)| *most = u32::from(*e).max(*most));
+            }
+            all
+        };
+        let (mut widths, right) = (largest(left), largest(right));
+        widths.resize(widths.len().max(right.len()), 0);
+        for (at, width) in widths.iter_mut().enumerate() {
+            let most = *width + right.get(at).copied().unwrap_or(0);
+            let most = u16::try_from(most).map_err(|_| Reason::Limits("an exponent"))?;
+            *width = u16::BITS - most.leading_zeros();
+        }
+        let bits: u32 = widths.iter().sum();
+        Ok((bits <= u64::BITS).then_some(Packing { widths }))
+    }
+
+    fn packed(&self, poly: &Poly) -> Vec<(u64, i128)> {
+        let word = |monomial: &Monomial| {
+            let all = monomial.iter().chain(std::iter::repeat(&0)).zip(&self.widths);
+            all.fold(0, |word: u64, (e, width)| word.checked_shl(*width).unwrap_or(0) | u64::from(*e))
+        };
+        let number = |value: &IBig| i128::try_from(value).ok();
+        poly.terms.iter().filter_map(|(monomial, value)| Some((word(monomial), number(value)?))).collect()
+    }
+
+    fn unpacked(&self, mut word: u64) -> Monomial {
+        let mut monomial = vec![0; self.widths.len()];
+        for (e, width) in monomial.iter_mut().zip(&self.widths).rev() {
+            let rest = word.checked_shr(*width).unwrap_or(0);
+            *e = u16::try_from(word - rest.checked_shl(*width).unwrap_or(0)).unwrap_or(0);
+            word = rest;
+        }
+        while monomial.last() == Some(&0) {
+            monomial.pop();
+        }
+        monomial
+    }
+
+    /// The product, of polynomials with coefficients so short that all sums fit.
+    fn times(&self, left: &Poly, right: &Poly) -> Result<Poly> {
+        let (left, right) = (self.packed(left), self.packed(right));
+        let mut sums: HashMap<u64, i128, BuildHasherDefault<Spread>> = HashMap::default();
+        for (a, x) in &left {
+            spend(right.len() * (1 + sums.len() / 65_536))?;
+            for (b, y) in &right {
+                *sums.entry(a + b).or_default() += x * y;
+            }
+            if sums.len() > TERMS {
+                return Err(Reason::Limits("a polynomial"));
+            }
+        }
+        let mut terms: Vec<_> = sums.into_iter().filter(|(_, value)| *value != 0).collect();
+        terms.sort_unstable_by_key(|(word, _)| *word);
+        Ok(Poly {
+            terms: terms.into_iter().map(|(word, value)| (self.unpacked(word), value.into())).collect(),
+        })
+    }
+}
+
+/// A hash of one word: a product with a long odd number, both halves of it.
+#[derive(Default)]
+struct Spread(u64);
+
+impl Hasher for Spread {
+    fn finish(&self) -> u64 {
+        self.0
+    }
+
+    fn write(&mut self, bytes: &[u8]) {
+        bytes.iter().for_each(|byte| self.write_u64(self.0 ^ u64::from(*byte)));
+    }
+
+    fn write_u64(&mut self, word: u64) {
+        let wide = u128::from(word) * 0x9E37_79B9_7F4A_7C15;
+        self.0 =
+            u64::try_from(wide >> 64).unwrap_or(0) ^ u64::try_from(wide & u128::from(u64::MAX)).unwrap_or(0);
+    }
 }
 
 impl Poly {
@@ -82,23 +174,33 @@ impl Poly {
     }
 
     pub(crate) fn times(&self, other: &Self) -> Result<Self> {
+        let bits = |poly: &Self| poly.terms.values().map(BitTest::bit_len).max().unwrap_or(0);
+        let bits = bits(self) + bits(other);
+        if bits > BITS {
+            return Err(Reason::Limits("a number"));
+        }
+        let rows = self.terms.len().min(other.terms.len());
+        let sums_fit = bits + rows.checked_ilog2().unwrap_or(0) as usize + 1 < 127;
+        let product = match Packing::of(self, other)? {
+            Some(packing) if rows > 2 && sums_fit => packing.times(self, other)?,
+            _ => self.times_by_terms(other, bits)?,
+        };
+        keep(product.size()).map(|()| product)
+    }
+
+    fn times_by_terms(&self, other: &Self, bits: usize) -> Result<Self> {
         let mut product = Poly::default();
         for (a, left) in &self.terms {
+            // A long number is as much work as many short ones; in a long polynomial a term takes longer to find.
+            spend(other.terms.len() * (1 + bits / 64 + product.terms.len() / 8_192))?;
             for (b, right) in &other.terms {
-                let bits = left.bit_len() + right.bit_len();
-                if bits > BITS {
-                    return Err(Reason::Limits("a number"));
-                }
-                // A long number is as much work as many short ones; in a long polynomial a term takes longer to find.
-                spend(1 + bits / 64 + product.terms.len() / 8_192)?;
                 *product.terms.entry(monomial_product(a, b)?).or_default() += left * right;
             }
             if product.terms.len() > TERMS {
                 return Err(Reason::Limits("a polynomial"));
             }
         }
-        let product = product.clean();
-        keep(product.size()).map(|()| product)
+        Ok(product.clean())
     }
 
     pub(crate) fn to_power(&self, exponent: u16) -> Result<Self> {

@@ -1,5 +1,7 @@
 //! The rules: does this one prove that formula?
 
+use std::cell::RefCell;
+
 use crate::env::{Env, Meaning};
 use crate::error::{Reason, Result};
 use crate::fraction::Fraction;
@@ -13,11 +15,16 @@ const FORMULAS: [(&str, usize); 8] =
     [("=", 2), (">", 2), (">=", 2), ("<", 2), ("defined", 1), ("order", 4), ("outside", 3), ("pole", 3)];
 const RULES: [&str; 5] = ["by", "split", "orders", "functional", "evaluate"];
 
+/// What was computed with so many parameters and unknowns is computed anew for each goal.
+const KEPT: usize = 100;
+
 /// What a formula or a rule of a section is about.
 pub(crate) struct Context<'a, 't> {
     pub(crate) section: &'a Section<'t>,
     /// The formulas of the lemmas proved so far, the first one with the label 1.
     pub(crate) lemmas: Vec<&'a Node<'t>>,
+    /// What has been computed in this section so far: what is known of a key stays.
+    pub(crate) kept: RefCell<Vec<Evaluator>>,
 }
 
 /// What stands in `by`: how far the definition is unfolded, and lemmas with their factors.
@@ -37,13 +44,19 @@ fn options<'a, 't>(list: &'a [Node<'t>], equation: bool) -> Result<(Mode, &'a [N
 impl<'t> Context<'_, 't> {
     /// The formula is read with the integers of `env`, the rule with those of the section.
     pub(crate) fn prove(&self, formula: &Node<'t>, env: &Env<'t>, rule: &Node<'t>) -> Result<()> {
-        let evaluator = |mode| Evaluator::new(&self.section.signs, mode);
+        let evaluator = |mode: Mode| {
+            let mut kept = self.kept.borrow_mut();
+            let known = kept.iter().position(|known| known.mode == mode);
+            known.map_or_else(|| Evaluator::new(&self.section.signs, mode), |at| kept.swap_remove(at))
+        };
         match (formula.headed("a formula")?, rule.headed("a rule")?) {
             (("=", [a, b]), ("by", list)) => {
                 let (mode, using) = options(list, true)?;
                 let mut evaluator = evaluator(mode);
                 let rest = evaluator.difference(a, b, env)?;
-                self.equal(rest, using, &mut evaluator)
+                self.equal(rest, using, &mut evaluator)?;
+                self.keep(evaluator);
+                Ok(())
             }
             ((head @ (">" | ">="), [a, b]) | (head @ "<", [b, a]), ("by" | "split", _)) => {
                 let list = rule.fields("by").unwrap_or_default();
@@ -52,9 +65,11 @@ impl<'t> Context<'_, 't> {
                 let num = evaluator.difference(a, b, env)?.num;
                 let want = if head == ">=" { Sign::Nonnegative } else { Sign::Positive };
                 match rule.is("by") {
-                    true => show(&num, &evaluator.signs, want),
-                    false => self.split(&num, &evaluator.signs, want, rule),
+                    true => show(&num, &evaluator.signs, want)?,
+                    false => self.split(&num, &evaluator.signs, want, rule)?,
                 }
+                self.keep(evaluator);
+                Ok(())
             }
             (("defined", [term]), ("by", list)) => match options(list, true)? {
                 // A denominator without a sign would end the evaluation.
@@ -94,8 +109,15 @@ impl<'t> Context<'_, 't> {
         }
     }
 
+    /// For the next goal, unless there would be many unknowns besides its own.
+    fn keep(&self, evaluator: Evaluator) {
+        if evaluator.signs.len() < KEPT {
+            self.kept.borrow_mut().push(evaluator);
+        }
+    }
+
     /// A place in a span, with u free on it.
-    fn inside(&self, place: &Node<'t>, env: &Env<'t>) -> Result<(Evaluator, Spot)> {
+    fn inside(&self, place: &Node<'t>, env: &Env<'t>) -> Result<(Evaluator, Spot<'t>)> {
         let evaluator = Evaluator::new(&self.section.signs, Mode::default());
         let spot = place.fields("in").and_then(|_| evaluator.spot(place, env))?;
         Ok((evaluator, spot))

@@ -1,6 +1,7 @@
 //! A claim's sentence in brackets: what may stand where, and which names are bound there.
 
 use crate::error::{Reason, Result};
+use crate::family::Family;
 use crate::point::check_knots;
 use crate::token::{Kind, Node, tree};
 
@@ -22,7 +23,7 @@ pub(crate) enum Sort {
 use Sort::{Argument, Coefficients, Expression, Formula, Function, Index, Int, Interval, Member, Real};
 
 /// Brackets with a fixed number of fields that bind no name.
-const FORMS: [(Sort, &str, &[Sort]); 20] = [
+const FORMS: [(Sort, &str, &[Sort]); 21] = [
     (Int, "+ - * min max binomial", &[Int, Int]),
     (Real, "int t", &[Int]),
     (Real, "alpha", &[Index]),
@@ -37,6 +38,7 @@ const FORMS: [(Sort, &str, &[Sort]); 20] = [
     (Argument, "at left right", &[Real]),
     (Argument, "at left right", &[Real, Member]),
     (Member, "alpha ratio", &[Real]),
+    (Member, "dual", &[]),
     (Formula, "in", &[Real, Interval]),
     (Formula, "among", &[Int, Int, Int]),
     (Formula, "not", &[Formula]),
@@ -130,7 +132,8 @@ pub(crate) fn examples<'n, 't>(sentence: &'n Node<'t>) -> Result<Option<&'n [Nod
 }
 
 /// Names that are bound, and what they stand for.
-pub(crate) struct Reader<'t> {
+pub(crate) struct Reader<'r, 't> {
+    family: &'r Family<'t>,
     names: Vec<(&'t str, Sort)>,
     /// With the number of indices, and whether there is a variable.
     definitions: Vec<(&'t str, usize, bool)>,
@@ -142,8 +145,9 @@ pub(crate) struct Reader<'t> {
 }
 
 /// Reads definitions and the sentence; whatever has no meaning is refused.
-pub(crate) fn read<'t>(definitions: &[Node<'t>], sentence: &Node<'t>) -> Result<()> {
+pub(crate) fn read<'t>(family: &Family<'t>, definitions: &[Node<'t>], sentence: &Node<'t>) -> Result<()> {
     let mut reader = Reader {
+        family,
         names: Vec::new(),
         definitions: Vec::new(),
         defining: true,
@@ -180,7 +184,7 @@ pub(crate) fn read<'t>(definitions: &[Node<'t>], sentence: &Node<'t>) -> Result<
     Ok(())
 }
 
-impl<'t> Reader<'t> {
+impl<'t> Reader<'_, 't> {
     fn bind(&mut self, name: &Node<'t>, sort: Sort) -> Result<()> {
         let word = name.name()?;
         let taken = matches!(word, "k" | "n" | "m" | "none" | "alpha" | "rank");
@@ -318,6 +322,13 @@ impl<'t> Reader<'t> {
                 self.bound(name, Coefficients)?;
                 if self.defining {
                     self.controls.push(name.clone());
+                }
+                self.all(Int, indices)
+            }
+            (Real, "parameter", [name, indices @ ..]) => {
+                let parameter = self.family.parameter(name.name()?);
+                if parameter.is_none_or(|own| own.indices.len() != indices.len()) {
+                    return Err(Reason::Unknown(name.name()?.to_owned()));
                 }
                 self.all(Int, indices)
             }

@@ -4,11 +4,22 @@
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
+use std::rc::Rc;
 
 use crate::derive::sections;
+use crate::family::Family;
 use crate::obligation::{Subject, obligations};
 use crate::point::Numbered;
 use crate::token::{Node, tree};
+
+/// The paper's weights.
+const MOBIUS: &str = r#"(family "mobius" (parameter r () (> 0)) (rise (* (parameter r) (- (var x) (var a))))
+    (fall (- (var b) (var x))))"#;
+
+fn mobius() -> Rc<Family<'static>> {
+    let node = Box::leak(Box::new(tree(MOBIUS).unwrap()));
+    Rc::new(Family::read(node).unwrap())
+}
 
 /// A fraction of small numbers.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -93,14 +104,15 @@ fn values_at_numbers_are_those_of_the_definition() {
                         value.text()
                     );
                     let point = format!(
-                        "(point (k {k}) (knots {}) (ratio {}) (real x {}))",
+                        "(point (k {k}) (knots {}) (parameter r {}) (real x {}))",
                         list(&knots),
                         r.text(),
                         Small::new(x, 2).text()
                     );
                     let (sentence, point) = (tree(&sentence).unwrap(), tree(&point).unwrap());
                     crate::work::begin(10_000_000);
-                    let refuted = Numbered::new(&point).and_then(|numbers| numbers.refutes(&[], &sentence));
+                    let refuted = Numbered::new(&mobius(), &point)
+                        .and_then(|numbers| numbers.refutes(&mobius(), &[], &sentence));
                     assert!(refuted.is_ok(), "{knots:?}, G_{i}^{d}, x = {x}/2, {side}, is not {value:?}");
                     seen += 1;
                     zeros += usize::from(value.0 == 0);
@@ -114,15 +126,15 @@ fn values_at_numbers_are_those_of_the_definition() {
 /// A statement without a proof, and a proof of all its goals by unfolding the definition.
 fn proved(definitions: &str, sentence: &str, k: i64) -> Result<usize, String> {
     let statement = format!(
-        "(statement 2 (claim \"X\") (form printed) (verdict proved) (scope knots) (degrees {k}) {definitions} {sentence})"
+        "(statement 2 (claim \"X\") (form printed) (verdict proved) (scope knots) (degrees {k}) {MOBIUS} {definitions} {sentence})"
     );
     crate::work::begin(1_000_000_000);
     let whole = format!("(all {definitions} {sentence})");
     let whole = tree(&whole).map_err(|e| e.to_string())?;
     let parts = whole.fields("all").unwrap();
     let (sentence, definitions) = parts.split_last().unwrap();
-    crate::sentence::read(definitions, sentence).map_err(|e| e.to_string())?;
-    let sections = sections(definitions, sentence, k).map_err(|e| e.to_string())?;
+    crate::sentence::read(&mobius(), definitions, sentence).map_err(|e| e.to_string())?;
+    let sections = sections(&mobius(), definitions, sentence, k).map_err(|e| e.to_string())?;
     let goals = |section: &Node<'_>| {
         section.fields("section").unwrap().last().unwrap().fields("goals").unwrap().len()
     };
@@ -163,12 +175,12 @@ fn refuted(definitions: &str, sentence: &str, k: usize, longest: usize) -> Optio
                 let reals =
                     list(reals.iter().map(|name| format!("(real {name} {})", Small::new(x, 2).text())));
                 let point = format!(
-                    "(point (k {k}) (knots {}) (ratio {r}) {reals} {choice} (points d {controls}))",
+                    "(point (k {k}) (knots {}) (parameter r {r}) {reals} {choice} (points d {controls}))",
                     list(&knots)
                 );
                 let node = tree(&point).unwrap();
-                let numbers = Numbered::new(&node).unwrap();
-                if numbers.refutes(definitions, sentence).is_ok() {
+                let numbers = Numbered::new(&mobius(), &node).unwrap();
+                if numbers.refutes(&mobius(), definitions, sentence).is_ok() {
                     return Some(point);
                 }
             }

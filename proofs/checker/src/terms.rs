@@ -11,6 +11,8 @@ use crate::poly::{Poly, Sign};
 use crate::token::{Kind, Node};
 use crate::work::spend;
 
+/// Higher derivatives are not computed.
+const ORDER: i64 = 20;
 /// Larger exponents are not computed.
 const EXPONENT: u16 = 1_000;
 /// Parameters and unknowns of one formula.
@@ -19,7 +21,7 @@ const VARIABLES: usize = 500;
 const ROWS: usize = 8;
 
 /// How far the definition is unfolded, and what the formula is.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) struct Mode {
     /// Weights of this degree and above stay unknowns.
     pub(crate) weights: Option<i64>,
@@ -36,8 +38,10 @@ pub(crate) enum Key {
     Weight(Poly, Poly),
     /// p, q, and the numerator over the square of their sum.
     Slope(Poly, Poly, Poly),
-    /// G, DG or de-boor with its integers; the window and the span; u and r.
-    Function(&'static str, [i64; 3], String, i64, [(Poly, Poly); 2]),
+    /// A weight that is known by its name alone, or its derivative: i and d; the window; x and its unit.
+    Any(&'static str, [i64; 2], String, [Poly; 2]),
+    /// G, DG or de-boor with its integers; the window and the span; the dual; u and the parameters of the family.
+    Function(&'static str, [i64; 3], (String, i64), Option<(String, i64)>, Vec<(Poly, Poly)>),
 }
 
 /// Evaluates the terms of one formula. What is known of a key does not change on the way.
@@ -98,6 +102,9 @@ impl Evaluator {
                 let window = env.window(window)?;
                 Fraction::new(window.knot(env.integer(index)?)?.clone(), window.scale.clone(), &self.signs)
             }
+            ("parameter", [window, name, indices @ ..]) => {
+                env.window(window)?.parameter(name.name()?, &env.integers(indices)?)
+            }
             ("x", [place]) => self.spot(place, env)?.x(&self.signs),
             ("w", [i, d, place]) => {
                 let [rise, _] = self.weight(env.integer(i)?, env.integer(d)?, &self.spot(place, env)?)?;
@@ -107,10 +114,16 @@ impl Evaluator {
                 let [_, fall] = self.weight(env.integer(i)?, env.integer(d)?, &self.spot(place, env)?)?;
                 Ok(fall)
             }
-            ("Dw", [i, d, place]) => self.slope(env.integer(i)?, env.integer(d)?, &self.spot(place, env)?),
+            ("Dw", [i, d, place]) => self.slope(env.integer(i)?, env.integer(d)?, &self.spot(place, env)?, 1),
             (of @ ("G" | "DG"), [i, d, place]) => {
-                self.basis(env.integer(i)?, env.integer(d)?, &self.spot(place, env)?, of == "DG")
+                self.basis(env.integer(i)?, env.integer(d)?, &self.spot(place, env)?, i64::from(of == "DG"))
             }
+            ("DG", [i, d, place, order]) => match env.integer(order)? {
+                order @ 0..=ORDER => {
+                    self.basis(env.integer(i)?, env.integer(d)?, &self.spot(place, env)?, order)
+                }
+                _ => Err(Reason::Limits("the order of a derivative")),
+            },
             ("de-boor", [i, q, k, place]) => {
                 let of = [env.integer(i)?, env.integer(q)?, env.integer(k)?];
                 self.de_boor(of, &self.spot(place, env)?, env)
@@ -144,12 +157,28 @@ impl Evaluator {
 
     /// The names inside of `at`. The values are those outside: all are replaced at once.
     fn replaced<'t>(&mut self, pairs: &[Node<'t>], env: &Env<'t>) -> Result<Env<'t>> {
-        let (mut inside, mut left) = (env.clone(), vec!["u", "r"]);
-        for pair in pairs {
+        let mut inside = env.clone();
+        for (at, pair) in pairs.iter().enumerate() {
+            if let Ok([window, m]) = pair.part("dual") {
+                env.window(window)?;
+                inside.dual = Some((window.name()?, env.integer(m)?));
+                continue;
+            }
             let [name, value] = pair.group("a replacement")?;
-            let (name, value) = (name.word(&left, "u or r, each once")?, self.term(value, env)?);
-            left.retain(|other| *other != name);
-            inside.set(name, Vec::new(), Meaning::Value(Rc::new(value.positive(name, &self.signs)?)))?;
+            let again =
+                pairs.iter().take(at).any(|other| other.group::<2>("").is_ok_and(|[own, _]| own == name));
+            let sign = match (name.name()?, env.family.unindexed(name.name()?)) {
+                _ if again => return name.wrong("u or a parameter of the family, each once"),
+                ("u", _) => Sign::Positive,
+                (_, Some(own)) => own.sign,
+                _ => return name.wrong("u or a parameter of the family, each once"),
+            };
+            let (name, value) = (name.name()?, self.term(value, env)?);
+            inside.set(
+                name,
+                Vec::new(),
+                Meaning::Value(Rc::new(value.at_least(sign, name, &self.signs)?)),
+            )?;
         }
         Ok(inside)
     }

@@ -158,7 +158,9 @@ impl<'t> Case<'_, 't> {
                 let value = self.real(real)?;
                 match self.place {
                     // On a span it is a quotient of polynomials in x.
-                    Place::Inside if !value.term.any(&mut |node| node.is_word("u")) => {
+                    Place::Inside
+                        if !self.family.is_any() && !value.term.any(&mut |node| node.is_word("u")) =>
+                    {
                         let ends = if word == "rational" { &["in", "from", "to"][..] } else { &["in"] };
                         let defined =
                             |end: &&'static str| Node::made("defined", vec![value.term.at_end(end)]);

@@ -69,7 +69,7 @@ impl<'t> Case<'_, 't> {
     fn real_part(&mut self, node: &Node<'t>) -> Found<Value<'t>> {
         match &node.kind {
             Kind::Number(..) => return Ok(self.leaf(node.clone())?),
-            Kind::Name("ratio") if self.ratio.is_none() => return Ok(self.leaf(Node::name_of("r"))?),
+            Kind::Name("ratio") if self.member.is_none() => return Ok(self.leaf(Node::name_of("r"))?),
             Kind::Name(_) => return Err(Stop::Undecided),
             _ => {}
         }
@@ -85,6 +85,9 @@ impl<'t> Case<'_, 't> {
             ("t", [i]) => {
                 let i = self.int(i)?;
                 self.knot(&i)
+            }
+            ("parameter", [name, indices @ ..]) if self.member.is_none() => {
+                self.family_parameter(name, indices)
             }
             ("coefficient", [name, i]) => {
                 let i = self.int(i)?;
@@ -126,6 +129,36 @@ impl<'t> Case<'_, 't> {
             }
             ("of", [function, argument]) => self.of(function, argument),
             _ => Err(Stop::Undecided),
+        }
+    }
+
+    /// A parameter of the family: a number, or one of a knot of the window.
+    fn family_parameter(&mut self, name: &Node<'t>, indices: &[Node<'t>]) -> Found<Value<'t>> {
+        let family = self.family.clone();
+        let own = family.parameter(name.name()?).ok_or(Stop::Undecided)?;
+        if own.indices.is_empty() {
+            return Ok(self.leaf(Node::name_of(own.name))?);
+        }
+        let mut fields = vec![Node::name_of("W"), name.clone()];
+        let degree = own.indices.iter().zip(indices).find(|(index, _)| **index == "d");
+        let degree = degree.map_or(Ok(0), |(_, degree)| self.fixed(degree))?;
+        for (index, node) in own.indices.iter().zip(indices) {
+            let i = self.int(node)?;
+            fields.push(Node::whole_of(if *index == "d" {
+                degree
+            } else {
+                self.exists(&i, &Form::last(self.k + 1 - degree))?;
+                let e = self.facts.value(&i.plus(-1, &Form::near(0))?).ok_or(Stop::Undecided)?;
+                // Numbers are counted as they are, the knots of other windows from t_s.
+                let from = if self.numbers.is_some() { self.shown.0 } else { 0 };
+                let shown = self.shown.0..=self.shown.1;
+                if shown.contains(&e) { e - from } else { return Err(Stop::Undecided) }
+            }));
+        }
+        match self.place.on_span() {
+            Some(_) if (0..=self.k).contains(&degree) => Ok(self.leaf(Node::made("parameter", fields))?),
+            Some(_) => Err(Stop::Undefined),
+            None => Err(Stop::Undecided),
         }
     }
 

@@ -96,14 +96,19 @@ impl<'t> Case<'_, 't> {
     /// The same numbers on other knots in another degree.
     fn on_knots(&self, knots: &[Node<'t>], k: i64) -> Found<Self> {
         let numbers = self.numbers.as_ref().ok_or(Stop::Undecided)?;
-        let mut case = Case::new(self.definitions, k, Place::Inside)?;
+        let mut case = Case::new(&self.family, self.definitions, k, Place::Inside)?;
         let other = Numbers::of_knots(knots, &Subject::Knots, numbers.values.clone());
-        let r = self.list("ratio")?;
-        let fixed = [
-            other.window(),
-            Node::made("let", vec![Node::name_of("r"), r.first().cloned().ok_or(Stop::Undecided)?]),
-        ];
-        case.section = Section::new(&fixed, Env::default())?;
+        let mut fixed = vec![other.window()];
+        // What belongs to knots is not known of others.
+        for own in &self.family.parameters {
+            let values = numbers.values.iter().flatten();
+            let mut given = values.filter_map(|value| value.fields("parameter").ok());
+            match given.find(|given| given.first().is_some_and(|name| name.is_word(own.name))) {
+                Some(given) if own.indices.is_empty() => fixed.push(Node::made("let", given.to_vec())),
+                _ => return Err(Stop::Undecided),
+            }
+        }
+        case.section = Section::new(&fixed, Env::new(self.family.clone()))?;
         (case.numbers, case.exact) = (Some(other), true);
         Ok(case)
     }
@@ -335,7 +340,12 @@ impl<'t> Case<'_, 't> {
         let (_, knots) = self.support(function)?;
         let last = self.numbers.as_ref().and_then(|numbers| numbers.knots.last().cloned());
         let end = knots.last().cloned();
-        Ok(self.k > 0 && knots.first() != knots.get(1) && knots.get(1) == end.as_ref() && end != last)
+        // Of other weights it is not known whether they rise.
+        Ok(self.family.is_mobius()?
+            && self.k > 0
+            && knots.first() != knots.get(1)
+            && knots.get(1) == end.as_ref()
+            && end != last)
     }
 
     /// So many local maxima a continuous function has at least that is higher at every other sample than at those beside it:

@@ -6,6 +6,7 @@ use knotproof_checker::check;
 fn holds(declarations: &str, goal: &str, rule: &str) -> bool {
     let statement = format!(
         r#"(statement 2 (claim "test") (form printed) (verdict proved) (scope knots) (degrees 1)
+    (family "mobius" (parameter r () (> 0)) (rise (* (parameter r) (- (var x) (var a)))) (fall (- (var b) (var x))))
             (sentence (for (degree 1) (knots)) (if) (then (chain (int 0) (= (int 0))))) (because "It says so.") (section {declarations} (goals {goal})))"#
     );
     let result = check(&statement, &format!("(proof 1 (section 1 (goal 1 {rule})))"));

@@ -6,6 +6,10 @@ use std::path::Path;
 
 use knotproof_checker::{check, check_within};
 
+/// The paper's weights.
+const MOBIUS: &str = r#"(family "mobius" (parameter r () (> 0)) (rise (* (parameter r) (- (var x) (var a))))
+    (fall (- (var b) (var x))))"#;
+
 /// Statements and proofs of `tests/claims`, by name.
 fn certificates() -> BTreeMap<String, [String; 2]> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/claims");
@@ -60,8 +64,18 @@ fn forgeries_of_all_certificates() {
     for (name, [statement, proof]) in certificates() {
         let mut forgeries: Vec<(&str, String, String, &str)> = Vec::new();
         let mut of_statement = |what, from: &str, to: &str, want| {
-            if statement.contains(from) {
-                forgeries.push((what, statement.replacen(from, to, 1), proof.clone(), want));
+            // In the sentence and its definitions, if it is there: weights have an x of their own.
+            let body =
+                ["(define", "(sentence"].iter().filter_map(|head| statement.find(head)).min().unwrap_or(0);
+            let of_sentence = from.starts_with("(var") || statement[body..].contains(from);
+            let (before, after) = statement.split_at(if of_sentence { body } else { 0 });
+            if after.contains(from) {
+                forgeries.push((
+                    what,
+                    format!("{before}{}", after.replacen(from, to, 1)),
+                    proof.clone(),
+                    want,
+                ));
             }
         };
         of_statement(
@@ -243,10 +257,11 @@ fn forgeries_of_one_certificate() {
 fn point(hypotheses: &str, conclusion: &str, point: &str) -> String {
     let statement = format!(
         "(statement 2 (claim \"X\") (form printed) (verdict refuted) (scope instance) (degrees 1)
+            {MOBIUS}
             (define C () y (sum i 0 n (* (coefficient d i) (of (G i) (at (var y))))))
             (sentence (for (degree 0) (knots) (integer i 0 n) (point x (closed (t 0) closed (t m))) (points d))
                 (if {hypotheses}) (then {conclusion}))
-            (point (k 1) (knots 0 0 1 2) (ratio 2) {point}))"
+            (point (k 1) (knots 0 0 1 2) (parameter r 2) {point}))"
     );
     reason(&statement, "(proof 1)")
 }
@@ -359,8 +374,9 @@ fn adjectives_have_to_be_true_where_a_point_refutes() {
     let check_of = |adjective: &str, k: usize, knots: &str| {
         let statement = format!(
             "(statement 2 (claim \"X\") (form printed) (verdict refuted) (scope instance) (degrees {k})
+            {MOBIUS}
                 (sentence (for (degree 0) (knots {adjective}) (real x)) (if) (then (chain (of (G 0) (at (var x))) (< (int 0)))))
-                (point (k {k}) (knots {knots}) (ratio 1) (real x 0)))"
+                (point (k {k}) (knots {knots}) (parameter r 1) (real x 0)))"
         );
         reason(&statement, "(proof 1)")
     };
@@ -404,6 +420,7 @@ fn definitions_without_an_end_are_given_up_on() {
     let statement = |body: &str, order: &str| {
         format!(
             "(statement 2 (claim \"X\") (form printed) (verdict proved) (scope knots) (degrees 2)
+            {MOBIUS}
                 (define E (i) y {body})
                 (sentence (for (degree 0) (knots) (point x (open (t 0) open (t m)))) (if)
                     (then (chain (of {order} (at (var x))) (= (int 0))))))"

@@ -2,6 +2,10 @@
 
 use knotproof_checker::check;
 
+/// The paper's weights.
+const MOBIUS: &str = r#"(family "mobius" (parameter r () (> 0)) (rise (* (parameter r) (- (var x) (var a))))
+    (fall (- (var b) (var x))))"#;
+
 fn reason(statement: &str, proof: &str) -> String {
     match check(statement, proof) {
         Ok(checked) => format!("accepted: {checked}"),
@@ -22,6 +26,7 @@ fn wrong(table: &[(&str, String, &str, &str)]) -> String {
 fn about(binders: &str, hypotheses: &str, conclusion: &str) -> String {
     format!(
         "(statement 2 (claim \"X\") (form printed) (verdict proved) (scope alpha) (degrees 1)
+            {MOBIUS}
             (define C (c) y (sum i 0 n (* (coefficient P i c) (of (G i) (at (var y))))))
             (define v (j) none (- (coefficient P j 1) (coefficient P 0 1)))
             (sentence (for (instances (instance A 1 (knots 0 0 1 3) (points (1 2) (4 2)))
@@ -230,6 +235,7 @@ fn functions_are_taken_at_all_places_of_an_example() {
 fn weights(binders: &str, hypotheses: &str, conclusion: &str) -> String {
     format!(
         "(statement 2 (claim \"X\") (form printed) (verdict proved) (scope knots) (degrees 1)
+            {MOBIUS}
             (sentence (for {binders}) (if {hypotheses}) (then {conclusion})))"
     )
 }
@@ -397,7 +403,7 @@ fn points_refute_examples_and_weights() {
         "",
         "(chain (of (G 0) (at (var x))) (= (of (G 0) (at (var x) (alpha (alpha beta))))))",
     );
-    let a = |point: &str| refuted(&one, &format!("(point (k 1) (knots 0 0 1 3) (ratio 2) {point})"));
+    let a = |point: &str| refuted(&one, &format!("(point (k 1) (knots 0 0 1 3) (parameter r 2) {point})"));
     let curve = about(
         "(point x (closed (t 0) closed (t m)))",
         "",
@@ -408,7 +414,7 @@ fn points_refute_examples_and_weights() {
         "",
         "(chain (of (phi (var a) (var b)) (at (var x))) (= (int 0)))",
     );
-    let on = |point: &str| refuted(&phi, &format!("(point (ratio 2) {point})"));
+    let on = |point: &str| refuted(&phi, &format!("(point (parameter r 2) {point})"));
     let table = [
         ("an index", a("(instance A) (index beta 1) (real x 1/2)"), NONE, "accepted"),
         (
@@ -428,7 +434,8 @@ fn points_refute_examples_and_weights() {
         ),
         (
             "other knots",
-            a("(instance A) (index beta 1) (real x 1/2)").replace("0 0 1 3) (ratio", "0 0 1 2) (ratio"),
+            a("(instance A) (index beta 1) (real x 1/2)")
+                .replace("0 0 1 3) (parameter", "0 0 1 2) (parameter"),
             NONE,
             "not those of an example",
         ),
@@ -442,31 +449,31 @@ fn points_refute_examples_and_weights() {
         ),
         (
             "α that is not in the list",
-            a("(instance A) (index beta 1) (real x 1/2)").replace("(ratio 2)", "(ratio 3)"),
+            a("(instance A) (index beta 1) (real x 1/2)").replace("(parameter r 2)", "(parameter r 3)"),
             NONE,
             "no conclusion fails there",
         ),
         (
             "∞",
-            a("(instance A) (index beta 2) (real x 1/2)").replace("(ratio 2)", "(ratio 1)"),
+            a("(instance A) (index beta 2) (real x 1/2)").replace("(parameter r 2)", "(parameter r 1)"),
             NONE,
             "accepted",
         ),
         (
             "a negative ratio",
-            a("(instance A) (index beta 1) (real x 1/2)").replace("(ratio 2)", "(ratio -2)"),
+            a("(instance A) (index beta 1) (real x 1/2)").replace("(parameter r 2)", "(parameter r -2)"),
             NONE,
-            "a ratio that is positive",
+            "with a name of its own and its numbers",
         ),
         (
             "a curve",
-            refuted(&curve, "(point (k 1) (knots 0 0 1 3) (ratio 1) (instance A) (real x 1/2))"),
+            refuted(&curve, "(point (k 1) (knots 0 0 1 3) (parameter r 1) (instance A) (real x 1/2))"),
             NONE,
             "accepted",
         ),
         (
             "where it is 2",
-            refuted(&curve, "(point (k 1) (knots 0 0 1 3) (ratio 1) (instance A) (real x 1/3))"),
+            refuted(&curve, "(point (k 1) (knots 0 0 1 3) (parameter r 1) (instance A) (real x 1/3))"),
             NONE,
             "no conclusion fails there",
         ),
@@ -474,7 +481,7 @@ fn points_refute_examples_and_weights() {
             "points of its own",
             refuted(
                 &curve.replace("P i c", "P i"),
-                "(point (k 1) (knots 0 0 1 3) (ratio 1) (instance A) (real x 1/2) (points P 0 0))",
+                "(point (k 1) (knots 0 0 1 3) (parameter r 1) (instance A) (real x 1/2) (points P 0 0))",
             ),
             NONE,
             "no conclusion fails there",
@@ -485,16 +492,21 @@ fn points_refute_examples_and_weights() {
         ("no x", on("(real a 0) (real b 1)"), NONE, "no conclusion fails there"),
         (
             "knots besides",
-            refuted(&phi, "(point (k 1) (knots 0 1 2) (ratio 2) (real a 0) (real b 1) (real x 1/2))"),
+            refuted(&phi, "(point (k 1) (knots 0 1 2) (parameter r 2) (real a 0) (real b 1) (real x 1/2))"),
             NONE,
             "it is not about all knots",
         ),
-        ("no knots", refuted(&curve, "(point (ratio 2) (real x 1/2))"), NONE, "not those of an example"),
+        (
+            "no knots",
+            refuted(&curve, "(point (parameter r 2) (real x 1/2))"),
+            NONE,
+            "not those of an example",
+        ),
         (
             "no knots",
             refuted(
                 &weights("(knots) (real x)", "", "(chain (of (G 0) (at (var x))) (= (int 0)))"),
-                "(point (ratio 2) (real x 1/2))",
+                "(point (parameter r 2) (real x 1/2))",
             ),
             NONE,
             "nothing but weights",

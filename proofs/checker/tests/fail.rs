@@ -6,6 +6,7 @@ use knotproof_checker::{WORK, check, check_within};
 fn statement(sections: &str) -> String {
     format!(
         r#"(statement 2 (claim "test") (form printed) (verdict proved) (scope knots) (degrees 1 2)
+    (family "mobius" (parameter r () (> 0)) (rise (* (parameter r) (- (var x) (var a)))) (fall (- (var b) (var x))))
             (sentence (for (degree 1) (knots)) (if) (then (chain (int 0) (= (int 0))))) (because "It says so.") {sections})"#
     )
 }
@@ -287,11 +288,11 @@ fn declarations_and_terms_that_mean_nothing() {
         ("(real (d 0))", "(= (d 1) (d 1))", "unknown name d"),
         ("(real (d 0))", "(= d d)", "unknown name d"),
         ("(window W 0 some some some)", "(= (de-boor 1 1 1 (in W 1)) 0)", "unknown name d"),
-        ("", "(= (at ((a 1)) 1) 1)", "expected u or r, each once"),
-        ("(positive a)", "(= (at ((a 1)) 1) 1)", "expected u or r, each once"),
+        ("", "(= (at ((a 1)) 1) 1)", "expected u or a parameter of the family, each once"),
+        ("(positive a)", "(= (at ((a 1)) 1) 1)", "expected u or a parameter of the family, each once"),
         ("(positive (u 1))", goal, "the name u is taken"),
-        ("", "(= (at ((u 1) (u 1)) 1) 1)", "expected u or r, each once"),
-        ("(let a 1)", "(= (at ((a 2)) a) 2)", "expected u or r, each once"),
+        ("", "(= (at ((u 1) (u 1)) 1) 1)", "expected u or a parameter of the family, each once"),
+        ("(let a 1)", "(= (at ((a 2)) a) 2)", "expected u or a parameter of the family, each once"),
         ("", "(= (at ((u -1)) 1) 1)", "u is not positive"),
         ("(nonnegative a)", "(= (at ((u a)) 1) 1)", "u is not positive"),
         ("(positive a)", "(= (at ((u (/ (- a 1) a))) 1) 1)", "u is not positive"),

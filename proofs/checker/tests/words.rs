@@ -8,7 +8,7 @@ fn point(k: usize, knots: &str, conclusion: &str, numbers: &str) -> String {
         "(statement 2 (claim \"X\") (form printed) (verdict refuted) (scope instance) (degrees {k})
             (define C () y (sum l 0 n (* (coefficient d l) (of (G l) (at (var y))))))
             (sentence (for (degree 0) (knots) (integer i 0 n) (real s) (points d)) (if) (then {conclusion}))
-            (point (k {k}) (knots {knots}) (ratio 1/2) (integer i 1) (real s 1/2) {numbers}))"
+            (point (k {k}) (knots {knots}) (parameter r 1/2) (integer i 1) (real s 1/2) {numbers}))"
     );
     match check(&statement, "(proof 1)") {
         Ok(checked) => format!("accepted: {checked}"),
@@ -107,7 +107,7 @@ fn counts_are_at_least_what_samples_show() {
         let statement = format!(
             "(statement 2 (claim \"X\") (form printed) (verdict refuted) (scope instance) (degrees 3)
                 (sentence (for (degree 0) (knots)) (if) (then {conclusion}))
-                (point (k 3) (knots {two}) (ratio {r}) {turns}))"
+                (point (k 3) (knots {two}) (parameter r {r}) {turns}))"
         );
         check(&statement, "(proof 1)").map_or_else(|e| e.to_string(), |_| "accepted".into())
     };
@@ -193,8 +193,8 @@ fn lists_stand_once_and_each_degree_has_its_point() {
                 (sentence (for (degree 0) (knots)) (if) (then {X})) {points})"
         )
     };
-    let one = format!("(point (k 1) (knots 0 0 1 1) (ratio 1/2) {ZERO})");
-    let two = "(point (k 2) (knots 0 0 0 1 1 1) (ratio 1/2) (samples 1/5 2/5 3/5 4/5) (factors FACTORS))";
+    let one = format!("(point (k 1) (knots 0 0 1 1) (parameter r 1/2) {ZERO})");
+    let two = "(point (k 2) (knots 0 0 0 1 1 1) (parameter r 1/2) (samples 1/5 2/5 3/5 4/5) (factors FACTORS))";
     let good = two.replace("FACTORS", &"-1 3 -3 1".replace("-1 3 -3 1", "0 0 0 0"));
     let reason = |degrees: &str, points: &str| match check(&statement(degrees, points), "(proof 1)") {
         Ok(checked) => checked.to_string(),

@@ -1,8 +1,9 @@
 //! What a formula says at a place: decided by the place, or goals on the window, or not to be said there.
 
 use crate::certificate::evaluate::sign;
-use crate::certificate::statement::{Class, Gap, Window};
+use crate::certificate::statement::{Gap, Window};
 use crate::certificate::term::{self, OfWeight, Term, Where};
+use crate::certificate::weights::{Class, Weighted};
 use crate::language::{
     Argument, Definition, Fold, Formula, Function, Int, Interval, Item, Member, Name, Over, Pattern, Range,
     Real, Relation, Row, Side, Use, Word,
@@ -265,6 +266,15 @@ impl<'a> Numbers<'a> {
     }
 }
 
+/// Another member of the family.
+#[derive(Debug, Clone)]
+pub(super) enum Other {
+    /// That of this r.
+    Ratio(Value),
+    /// The one that reflection leads to.
+    Dual,
+}
+
 /// One case at a place: what is known of s and n there, and what the integers are.
 pub(super) struct Case<'a> {
     pub(super) k: i64,
@@ -279,8 +289,9 @@ pub(super) struct Case<'a> {
     pub(super) symmetric: bool,
     /// Integers run around the span of x, or of its mirror image.
     pub(super) mirrored: bool,
-    /// The ratio of another member of the family.
-    pub(super) ratio: Option<Value>,
+    pub(super) weighted: &'a Weighted,
+    /// Another member of the family.
+    pub(super) other: Option<Other>,
     /// What is known of r and other ratios.
     pub(super) ratios: Ratios,
     /// Functions are values, where knots are numbers.
@@ -298,6 +309,8 @@ pub(super) const WINDOW: &str = "W";
 pub(super) const MIRROR: &str = "M";
 /// The first knot.
 const ORIGIN: &str = "o";
+/// Higher derivatives are not looked at.
+const HIGHEST: usize = 20;
 /// A definition that leads on and on.
 const DEEPEST: usize = 40;
 
@@ -723,7 +736,8 @@ impl<'a> Case<'a> {
             Real::Ratio => self.own_ratio()?,
             Real::Index(name) => self.index_of(name)?,
             Real::Infinity => return undecided("∞ as a number"),
-            Real::Parameter(..) => return undecided("a parameter of a family"),
+            Real::Parameter(..) if self.other.is_some() => return undecided("a parameter of another member"),
+            Real::Parameter(name, of) => self.family_parameter(name, of)?,
             Real::Knot(i) => {
                 let i = self.int(i)?;
                 self.knot(&i)?
@@ -771,11 +785,11 @@ impl<'a> Case<'a> {
             }
             Real::Fold(fold, range, body) => self.fold(*fold, range, &|own| own.real(body))?,
             Real::Value(f, argument) => {
-                let (at, moved, ratio) = self.argument(argument)?;
+                let (at, moved, other) = self.argument(argument)?;
                 let place = moved.map(|x| self.locate(x)).transpose()?;
-                let before = std::mem::replace(&mut self.ratio, ratio);
+                let before = std::mem::replace(&mut self.other, other);
                 let value = self.function(f, at, 0, 0);
-                self.ratio = before;
+                self.other = before;
                 if let Some(place) = place {
                     self.restore(place);
                 }
@@ -818,6 +832,57 @@ impl<'a> Case<'a> {
         value.map_or_else(|| undecided("a control point"), |value| Ok(Value::number(value.clone())))
     }
 
+    /// A parameter of the family: a number, or one of a knot of the window.
+    fn family_parameter(&mut self, name: &Name, of: &[Int]) -> Known<Value> {
+        let Weighted::Family(family) = self.weighted else { return undecided("a parameter of any weights") };
+        let own = family.parameters.iter().find(|own| own.name == *name);
+        let (Some(own), Some(class)) = (own, self.weighted.class(name)) else {
+            return undecided(format!("no parameter {name}"));
+        };
+        if own.indices.is_empty() {
+            return self.parameters.value(name.to_string(), class);
+        }
+        let forms: Vec<_> = of.iter().map(|i| self.int(i)).collect::<Known<_>>()?;
+        let degree = own.indices.iter().zip(&forms).find(|(index, _)| ***index == *"d");
+        let degree = match degree.map(|(_, form)| self.facts.value(form)) {
+            None => 0,
+            Some(Some(degree)) if (0..=self.k).contains(&degree) => degree,
+            Some(Some(_)) => return Err(Stop::Undefined(format!("{name} of such a degree"))),
+            Some(None) => return undecided("a degree that is not known"),
+        };
+        if self.place.on_span().is_none() {
+            return undecided("a parameter of a knot");
+        }
+        let (from, to) = self.place.shown(self.k);
+        let mut indices = Vec::new();
+        for (index, form) in own.indices.iter().zip(&forms) {
+            if **index == *"d" {
+                indices.push(degree);
+                continue;
+            }
+            let last = Index::last(self.k + 1 - degree);
+            self.exists(&[form.clone(), last.minus(form)], || format!("{name}[…]"))?;
+            match (&self.numbers, self.relative(form), self.facts.value(form)) {
+                // Numbers are counted as they are, the knots of other windows from t_s.
+                (Some(_), _, Some(i)) => indices.push(i),
+                (None, Some(e), _) if (from..=to).contains(&e) => indices.push(e),
+                _ => return undecided("where the knot of a parameter is"),
+            }
+        }
+        let numbers: Vec<_> = indices.iter().map(ToString::to_string).collect();
+        let key = format!("(parameter {WINDOW} {name} {})", numbers.join(" "));
+        let value = self.parameters.value(key, class)?;
+        Ok(Value { term: Term::Parameter(WINDOW.into(), name.to_string(), indices), ..value })
+    }
+
+    /// Knot s' + e of the reflected window is s + 1 + turn − e.
+    pub(super) fn turn(&self) -> i64 {
+        match self.place {
+            Place::Knot(Copies::Exactly(q)) => -q,
+            _ => 0,
+        }
+    }
+
     fn bound(&self, name: &Name) -> Known<Bound> {
         match self.scope.reals.iter().rev().find(|(known, _)| known == name) {
             Some((_, bound)) => Ok(bound.clone()),
@@ -835,7 +900,7 @@ impl<'a> Case<'a> {
     }
 
     /// The ratio of another index.
-    fn other(&mut self, name: &Name) -> Known<Value> {
+    fn other_ratio(&mut self, name: &Name) -> Known<Value> {
         own_name(name)?;
         match self.ratios.others.iter().find(|(known, _)| known == name) {
             Some((_, known)) => self.of_ratio(&known.clone()),
@@ -861,17 +926,17 @@ impl<'a> Case<'a> {
 
     /// An index as a number, r/(r − 1).
     fn index_of(&mut self, name: &Name) -> Known<Value> {
-        if self.numbers.is_none() || self.ratio.is_some() {
+        if self.numbers.is_none() || self.other.is_some() {
             return undecided("an index α as a number");
         }
-        let r = if &**name == "alpha" { self.r()? } else { self.other(name)? };
+        let r = if &**name == "alpha" { self.r()? } else { self.other_ratio(name)? };
         let below = r.clone().minus(Value::whole(1));
         self.over(r, below)
     }
 
     fn own_ratio(&mut self) -> Known<Value> {
         let r = self.r()?;
-        match &self.ratio {
+        match &self.other {
             None => Ok(r),
             Some(_) => undecided("r of another member"),
         }
@@ -926,13 +991,13 @@ impl<'a> Case<'a> {
         Ok(all)
     }
 
-    /// Where an argument is, what it is if it is not x, and the ratio of its member.
-    fn argument(&mut self, argument: &Argument) -> Known<(At, Option<Value>, Option<Value>)> {
-        let ratio = match &argument.member {
-            None => self.ratio.clone(),
+    /// Where an argument is, what it is if it is not x, and its member.
+    fn argument(&mut self, argument: &Argument) -> Known<(At, Option<Value>, Option<Other>)> {
+        let other = match &argument.member {
+            None => self.other.clone(),
             // Inside of another member only what names its own index means the same.
             Some(member)
-                if self.ratio.is_some()
+                if self.other.is_some()
                     && !matches!(member, Member::Index(Real::Infinity | Real::Index(_))) =>
             {
                 return undecided("a member of a member");
@@ -940,18 +1005,23 @@ impl<'a> Case<'a> {
             Some(Member::Ratio(t)) => {
                 let value = self.real(t)?;
                 match &value.plain {
-                    Some(plain) if self.parameters.class(plain) == Class::Positive => Some(value),
+                    Some(plain) if self.parameters.class(plain) == Class::Positive => {
+                        Some(Other::Ratio(value))
+                    }
                     _ => return undecided("a ratio that may not be positive"),
                 }
             }
-            Some(Member::Index(Real::Infinity)) => Some(Value::whole(1)),
-            Some(Member::Index(Real::Index(name))) if &**name != "alpha" => Some(self.other(name)?),
+            Some(Member::Dual) => Some(Other::Dual),
+            Some(Member::Index(Real::Infinity)) => Some(Other::Ratio(Value::whole(1))),
+            Some(Member::Index(Real::Index(name))) if &**name != "alpha" => {
+                Some(Other::Ratio(self.other_ratio(name)?))
+            }
             Some(Member::Index(Real::Minus(a, b)))
                 if matches!(&**a, Real::Whole(Int::Number(1)))
                     && matches!(&**b, Real::Index(name) if &**name == "alpha") =>
             {
                 let r = self.r()?;
-                Some(self.over(Value::whole(1), r)?)
+                Some(Other::Ratio(self.over(Value::whole(1), r)?))
             }
             Some(_) => return undecided("another member of the family"),
         };
@@ -966,7 +1036,13 @@ impl<'a> Case<'a> {
             at if argument.side.is_none() => at,
             _ => return undecided("a side of a side"),
         };
-        Ok((at, moved, ratio))
+        match (at, &other) {
+            (At::Mirrored, Some(Other::Dual)) => undecided("the dual at a mirror image"),
+            (_, Some(Other::Dual)) if !self.symmetric && self.numbers.is_none() => {
+                undecided("the dual of knots that are not symmetric")
+            }
+            _ => Ok((at, moved, other)),
+        }
     }
 
     /// x itself, t_0 + t_m − x, or what a definition was applied to.
@@ -987,21 +1063,23 @@ impl<'a> Case<'a> {
         if self.is_point(t)? { Ok(At::Point(None)) } else { undecided("a function at another point than x") }
     }
 
-    /// The derivative of an order, 0 or 1, of a function; of weights 2 as well.
+    /// The derivative of an order of a function.
     fn function(&mut self, f: &Function, at: At, order: usize, depth: usize) -> Known<Value> {
         match f {
             Function::Derivative(f, more) => {
                 let more = self.int(more)?;
                 match self.facts.value(&more).map(usize::try_from) {
-                    Some(Ok(more)) if order + more <= 2 => self.function(f, at, order + more, depth),
+                    Some(Ok(more)) if order + more <= HIGHEST => self.function(f, at, order + more, depth),
                     _ => undecided("a derivative of higher order"),
                 }
             }
-            Function::Phi { cut, from, to } if self.numbers.is_some() => {
+            Function::Phi { .. } if !self.is_by_ends() => {
+                undecided("a weight that is not one of the ends alone")
+            }
+            Function::Phi { cut, from, to } if self.numbers.is_some() && order <= 2 => {
                 let (from, to) = (self.real(from)?, self.real(to)?);
                 self.weight_on(*cut, [&from, &to], at, order)
             }
-            _ if order > 1 => undecided("a derivative of higher order"),
             Function::Basis { i, degree } => {
                 let i = self.int(i)?;
                 let d = match degree {
@@ -1014,7 +1092,10 @@ impl<'a> Case<'a> {
                         }
                     }
                 };
-                self.basis(&i, d, at, order == 1)
+                self.basis(&i, d, at, order)
+            }
+            Function::Weight { .. } | Function::Phi { .. } if order > 1 => {
+                undecided("a higher derivative of a weight")
             }
             Function::Weight { i, degree } => {
                 let (i, d) = (self.int(i)?, self.int(degree)?);
@@ -1058,6 +1139,7 @@ impl<'a> Case<'a> {
             let outer = std::mem::replace(&mut self.scope, scope);
             let value = match (order, &definition.variable) {
                 (0, _) => self.real_at(&definition.body, depth + 1),
+                (2.., _) => undecided("a higher derivative of a definition"),
                 (_, Some(variable)) => self.slope(&definition.body, variable, depth + 1),
                 (_, None) => undecided("the derivative of a number"),
             };
@@ -1067,6 +1149,12 @@ impl<'a> Case<'a> {
         undecided(format!("{name} is not defined here"))
     }
 
+    /// Are weights given by the ends of the interval?
+    fn is_by_ends(&self) -> bool {
+        matches!(self.weighted, Weighted::Family(family) if family.is_by_ends())
+    }
+
+    /// Are they those of D2.3?
     /// A body, at a depth of definitions.
     fn real_at(&mut self, body: &Real, depth: usize) -> Known<Value> {
         if depth > DEEPEST { undecided("a definition that leads on and on") } else { self.real(body) }
@@ -1076,9 +1164,12 @@ impl<'a> Case<'a> {
     fn slope(&mut self, t: &Real, variable: &Name, depth: usize) -> Known<Value> {
         Ok(match t {
             Real::Bound(name) => Value::whole(i64::from(name == variable)),
-            Real::Number(_) | Real::Whole(_) | Real::Knot(_) | Real::Coefficient(..) | Real::Ratio => {
-                Value::whole(0)
-            }
+            Real::Number(_)
+            | Real::Whole(_)
+            | Real::Knot(_)
+            | Real::Coefficient(..)
+            | Real::Ratio
+            | Real::Parameter(..) => Value::whole(0),
             Real::Plus(a, b) => self.slope(a, variable, depth)?.plus(self.slope(b, variable, depth)?),
             Real::Minus(a, b) => self.slope(a, variable, depth)?.minus(self.slope(b, variable, depth)?),
             Real::Negated(a) => self.slope(a, variable, depth)?.times(Value::whole(-1)),
@@ -1115,8 +1206,19 @@ impl<'a> Case<'a> {
         if let Some(u) = self.numbers.as_ref().and_then(|numbers| numbers.u.clone()) {
             replaced.push(("u".to_owned(), u));
         }
-        if let Some(ratio) = &self.ratio {
-            replaced.push(("r".to_owned(), ratio.term.clone()));
+        let mut term = term;
+        match &self.other {
+            Some(Other::Ratio(ratio)) => replaced.push(("r".to_owned(), ratio.term.clone())),
+            Some(Other::Dual) => {
+                let (window, m) = match &self.numbers {
+                    // One window has all knots, which count as they are counted.
+                    Some(numbers) => (WINDOW, i64::try_from(numbers.knots().len()).unwrap_or(0) - 1),
+                    // t_{s+e} is reflected to t_{s'+1+turn−e}.
+                    None => (MIRROR, 1 + self.turn()),
+                };
+                term = Term::Dual(window.into(), m, Box::new(term));
+            }
+            None => {}
         }
         if replaced.is_empty() { term } else { Term::At(replaced, Box::new(term)) }
     }
@@ -1156,7 +1258,7 @@ impl<'a> Case<'a> {
         }
     }
 
-    fn basis(&mut self, i: &Index, d: i64, at: At, derivative: bool) -> Known<Value> {
+    fn basis(&mut self, i: &Index, d: i64, at: At, order: usize) -> Known<Value> {
         let last = Index::last(self.k - d);
         let degree = usize::try_from(d).ok().filter(|_| d <= self.k);
         let Some(degree) = degree else { return Err(Stop::Undefined(format!("a function of degree {d}"))) };
@@ -1176,12 +1278,12 @@ impl<'a> Case<'a> {
         let Some(e) = self.facts.value(&e) else { return undecided("whether a function lives on the span") };
         let mirrored = at == At::Mirrored;
         let (i, place) = self.counted(e + place.span, place)?;
-        let term = self.moved(Term::Function { derivative, i, degree, place }, mirrored);
-        if mirrored && derivative {
+        let term = self.moved(Term::Function { order, i, degree, place }, mirrored);
+        if mirrored && order > 0 {
             return undecided("a derivative at the mirror image");
         }
         let plain = match self.exact {
-            true if derivative => return undecided("a derivative as a value"),
+            true if order > 0 => return undecided("a derivative as a value"),
             true => self.basis_value(i, d)?.plain,
             false => None,
         };
@@ -1209,7 +1311,10 @@ impl<'a> Case<'a> {
             let (index, place) = self.counted(i, place)?;
             let ends = [index, index + d].map(|i| self.knot(&Index::number(i)));
             let [Ok(from), Ok(to)] = &ends else { return undecided("a weight on knots that are not there") };
-            let plain = self.weight_on(false, [from, to], at, usize::from(derivative))?.plain;
+            let plain = match self.weighted.is_mobius() {
+                true => self.weight_on(false, [from, to], at, usize::from(derivative))?.plain,
+                false => None,
+            };
             let term = self.moved(Term::Weight(of, index, degree, place), false);
             return Ok(Value { term, plain, knot: None });
         }

@@ -14,8 +14,9 @@ use crate::language::{Claim, Definition, Row, Sentence};
 
 use crate::scalar::integer;
 
-use super::statement::{Class, Gap, Section, Window};
+use super::statement::{Gap, Section, Window};
 use super::term::{self, Formula, Term};
+use super::weights::{Class, Weighted};
 use case::{Bound, Case, MIRROR, Numbers, Parameters, Scope, Stop, Truth, WINDOW, gap_name};
 use index::Contradiction;
 use obligation::{Obligation, Point, Subject, names_an_index, obligations, subjects};
@@ -47,24 +48,27 @@ pub fn derive(
     definitions: &[Definition],
     claim: Claim<'_>,
     k: usize,
+    weighted: &Weighted,
 ) -> Result<Vec<Section>, NoWindow> {
     let degree = i64::try_from(k).map_err(|_| NoWindow::because("a degree that is too large"))?;
     let mut sections = Vec::new();
     for subject in subjects(sentence, claim, k)? {
         for obligation in obligations(sentence, definitions, claim, k, subject)? {
             if let Some(d) = obligation.orders {
-                sections.extend(orders_at_knots(d)?);
+                sections.extend(orders_at_knots(weighted, d)?);
                 continue;
             }
             let found = match subject {
-                Subject::Example(row) => {
-                    for_ratios(&obligation, |ratios| of_example(&obligation, degree, row, ratios))
+                Subject::Example(row) => for_ratios(&obligation, weighted, |ratios| {
+                    of_example(&obligation, weighted, degree, row, ratios)
+                }),
+                Subject::Weights => {
+                    for_ratios(&obligation, weighted, |ratios| of_weights(&obligation, weighted, ratios))
                 }
-                Subject::Weights => for_ratios(&obligation, |ratios| of_weights(&obligation, ratios)),
-                Subject::Knots => match of_obligation(&obligation, degree, false) {
+                Subject::Knots => match of_obligation(&obligation, weighted, degree, false) {
                     Err(straight) if obligation.symmetric => {
                         // Of two reasons the first one, in the order of what is tried first.
-                        of_obligation(&obligation, degree, true).map_err(|_| straight)
+                        of_obligation(&obligation, weighted, degree, true).map_err(|_| straight)
                     }
                     other => other,
                 },
@@ -75,17 +79,22 @@ pub fn derive(
     Ok(sections)
 }
 
-fn of_obligation(obligation: &Obligation<'_>, k: i64, mirrored: bool) -> Result<Vec<Section>, NoWindow> {
+fn of_obligation(
+    obligation: &Obligation<'_>,
+    weighted: &Weighted,
+    k: i64,
+    mirrored: bool,
+) -> Result<Vec<Section>, NoWindow> {
+    let at = |place| at(obligation, weighted, k, place, mirrored);
     let mut sections = Vec::new();
     for coarse in Place::COARSE {
         let finer = coarse.finer(k + 3);
-        match at(obligation, k, coarse, mirrored) {
+        match at(coarse) {
             Ok(section) => sections.extend(section),
             Err(stop) if finer.is_empty() => return Err(no_window(&stop, coarse)),
             Err(_) => {
                 for place in finer {
-                    let section =
-                        at(obligation, k, place, mirrored).map_err(|stop| no_window(&stop, place))?;
+                    let section = at(place).map_err(|stop| no_window(&stop, place))?;
                     sections.extend(section);
                 }
             }
@@ -100,7 +109,7 @@ fn no_window(stop: &Stop, place: Place) -> NoWindow {
 }
 
 /// G_0 of degree d begins at the first of q knots, for q = 1, …, d + 1: its orders there.
-fn orders_at_knots(d: i64) -> Result<Vec<Section>, NoWindow> {
+fn orders_at_knots(weighted: &Weighted, d: i64) -> Result<Vec<Section>, NoWindow> {
     let natural = |n: i64| usize::try_from(n).map_err(|_| NoWindow::because("a degree"));
     let section = |q: i64| {
         let gap = |e: i64| match e {
@@ -111,7 +120,7 @@ fn orders_at_knots(d: i64) -> Result<Vec<Section>, NoWindow> {
         let window = Window { name: WINDOW.into(), first: -d, gaps: (-d..=q + d).map(gap).collect() };
         let place = term::Place { at: term::Where::In, window: WINDOW.into(), span: q - 1 };
         let goal = Formula::Order { i: 0, degree: natural(d)?, place, order: natural(d + 1 - q)? };
-        Ok(self::section(Parameters::default(), &Ratios::default(), vec![window], vec![goal]))
+        Ok(self::section(Parameters::default(), weighted, &Ratios::default(), vec![window], vec![goal]))
     };
     (1..=d + 1).map(section).collect()
 }
@@ -119,11 +128,12 @@ fn orders_at_knots(d: i64) -> Result<Vec<Section>, NoWindow> {
 /// The sections of numbers: if something is not decided for all r, for each order of 1, r, and the ratios of other indices.
 fn for_ratios(
     obligation: &Obligation<'_>,
+    weighted: &Weighted,
     of: impl Fn(&Ratios) -> Result<Vec<Section>, NoWindow>,
 ) -> Result<Vec<Section>, NoWindow> {
     of(&Ratios { is_free: true, ..Ratios::of(obligation.member) }).or_else(|error| {
-        let each = Ratios::in_order(obligation);
-        let each = each.iter().map(of).collect::<Result<Vec<_>, _>>();
+        let orders = if weighted.is_mobius() { Ratios::in_order(obligation) } else { Vec::new() };
+        let each = orders.iter().map(of).collect::<Result<Vec<_>, _>>();
         each.ok().filter(|all| !all.is_empty()).map(|all| all.concat()).ok_or(error)
     })
 }
@@ -131,6 +141,7 @@ fn for_ratios(
 /// The sections of an example, at each place of x among its knots.
 fn of_example(
     obligation: &Obligation<'_>,
+    weighted: &Weighted,
     k: i64,
     row: &Row,
     ratios: &Ratios,
@@ -139,7 +150,7 @@ fn of_example(
     let count = if matches!(obligation.point, Point::Bound(_)) { numbers::places(&row.knots) } else { 1 };
     for place in 0..count {
         let mut parameters = Parameters::default();
-        let mut case = known(obligation, k, &mut parameters, Some(row), ratios)?;
+        let mut case = known(obligation, weighted, k, &mut parameters, Some(row), ratios)?;
         // Without an x any does.
         let at = if count == 1 { 1 } else { place };
         let found = case.x_at(at, &row.knots).and_then(|x| case.locate(x)).and_then(|_| {
@@ -159,14 +170,18 @@ fn of_example(
                     place: row.name.as_ref().map(ToString::to_string),
                     ..no_window(&stop, Place::Inside)
                 })?
-                .map(|(windows, goals)| section(parameters, ratios, windows, goals)),
+                .map(|(windows, goals)| section(parameters, weighted, ratios, windows, goals)),
         );
     }
     Ok(sections)
 }
 
 /// The sections of all orders of the reals, each with all places of the one that has an interval.
-fn of_weights(obligation: &Obligation<'_>, ratios: &Ratios) -> Result<Vec<Section>, NoWindow> {
+fn of_weights(
+    obligation: &Obligation<'_>,
+    weighted: &Weighted,
+    ratios: &Ratios,
+) -> Result<Vec<Section>, NoWindow> {
     let mut sections = Vec::new();
     let located =
         obligation.reals.iter().rev().find_map(|(name, _, interval)| Some((name, interval.as_ref()?)));
@@ -186,7 +201,7 @@ fn of_weights(obligation: &Obligation<'_>, ratios: &Ratios) -> Result<Vec<Sectio
         .flat_map(|order| (0..if located.is_some() { 3 } else { 1 }).map(move |part| (order, part)))
     {
         let mut parameters = Parameters::default();
-        let mut case = known(obligation, 1, &mut parameters, None, ratios)?;
+        let mut case = known(obligation, weighted, 1, &mut parameters, None, ratios)?;
         let bind = || -> Result<_, Stop> {
             for (name, sign, _) in &obligation.reals {
                 if located.is_some_and(|(x, _)| x == name) {
@@ -212,7 +227,7 @@ fn of_weights(obligation: &Obligation<'_>, ratios: &Ratios) -> Result<Vec<Sectio
             place: Some(format!("the order {order:?} of its reals")),
             ..no_window(&stop, Place::Inside)
         })?;
-        sections.extend(found.map(|(windows, goals)| section(parameters, ratios, windows, goals)));
+        sections.extend(found.map(|(windows, goals)| section(parameters, weighted, ratios, windows, goals)));
     }
     Ok(sections)
 }
@@ -220,6 +235,7 @@ fn of_weights(obligation: &Obligation<'_>, ratios: &Ratios) -> Result<Vec<Sectio
 /// A case of numbers, with x nowhere yet.
 fn known<'a>(
     obligation: &Obligation<'a>,
+    weighted: &'a Weighted,
     k: i64,
     parameters: &'a mut Parameters,
     row: Option<&'a Row>,
@@ -230,6 +246,7 @@ fn known<'a>(
     Ok(Case {
         k,
         place,
+        weighted,
         definitions: obligation.definitions,
         parameters,
         zero: Vec::new(),
@@ -237,7 +254,7 @@ fn known<'a>(
         scope: Scope::default(),
         symmetric: false,
         mirrored: false,
-        ratio: None,
+        other: None,
         ratios: ratios.clone(),
         exact: false,
         numbers: Some(Numbers::of(row)),
@@ -246,14 +263,15 @@ fn known<'a>(
     })
 }
 
-type Goals = (Vec<Window>, Vec<Formula>);
+/// Windows and goals.
+type Shown = (Vec<Window>, Vec<Formula>);
 
 /// Windows and goals of a case, if anything is to be shown in it.
 fn shown(
     mut case: Case<'_>,
     obligation: &Obligation<'_>,
     windows: Option<Vec<Window>>,
-) -> Result<Option<Goals>, Stop> {
+) -> Result<Option<Shown>, Stop> {
     case.parameters.begin();
     let mut goals = Vec::new();
     if !excluded(&mut case, obligation) {
@@ -267,7 +285,13 @@ fn shown(
 }
 
 /// The section of a place; `None` if nothing is to be shown there.
-fn at(obligation: &Obligation<'_>, k: i64, place: Place, mirrored: bool) -> Result<Option<Section>, Stop> {
+fn at(
+    obligation: &Obligation<'_>,
+    weighted: &Weighted,
+    k: i64,
+    place: Place,
+    mirrored: bool,
+) -> Result<Option<Section>, Stop> {
     let mut parameters = Parameters::default();
     let Ok(facts) = place.facts(k) else { return Ok(None) };
     if place.copies().is_some_and(|least| least > obligation.most_inside(k, place)) {
@@ -276,6 +300,7 @@ fn at(obligation: &Obligation<'_>, k: i64, place: Place, mirrored: bool) -> Resu
     let mut case = Case {
         k,
         place,
+        weighted,
         definitions: obligation.definitions,
         parameters: &mut parameters,
         zero: Vec::new(),
@@ -283,7 +308,7 @@ fn at(obligation: &Obligation<'_>, k: i64, place: Place, mirrored: bool) -> Resu
         scope: Scope::default(),
         symmetric: obligation.symmetric,
         mirrored,
-        ratio: None,
+        other: None,
         ratios: Ratios::default(),
         exact: false,
         numbers: None,
@@ -306,7 +331,7 @@ fn at(obligation: &Obligation<'_>, k: i64, place: Place, mirrored: bool) -> Resu
     }
     let found = shown(case, obligation, None)?;
     let ratios = Ratios::of(obligation.member);
-    Ok(found.map(|(windows, goals)| section(parameters, &ratios, windows, goals)))
+    Ok(found.map(|(windows, goals)| section(parameters, weighted, &ratios, windows, goals)))
 }
 
 /// All cases of the integers from one binder on.
@@ -407,10 +432,7 @@ impl Case<'_> {
         }
         if names(MIRROR) {
             // t_{s'+e+1} − t_{s'+e} is the gap −e, or with q copies inside −q−e, of the window.
-            let turn = match self.place {
-                Place::Knot(place::Copies::Exactly(q)) => -q,
-                _ => 0,
-            };
+            let turn = self.turn();
             let gap = |e: i64| match turn - e {
                 of if !(first..last).contains(&of) => Gap::Parameter(Class::Nonnegative),
                 of => match self.gap(of) {
@@ -429,13 +451,19 @@ impl Case<'_> {
 }
 
 /// With those parameters that occur.
-fn section(parameters: Parameters, ratios: &Ratios, windows: Vec<Window>, goals: Vec<Formula>) -> Section {
+fn section(
+    parameters: Parameters,
+    weighted: &Weighted,
+    ratios: &Ratios,
+    windows: Vec<Window>,
+    goals: Vec<Formula>,
+) -> Section {
     let is_gap = |name: &str| windows.iter().any(|window| name.starts_with(&format!("({} ", window.name)));
-    let always = |name: &str| matches!(name, "u" | "r") || ratios.declared.iter().any(|known| known == name);
+    let single: Vec<_> = weighted.single().into_iter().map(|(name, _)| name.to_string()).collect();
+    let always = |name: &String| name == "u" || single.contains(name) || ratios.declared.contains(name);
     let declared = parameters.kept.into_iter().filter(|(name, _)| !always(name) && !is_gap(name));
-    let own = ["u", "r"].map(|name| (name.to_owned(), Class::Positive));
     let rho = ratios.declared.iter().map(|name| (name.clone(), Class::Positive));
-    let parameters = own.into_iter().chain(rho).chain(declared).collect();
+    let parameters = rho.chain(declared).collect();
     let lets = ratios.own.iter().map(|ratio| ("r".to_owned(), ratio.clone())).collect();
     Section { parameters, lets, windows, goals, hints: Vec::new() }
 }

@@ -2,11 +2,11 @@
 
 use std::cmp::Ordering;
 
-use crate::certificate::statement::Class;
+use crate::certificate::weights::Class;
 use crate::language::{self, Interval, Name, Real, Relation, Side};
 use crate::scalar::{BigRational, Quotient, Ring, integer};
 
-use super::case::{At, Bound, Case, Known, Numbers, Truth, Value, WINDOW, undecided};
+use super::case::{At, Bound, Case, Known, Numbers, Other, Truth, Value, WINDOW, undecided};
 use super::index::{Facts, Index};
 use super::place::{Copies, Place};
 
@@ -209,8 +209,10 @@ impl<'a> Case<'a> {
                 return undecided("whether x is in the interval of φ");
             }
         }
-        let r = match &self.ratio {
-            Some(ratio) => ratio.clone(),
+        let r = match &self.other {
+            _ if !self.weighted.is_mobius() => return undecided("a weight that is not that of an index"),
+            Some(Other::Ratio(ratio)) => ratio.clone(),
+            Some(Other::Dual) => return undecided("a weight of the dual"),
             None => self.r()?,
         };
         let rise = r.clone().times(x.clone().minus(a.clone()));

@@ -12,14 +12,15 @@ use super::{Conversion, Piece};
 
 impl fmt::Display for Conversion {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "{}, α = {}", self.on, self.alpha)?;
+        writeln!(f, "{}, {}", self.on, self.weights)?;
         let (count, are) = match self.pieces.len() {
             1 => ("1 rational Bézier curve".to_owned(), "It is"),
             more => (format!("{more} rational Bézier curves"), "Each is"),
         };
+        let positive = if self.weights.family().is_some() { " with positive weights" } else { "" };
         writeln!(
             f,
-            "{count} of least degree. {are} equal to the curve for every x of its span (checked exactly)."
+            "{count} of least degree{positive}. {are} equal to the curve for every x of its span (checked exactly)."
         )?;
         if self.pieces.iter().any(|piece| !piece.base) {
             let note = "outside of [t_k, t_(n+1)], where the basis functions add up to less than 1";

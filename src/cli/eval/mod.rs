@@ -14,14 +14,13 @@ use num_rational::BigRational;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::meaning::{Instance, Weighting};
 use crate::scalar::parse_rational;
-use crate::spline::{Curve, Evaluator, Side};
+use crate::spline::{AnyWeights, Curve, Sampler, Side};
 
 use super::error::CliError;
 use super::exact::Exact;
 use super::exit::Exit;
-use super::instance::{FunctionArgs, Resolved};
+use super::instance::{Case, FunctionArgs};
 use super::notation::NotationArgs;
 use super::on_knots::exact;
 use super::output::Output;
@@ -29,7 +28,7 @@ use super::progress::Progress;
 use super::whole_number::whole_number;
 
 pub(super) use point::PointValues;
-use point::{Request, Source};
+use point::Request;
 pub(super) use stream::Head;
 
 /// Exact values and derivatives of the basis functions at a point, and of the curve by de Boor; or at all points of a
@@ -149,55 +148,39 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     }
     let notation = args.notation.notation()?;
     let output = output.in_notation(notation);
-    let (label, basis, curve, mut source) = match args.function.instance.resolve_any()? {
-        Resolved::Indices(subjects) => {
-            let label = subjects.label.clone();
-            let case = subjects.only_case()?;
-            let weights = Weighting::Index(case.basis.index().clone());
-            let source = Source::Index(Box::new(Evaluator::new(&case.basis)));
-            (label, case.basis.with(weights), case.curve, source)
-        }
-        Resolved::Member(subject) => {
-            if subject.points.is_some() {
-                return Err(CliError::OnlyIndices { what: "curves of eval have", family: subject.family() });
-            }
-            let on = Instance::on(subject.basis.clone());
-            let on = on.map_err(|error| CliError::Member { argument: "--family", error })?;
-            let forms = on.forms_of(&on.weights, subject.basis.degree());
-            let missing = CliError::OnlyIndices { what: "eval has", family: subject.family() };
-            (subject.label, subject.basis, None, Source::Forms(forms.ok_or(missing)?))
-        }
-    };
+    let Case { label, weights, basis, curve } = args.function.instance.resolve_any()?.only_case()?;
     let index = args.function.chosen(&basis)?;
-    let request = Request { basis: &basis, curve: curve.as_ref(), index, order: args.derivatives };
+    let (order, curve) = (args.derivatives, curve.as_ref());
+    let request = Request { basis: &basis, weights: &weights, curve, index, order };
+    let mut sampler = Sampler::new(&basis);
     if let Some(x) = &args.x {
         let progress = Progress::new(1);
         progress.step(&format!("at {x}"));
-        let evaluation = evaluate(&request, &mut source, x, args.side, label);
+        let evaluation = evaluate(&request, &mut sampler, x, args.side, label);
         drop(progress);
         output.result(&evaluation)?;
     }
     if let Some(path) = &args.points_file {
-        stream::evaluate_file(path, &request, &mut source, args.side, notation, &output)?;
+        stream::evaluate_file(path, &request, &mut sampler, args.side, notation, &output)?;
     }
     Ok(Exit::Holds)
 }
 
 fn evaluate(
     request: &Request<'_>,
-    source: &mut Source,
+    sampler: &mut Sampler<'_, AnyWeights>,
     x: &BigRational,
     side: OneSide,
     label: Option<String>,
 ) -> Evaluation {
     Evaluation {
         head: Head::of(request, label),
-        at: request.at(source, x.clone(), side),
+        at: request.at(sampler, x.clone(), side),
         de_boor: request.curve.and_then(|curve| levels(curve, x, side.into())),
     }
 }
 
-fn levels(curve: &Curve, x: &BigRational, side: Side) -> Option<Vec<Level>> {
+fn levels(curve: &Curve<AnyWeights>, x: &BigRational, side: Side) -> Option<Vec<Level>> {
     let levels = curve.de_boor(x, side)?;
     let level = |(level, points): (usize, &crate::spline::Active<_>)| Level {
         level,

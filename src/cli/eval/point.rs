@@ -6,33 +6,16 @@ use serde::Serialize;
 
 use crate::meaning::Weighting;
 use crate::scalar::{Jet, integer};
-use crate::spline::{Active, Basis, Curve, Evaluator, FormTable, Side};
+use crate::spline::{Active, AnyWeights, Basis, Curve, Sampler};
 
 use super::super::exact::Exact;
 use super::OneSide;
 
-/// Values and derivatives at points.
-pub(super) enum Source {
-    /// By the kernels of an index.
-    Index(Box<Evaluator>),
-    /// By the weights of another family.
-    Forms(Basis<FormTable>),
-}
-
-impl Source {
-    /// The functions that live at x as jets of an order.
-    fn jets(&mut self, x: &BigRational, side: Side, order: usize) -> Option<Active<Jet<BigRational>>> {
-        match self {
-            Self::Index(evaluator) => evaluator.jets(x, side, order),
-            Self::Forms(basis) => Some(Active::new(0, basis.jets(x, side, order))),
-        }
-    }
-}
-
 /// What is asked for at every point.
 pub(super) struct Request<'a> {
-    pub(super) basis: &'a Basis<Weighting>,
-    pub(super) curve: Option<&'a Curve>,
+    pub(super) basis: &'a Basis<AnyWeights>,
+    pub(super) weights: &'a Weighting,
+    pub(super) curve: Option<&'a Curve<AnyWeights>>,
     /// The one function that is wanted; all if there is none.
     pub(super) index: Option<usize>,
     /// The highest derivative.
@@ -66,9 +49,14 @@ impl Request<'_> {
     }
 
     /// Values and derivatives at x, as limits from the side.
-    pub(super) fn at(&self, source: &mut Source, x: BigRational, side: OneSide) -> PointValues {
+    pub(super) fn at(
+        &self,
+        sampler: &mut Sampler<'_, AnyWeights>,
+        x: BigRational,
+        side: OneSide,
+    ) -> PointValues {
         let zero = Jet::constant(integer(0), self.order);
-        let active = source.jets(&x, side.into(), self.order).unwrap_or_else(|| Active::new(0, Vec::new()));
+        let active = sampler.jets(&x, side.into(), self.order).unwrap_or_else(|| Active::new(0, Vec::new()));
         let functions = self.functions().map(|i| active.get(i).unwrap_or(&zero).clone()).collect::<Vec<_>>();
         let mut derivatives = self.by_order(&functions);
         let values = derivatives.remove(0);

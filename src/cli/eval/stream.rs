@@ -7,15 +7,16 @@ use std::time::{Duration, Instant};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::judge::OfFamily;
+use crate::spline::{AnyWeights, Sampler};
 
 use super::super::error::CliError;
 use super::super::notation::Notation;
+use super::super::of_weights::OfWeights;
 use super::super::on_knots::OnKnots;
 use super::super::output::{Format, Output, Stamped};
 use super::super::progress::Progress;
 use super::input::PointFile;
-use super::point::{PointValues, Request, Source};
+use super::point::{PointValues, Request};
 use super::{OneSide, SCHEMA};
 
 /// The time between two steps of the progress bar.
@@ -29,14 +30,8 @@ pub(in super::super) struct Head {
     schema: &'static str,
     #[serde(flatten)]
     pub(super) on: OnKnots,
-    /// α: `inf`, or an exact number; nothing for another family.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) alpha: Option<String>,
-    /// The member of another family.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    family: Option<OfFamily>,
-    #[serde(skip)]
-    pub(super) weights: String,
+    #[serde(flatten)]
+    pub(super) weights: OfWeights,
     /// i, where one function only was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) index: Option<usize>,
@@ -44,17 +39,10 @@ pub(in super::super) struct Head {
 
 impl Head {
     pub(super) fn of(request: &Request<'_>, label: Option<String>) -> Self {
-        let basis = request.basis;
-        let weights = basis.weights();
-        let alpha = weights.index().map(ToString::to_string);
-        let shown =
-            alpha.as_ref().map_or_else(|| format!("family {weights}"), |alpha| format!("α = {alpha}"));
         Self {
             schema: SCHEMA,
-            on: OnKnots::of(basis, label),
-            alpha,
-            family: OfFamily::of(weights),
-            weights: shown,
+            on: OnKnots::of(request.basis, label),
+            weights: OfWeights::of(request.weights),
             index: request.index,
         }
     }
@@ -68,7 +56,7 @@ impl Head {
 pub(super) fn evaluate_file(
     path: &Path,
     request: &Request<'_>,
-    source: &mut Source,
+    sampler: &mut Sampler<'_, AnyWeights>,
     side: OneSide,
     notation: Notation,
     output: &Output,
@@ -79,7 +67,7 @@ pub(super) fn evaluate_file(
     let mut shown = Instant::now();
     let write = |to: &mut dyn Write| {
         while let Some(point) = file.next()? {
-            let values = request.at(source, point.x, point.side.unwrap_or(side));
+            let values = request.at(sampler, point.x, point.side.unwrap_or(side));
             // Not before: an error in the first line leaves nothing on standard output.
             let first = file.points() == 1;
             match output.format() {

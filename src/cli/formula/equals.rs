@@ -14,6 +14,7 @@ use super::super::error::CliError;
 use super::super::exact::Exact;
 use super::super::exit::Exit;
 use super::super::file::read_up_to;
+use super::super::of_weights::OfWeights;
 use super::super::on_knots::OnKnots;
 use super::super::output::Output;
 
@@ -28,8 +29,10 @@ pub(in super::super) struct Comparison {
     schema: &'static str,
     #[serde(flatten)]
     on: OnKnots,
-    /// α; `symbolic` where α is a letter.
-    alpha: String,
+    #[serde(flatten)]
+    weights: OfWeights,
+    #[serde(skip)]
+    every_index: bool,
     /// Are all that were compared?
     equal: bool,
     /// Every expression of the file that was asked for.
@@ -71,6 +74,7 @@ struct Point {
 pub(super) fn run(
     path: &Path,
     formal: &FormalBasis,
+    weights: OfWeights,
     chosen: Option<usize>,
     span: Option<usize>,
     output: &Output,
@@ -112,7 +116,8 @@ pub(super) fn run(
     output.result(&Comparison {
         schema: "knotproof.formula.equals/1",
         on: OnKnots::of(basis, None),
-        alpha: formal.index().map_or_else(|| "symbolic".to_owned(), ToString::to_string),
+        weights,
+        every_index: formal.is_symbolic(),
         equal,
         not_compared: (0..=n).filter(|i| !compared(i)).collect(),
         functions,
@@ -140,7 +145,7 @@ impl From<Counterexample> for Point {
 
 impl fmt::Display for Comparison {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let every_index = if self.alpha == "symbolic" { " and every alpha < 0 and alpha > 1" } else { "" };
+        let every_index = if self.every_index { " and every alpha < 0 and alpha > 1" } else { "" };
         for (at, Compared { index, interval, point, .. }) in self.functions.iter().enumerate() {
             if at > 0 {
                 writeln!(f)?;

@@ -11,11 +11,13 @@ use serde::Serialize;
 
 use crate::analysis::{FormalBasis, FormalFunction, FormalPiece};
 use crate::report::{Form, Language, expression, formula};
+use crate::spline::AnyWeights;
 
 use super::error::CliError;
 use super::exact::Exact;
 use super::exit::Exit;
-use super::instance::FunctionArgs;
+use super::instance::{Case, FunctionArgs};
+use super::of_weights::OfWeights;
 use super::on_knots::OnKnots;
 use super::output::Output;
 use super::whole_number::whole_number;
@@ -25,8 +27,9 @@ pub(super) use equals::Comparison;
 /// The basis functions as formulas in x, one for each interval between knots.
 ///
 /// Numerators and denominators have integer coefficients and no common factor; the denominators are products of
-/// factors that are linear in x. With --alpha symbolic they hold for every α < 0 and every α > 1, and `alpha` is a
-/// letter in them; α = ∞ is no value of it, but --alpha inf gives those formulas. Up to degree 8.
+/// factors that are linear in x, or for another family of what divides the denominators of its weights. With --alpha symbolic
+/// they hold for every α < 0 and every α > 1, and `alpha` is a letter in them; α = ∞ is no value of it, but --alpha inf gives
+/// those formulas. The parameters of a family are numbers. Up to degree 8.
 ///
 /// With --equals they are not printed but compared with those in a file, exactly and for every x: quotients of polynomials in x, with
 /// `alpha` and `r` = alpha/(alpha − 1) too, in the syntax of Maxima. The file has definitions such as --as maxima prints, each of
@@ -63,6 +66,7 @@ const EXAMPLE: &str = r#"Examples:
   knotproof formula --instance U9 --alpha -1 --as sympy
   knotproof formula --instance U4 --alpha symbolic --as maxima > u4.mac
   knotproof formula --instance U4 --alpha symbolic --equals u4.mac
+  knotproof formula --degree 2 --knots "0 0 0 1 2 2 2" --family lupas --set q=1/2 --as latex
 Exit code with --equals: 0 if all is equal, 1 if not."#;
 
 /// The highest degree k that is written out. A numerator has up to ⌊(k + 2)²/4⌋ − 1 powers of x, and with a symbol as many
@@ -102,8 +106,8 @@ pub(super) struct Formulas {
     schema: &'static str,
     #[serde(flatten)]
     on: OnKnots,
-    /// α; `symbolic` where α is a letter.
-    alpha: String,
+    #[serde(flatten)]
+    weights: OfWeights,
     /// Who reads the formulas.
     #[serde(rename = "as")]
     reader: Reader,
@@ -136,19 +140,24 @@ struct Piece {
 /// Finds the formulas and prints them.
 pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     let every_index = args.function.instance.symbolic_index();
-    let case = every_index.as_ref().unwrap_or(&args.function.instance).resolve()?.only_case()?;
-    let basis = &case.basis;
-    let index = args.function.chosen(basis)?;
+    let Case { weights, basis, .. } =
+        every_index.as_ref().unwrap_or(&args.function.instance).resolve_any()?.only_case()?;
+    let index = args.function.chosen(&basis)?;
     let reason = "a numerator has up to (k + 2)²/4 powers of x; eval gives values of every degree";
     let too_high = CliError::TooHigh { degree: basis.degree(), limit: DEGREE_LIMIT, reason };
     if basis.degree() > DEGREE_LIMIT {
         return Err(too_high);
     }
-    let formal =
-        if every_index.is_some() { FormalBasis::for_every_index(basis) } else { FormalBasis::of(basis) };
+    CliError::if_quotients_exceed(FormalBasis::QUOTIENT_LIMIT, &basis)?;
+    let formal = match basis.weights() {
+        _ if every_index.is_some() => FormalBasis::for_every_index(&basis),
+        AnyWeights::Index(index) => FormalBasis::of(&basis.with(index.clone())),
+        AnyWeights::Forms(table) => FormalBasis::of_forms(&basis.with(table.clone()), weights.to_string()),
+    };
     let formal = formal.ok_or(too_high)?;
+    let of = if every_index.is_some() { OfWeights::symbolic() } else { OfWeights::of(&weights) };
     if let Some(path) = &args.equals {
-        return equals::run(path, &formal, index, args.span, output);
+        return equals::run(path, &formal, of, index, args.span, output);
     }
     let (language, form) =
         (args.reader.language(), if args.expanded { Form::Expanded } else { Form::Factored });
@@ -158,8 +167,8 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     });
     output.result(&Formulas {
         schema: "knotproof.formula/1",
-        on: OnKnots::of(basis, None),
-        alpha: formal.index().map_or_else(|| "symbolic".to_owned(), ToString::to_string),
+        on: OnKnots::of(&basis, None),
+        weights: of,
         reader: args.reader,
         form: if args.expanded { "expanded" } else { "factored" },
         pieces: pieces.collect(),

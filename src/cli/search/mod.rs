@@ -286,7 +286,7 @@ impl Args {
 
     /// The family that is asked for, if it is not that of an index.
     fn family_space(&self) -> Result<Option<FamilyOfSearch>, CliError> {
-        let Some(chosen) = self.family.chosen()? else { return Ok(None) };
+        let Some(chosen) = self.family.chosen(None)? else { return Ok(None) };
         // All members of it are those of the search by index.
         if matches!(chosen.family.moebius(), Some(Some(_))) && chosen.given.is_empty() {
             return Ok(None);

@@ -12,18 +12,17 @@ use serde::Serialize;
 
 use crate::analysis::{
     Extremum, ExtremumKind, Jump, KnotSlopes, Location, Pieces, Shape as FunctionShape, knot_slopes,
-    knot_slopes_of,
 };
-use crate::judge::OfFamily;
 use crate::meaning::{Instance, Weighting};
 use crate::scalar::parse_rational;
-use crate::spline::Basis;
+use crate::spline::{Basis, HasWeights};
 
 use super::error::CliError;
 use super::exact::{Exact, as_given};
 use super::exit::Exit;
 use super::instance::{FunctionArgs, MemberSubject, Resolved};
 use super::notation::{Decimal, Notation, NotationArgs};
+use super::of_weights::OfWeights;
 use super::on_knots::OnKnots;
 use super::output::Output;
 use super::progress::Progress;
@@ -82,14 +81,8 @@ pub(super) struct Shapes {
 struct FunctionRecord {
     /// i of G_i^k.
     index: usize,
-    /// α: `inf`, or an exact number; nothing for another family.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    alpha: Option<String>,
-    /// The member of another family.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    family: Option<OfFamily>,
-    #[serde(skip)]
-    weights: String,
+    #[serde(flatten)]
+    weights: OfWeights,
     /// The closed interval outside of which the function is 0.
     support: [Exact; 2],
     /// How many local maxima there are; a plateau is one.
@@ -171,7 +164,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         Resolved::Indices(subjects) => subjects,
         Resolved::Member(subject) if args.free_knot.is_some() => {
             let family = subject.family();
-            return Err(CliError::OnlyIndices { what: "--free-knot knows", family });
+            return Err(CliError::OnlyIndices { option: "--free-knot", family });
         }
         Resolved::Member(subject) => return of_member(args, subject, notation, output),
     };
@@ -210,9 +203,9 @@ fn of_member(
     let (chosen, k) = (args.function.range(&subject.basis)?, subject.basis.degree());
     let wrong = |error| CliError::Member { argument: "--family", error };
     let on = Instance::on(subject.basis).map_err(wrong)?;
-    let missing = || CliError::OnlyIndices { what: "shape has", family: weights.to_string() };
-    let basis = on.forms_of(&weights, k).ok_or_else(missing)?;
-    let pieces = on.pieces(&weights, k).ok_or_else(missing)?;
+    let (Some(basis), Some(pieces)) = (on.any_basis_of(&weights, k), on.pieces(&weights, k)) else {
+        unreachable!("an instance has its own weights")
+    };
     let progress = Progress::new(chosen.clone().count());
     let mut functions = Vec::new();
     for i in chosen {
@@ -226,8 +219,7 @@ fn of_member(
         }
         let mut shape = FunctionShape::of(&pieces, i);
         shape.refine_to(&args.width);
-        let slopes = knot_slopes_of(&basis, i, &|x, side, order| basis.jets(x, side, order));
-        functions.push(FunctionRecord::new((&basis, &weights), i, &shape, slopes, notation));
+        functions.push(FunctionRecord::new((&basis, &weights), i, &shape, notation));
     }
     drop(progress);
     told(OnKnots::of(&basis, subject.label), functions, output)
@@ -248,28 +240,22 @@ fn shapes(
             let mut shape = FunctionShape::of(&pieces, i);
             shape.refine_to(width);
             let weights = Weighting::Index(basis.index().clone());
-            FunctionRecord::new((basis, &weights), i, &shape, knot_slopes(basis, i), notation)
+            FunctionRecord::new((basis, &weights), i, &shape, notation)
         })
         .collect()
 }
 
 impl FunctionRecord {
-    fn new<W>(
+    fn new<W: HasWeights>(
         (basis, weights): (&Basis<W>, &Weighting),
         index: usize,
         shape: &FunctionShape,
-        slopes: Vec<KnotSlopes>,
         notation: Notation,
     ) -> Self {
         let (from, to) = basis.support(index);
-        let alpha = weights.index().map(ToString::to_string);
-        let shown =
-            alpha.as_ref().map_or_else(|| format!("family {weights}"), |alpha| format!("α = {alpha}"));
         Self {
             index,
-            alpha,
-            family: OfFamily::of(weights),
-            weights: shown,
+            weights: OfWeights::of(weights),
             support: [from, to].map(|end| Exact(end.clone())),
             local_maxima: shape.local_maxima().count(),
             local_minima: shape.local_minima().count(),
@@ -277,7 +263,7 @@ impl FunctionRecord {
             weak: shape.weak(),
             extrema: Turn::all(shape, notation),
             jumps: shape.jumps().iter().map(Step::from).collect(),
-            slopes: slopes.into_iter().map(Slopes::from).collect(),
+            slopes: knot_slopes(basis, index).into_iter().map(Slopes::from).collect(),
         }
     }
 }

@@ -1,7 +1,10 @@
 //! The errors of one formula at one case, against exact numbers.
 
+use std::cmp::Ordering;
+
 use num_traits::{Signed, Zero};
 
+use super::super::member::MemberAt;
 use super::super::point;
 use super::super::power::{exponent, power};
 use super::method::Method;
@@ -24,7 +27,7 @@ pub struct Errors {
     /// exact value ([`ulp`]). Where a finite float stands for an exact value that is 0 or below 2⁻⁹⁰⁰, next to underflow, it
     /// is 0 here: such values count by their signs and their absolute errors, and by `left_out` and `beside`.
     pub ulps: Vec<Ulps>,
-    /// How many exact values are positive and below 2⁻⁹⁰⁰.
+    /// How many exact values are not 0 and below 2⁻⁹⁰⁰.
     pub left_out: usize,
     /// The largest |float − exact| of finite floats for those, and for values that are 0.
     pub beside: BigRational,
@@ -32,7 +35,7 @@ pub struct Errors {
     pub absolute: BigRational,
     /// |Σ floats − Σ exact values|, if all are finite. In [t_k, t_{n+1}] the exact sum is 1.
     pub sum: Option<BigRational>,
-    /// How many values have not the sign of the exact one: not positive where it is, or not 0 where it is.
+    /// How many values have not the sign of the exact one.
     pub signs: usize,
     /// The index of the first function of the span.
     pub first: usize,
@@ -90,10 +93,8 @@ const BESIDE: i32 = -940;
 impl Exact {
     pub(super) fn of(case: &Probe) -> Self {
         let x = exact_value(case.x).unwrap_or_else(|| integer(0));
-        let exact = case.basis.exact();
         // The knots in f64 are those of the exact basis, and so are the spans.
-        let active = exact.knots().span(case.span.index()).and_then(|span| exact.active(span, &x).ok());
-        let active = active.unwrap_or_else(|| unreachable!("x is a point of the closed span"));
+        let active = case.exact(&x).unwrap_or_else(|| unreachable!("x is a point of the closed span"));
         let offset = (active.first() + case.basis.degree()).saturating_sub(case.span.index());
         let least = exact_value(power(LEAST)).unwrap_or_else(|| integer(0));
         Self { first: active.first(), offset, values: active.values().to_vec(), least }
@@ -110,9 +111,13 @@ impl Exact {
             first: self.first,
         };
         for (exact, &float) in self.values.iter().zip(&floats[self.offset..]) {
-            let right = if exact.is_zero() { float == 0.0 } else { float > 0.0 };
+            let right = match exact.cmp(&BigRational::zero()) {
+                Ordering::Equal => float == 0.0,
+                Ordering::Greater => float > 0.0,
+                Ordering::Less => float < 0.0,
+            };
             found.signs += usize::from(!right);
-            let counts = *exact >= self.least;
+            let counts = exact.abs() >= self.least;
             found.left_out += usize::from(!counts && !exact.is_zero());
             let Some(float) = exact_value(float) else {
                 (found.sum, _) = (None, found.ulps.push(Ulps::NotFinite));
@@ -137,7 +142,13 @@ impl Exact {
 /// The largest error of a formula at a case in units in the last place, nearly: against values of about 100 bits; infinite
 /// where a result is no number. What the search for bad cases climbs by; nothing that is reported.
 pub(super) fn estimate(formula: Method, case: &Probe) -> f64 {
-    let exact = point::unrounded(&case.basis, case.span, case.x);
+    let exact = match &case.member {
+        Some(member) => {
+            let weights = MemberAt { member, span: case.span, x: case.x };
+            point::by_weights(case.basis.degree(), &weights)
+        }
+        None => point::unrounded(&case.basis, case.span, case.x),
+    };
     let existing = case.basis.existing(case.span);
     let floats = formula.values(case);
     let error = |c: usize| {
@@ -145,7 +156,7 @@ pub(super) fn estimate(formula: Method, case: &Probe) -> f64 {
         if !floats[c].is_finite() {
             return f64::INFINITY;
         }
-        if pair.hi < power(LEAST) {
+        if pair.hi.abs() < power(LEAST) {
             return 0.0;
         }
         ((floats[c] - pair.hi) - pair.lo).abs() / power(exponent(pair.hi) - 52)

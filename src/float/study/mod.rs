@@ -8,10 +8,13 @@ mod method;
 mod probe;
 mod record;
 
+use std::sync::Arc;
+
 use num_traits::Zero;
 use rayon::prelude::*;
 
 use super::basis::FloatBasis;
+use super::member::FloatMember;
 use crate::scalar::BigRational;
 use climb::climb;
 use measure::Exact;
@@ -42,6 +45,9 @@ pub enum Population {
     /// numbers, and α is ∞ one time in eight and otherwise −s or 1 + s with s such a number; x is even in its span. The
     /// search may go beyond that.
     Degree(usize),
+    /// A member of another family than that of an index: a span of it evenly, and x evenly in the span. The search changes
+    /// only x.
+    Member(Arc<FloatMember>),
     /// These bases: one of them evenly, a span of it evenly, and x evenly in the span. The search changes only x.
     Bases(Vec<FloatBasis<f64>>),
     /// These cases and nothing else.
@@ -101,6 +107,7 @@ pub fn study(field: &Population, formulas: &[Method], effort: Effort) -> Vec<Fig
         match field {
             Population::Degree(degree) => Some(source.case(*degree)),
             Population::Bases(bases) => source.point(bases),
+            Population::Member(member) => source.point_of(member),
             Population::Cases(_) => None,
         }
     };
@@ -123,7 +130,7 @@ pub fn study(field: &Population, formulas: &[Method], effort: Effort) -> Vec<Fig
             figures.tried += effort.steps;
             // Streams from the end: no case is drawn from them.
             let mut source = Source::new(effort.seed, u64::MAX - u64::try_from(f).unwrap_or(0));
-            let fixed = matches!(field, Population::Bases(_));
+            let fixed = !matches!(field, Population::Degree(_));
             let case = climb(formula, (*start).clone(), &mut source, effort.steps, fixed);
             figures.count(&case, &Errors::of(formula, &case));
         }
@@ -135,7 +142,7 @@ pub fn study(field: &Population, formulas: &[Method], effort: Effort) -> Vec<Fig
 impl Figures {
     /// The figures of some cases; `None` if there are none.
     fn of(formula: Method, cases: &[(&Probe, &Errors)]) -> Option<Self> {
-        let degree = cases.first()?.0.basis.degree();
+        let first = cases.first()?.0;
         let none = || Ulps::Number(BigRational::zero());
         let largest = |errors: &Errors| errors.worst().map_or_else(none, |(error, _)| error.clone());
         let mut sorted: Vec<Ulps> = cases.iter().map(|(_, errors)| largest(errors)).collect();
@@ -154,7 +161,8 @@ impl Figures {
             left_out: 0,
             measured: 0,
             outside: 0,
-            bound: formula.bound(degree),
+            // Of other families nothing is proved.
+            bound: formula.bound(first.basis.degree()).filter(|_| first.member.is_none()),
             kept: true,
         };
         cases.iter().for_each(|(case, errors)| figures.count(case, errors));

@@ -3,14 +3,20 @@
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 
+use std::sync::Arc;
+
 use super::super::basis::FloatBasis;
-use crate::spline::{Side, Span};
+use super::super::member::FloatMember;
+use crate::scalar::BigRational;
+use crate::spline::{Active, Side, Span};
 
 /// A point of a span of a basis in `f64`. Limits are taken in the span.
 #[derive(Debug, Clone)]
 pub struct Probe {
     /// The basis.
     pub basis: FloatBasis<f64>,
+    /// The member of another family that has its weights, if they are not those of α.
+    pub member: Option<Arc<FloatMember>>,
     /// A span of it.
     pub span: Span,
     /// A point of the closed span.
@@ -22,7 +28,32 @@ impl Probe {
     #[must_use]
     pub fn at(basis: FloatBasis<f64>, x: f64, side: Side) -> Option<Self> {
         let span = basis.span_at(x, side).ok().flatten()?;
-        Some(Self { basis, span, x })
+        Some(Self { basis, member: None, span, x })
+    }
+
+    /// The same for a member of another family than that of an index.
+    #[must_use]
+    pub fn of_member(member: &Arc<FloatMember>, x: f64, side: Side) -> Option<Self> {
+        let case = Self::at(member.knots().clone(), x, side)?;
+        Some(Self { member: Some(Arc::clone(member)), ..case })
+    }
+
+    /// The same basis at another point, as the limit from the right.
+    fn moved_to(&self, x: f64) -> Option<Self> {
+        let case = Self::at(self.basis.clone(), x, Side::Right)?;
+        Some(Self { member: self.member.clone(), ..case })
+    }
+
+    /// The functions that live on the span at an exact x of it, for these very floats.
+    pub(super) fn exact(&self, x: &BigRational) -> Option<Active<BigRational>> {
+        let j = self.span.index();
+        match &self.member {
+            Some(member) => member.exact().active(member.exact().knots().span(j)?, x).ok(),
+            None => {
+                let exact = self.basis.exact();
+                exact.active(exact.knots().span(j)?, x).ok()
+            }
+        }
     }
 }
 
@@ -94,6 +125,12 @@ impl Source {
         Probe::at(basis.clone(), x.min(b), Side::Right)
     }
 
+    /// Likewise for a member of another family.
+    pub(super) fn point_of(&mut self, member: &Arc<FloatMember>) -> Option<Probe> {
+        let case = self.point(std::slice::from_ref(member.knots()))?;
+        Probe::of_member(member, case.x, Side::Right)
+    }
+
     /// A place in a list, evenly.
     fn place(&mut self, length: usize) -> usize {
         usize::try_from(self.below(u64::try_from(length).unwrap_or(0))).unwrap_or(0)
@@ -108,8 +145,7 @@ impl Source {
     /// changes. `None` if nothing valid came out.
     pub(super) fn changed(&mut self, case: &Probe, fixed: bool) -> Option<Probe> {
         if fixed {
-            let x = self.moved(case);
-            return Probe::at(case.basis.clone(), x, Side::Right);
+            return case.moved_to(self.moved(case));
         }
         let mut knots = case.basis.knots().to_vec();
         let (mut alpha, mut x) = (case.basis.alpha(), case.x);

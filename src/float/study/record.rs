@@ -7,7 +7,8 @@ use serde::Serialize;
 use super::hexadecimal::hexadecimal;
 use super::probe::Probe;
 use super::{Extreme, Figures, Ulps};
-use crate::scalar::{decimal, exact_value};
+use crate::judge::OfFamily;
+use crate::scalar::{RationalAlgebra, decimal, exact_value};
 
 /// The digits of an error as text: exactly, it is a fraction of hundreds of digits.
 const DIGITS: usize = 6;
@@ -82,8 +83,12 @@ pub struct WorstRecord {
 pub struct ProbeRecord {
     /// x.
     pub x: String,
-    /// α.
-    pub alpha: String,
+    /// α; nothing for another family.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub alpha: Option<String>,
+    /// The member of another family.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub family: Option<OfFamily>,
     /// t_0, …, t_m.
     pub knots: Vec<String>,
 }
@@ -141,8 +146,11 @@ impl From<&Extreme> for WorstRecord {
         let exact = |value| exact_value(value).map_or_else(|| "inf".to_owned(), |value| value.to_string());
         let float = ProbeRecord::of(&worst.case, hexadecimal);
         let (degree, knots) = (worst.case.basis.degree(), float.knots.join(" "));
-        let (alpha, x) = (&float.alpha, &float.x);
-        let arguments = format!("--degree {degree} --knots \"{knots}\" --alpha {alpha} --x {x}");
+        let weights = match (&float.alpha, &float.family) {
+            (Some(alpha), _) => format!("--alpha {alpha}"),
+            (None, family) => family.as_ref().map(ToString::to_string).unwrap_or_default(),
+        };
+        let arguments = format!("--degree {degree} --knots \"{knots}\" {weights} --x {}", float.x);
         Self {
             exact: ProbeRecord::of(&worst.case, exact),
             index: worst.index,
@@ -156,6 +164,17 @@ impl From<&Extreme> for WorstRecord {
 impl ProbeRecord {
     fn of(case: &Probe, text: impl Fn(f64) -> String) -> Self {
         let knots = case.basis.knots().iter().map(|t| text(*t)).collect();
-        Self { x: text(case.x), alpha: text(case.basis.alpha()), knots }
+        let family =
+            case.member.as_ref().and_then(|member| member.weights().member()).map(|member| OfFamily {
+                name: member.family().given.clone(),
+                parameters: member
+                    .named()
+                    .map(|(name, values)| {
+                        (name.to_string(), values.written(|number| text(0.0_f64.embed(number))))
+                    })
+                    .collect(),
+            });
+        let alpha = family.is_none().then(|| text(case.basis.alpha()));
+        Self { x: text(case.x), alpha, family, knots }
     }
 }

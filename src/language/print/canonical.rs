@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use num_rational::BigRational;
 
+use super::super::family::{Family, Parameter};
 use super::super::rows::Row;
 use super::super::syntax::{
     Adjective, Argument, Binder, Definition, Fold, Formula, Function, Gap, Int, Interval, Item, Member, Name,
@@ -28,6 +29,39 @@ pub fn canonical<'a>(
     let text = walk.sentence("sentence", sentence)?;
     walk.defines.push(text);
     Ok(walk.defines.join("\n"))
+}
+
+/// `(family "NAME" (parameter …)… (rise …) (fall …) (dual …))`, with the name that it has in its file.
+///
+/// # Errors
+/// What a certificate can't say of its weights: what both shares are divided by, or the name of a definition.
+pub fn canonical_family(family: &Family) -> Result<String, Name> {
+    if family.over.is_some() {
+        return Err("over".into());
+    }
+    if let Some(definition) = family.definitions.first() {
+        return Err(definition.name.clone());
+    }
+    let mut walk = Walk {
+        definitions: &[],
+        examples: &[],
+        named: &|_, _| None,
+        used: BTreeSet::new(),
+        defines: Vec::new(),
+    };
+    let mut parts = vec![format!("\"{}\"", family.name)];
+    for Parameter { name, indices, bounds, .. } in &family.parameters {
+        let indices = indices.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ");
+        let bounds = bounds.iter().map(|(of, bound)| format!(" ({} {})", relation(*of), number(bound)));
+        parts.push(format!("(parameter {name} ({indices}){})", bounds.collect::<String>()));
+    }
+    parts.push(walk.reals("rise", [&family.rise])?);
+    parts.push(walk.reals("fall", [&family.fall])?);
+    if let Some(dual) = &family.dual {
+        let all: Result<Vec<_>, _> = dual.iter().map(|(name, term)| walk.reals(name, [term])).collect();
+        parts.push(bracket("dual", all?));
+    }
+    Ok(bracket("family", parts))
 }
 
 struct Walk<'w, 'a> {
@@ -253,7 +287,7 @@ impl<'a> Walk<'_, 'a> {
             Real::Infinity => Ok("infinity".to_owned()),
             Real::Knot(i) => self.ints("t", [i]),
             Real::Coefficient(name, indices) => self.indexed("coefficient", name, indices),
-            Real::Parameter(name, _) => Err(Name::clone(name)),
+            Real::Parameter(name, indices) => self.indexed("parameter", name, indices),
             Real::Plus(a, b) => self.reals("+", [a, b]),
             Real::Minus(a, b) => self.reals("-", [a, b]),
             Real::Times(a, b) => self.reals("*", [a, b]),
@@ -316,7 +350,7 @@ impl<'a> Walk<'_, 'a> {
             Member::Index(alpha) => self.reals("alpha", [alpha]),
             Member::Ratio(ratio) => self.reals("ratio", [ratio]),
             Member::Parameter(name, _) => Err(Name::clone(name)),
-            Member::Dual => Err("dual".into()),
+            Member::Dual => Ok("(dual)".to_owned()),
         }
     }
 

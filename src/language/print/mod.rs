@@ -8,7 +8,7 @@ mod term;
 
 use super::syntax::{Binder, Definition, Formula, Function, Real, Sentence};
 
-pub use canonical::{Claimed, canonical};
+pub use canonical::{Claimed, canonical, canonical_family};
 
 use alphabet::{html, latex_of, line_of};
 use form::Form;

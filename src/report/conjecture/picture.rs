@@ -12,7 +12,7 @@ use crate::report::figures::canvas::{
     VERMILION,
 };
 use crate::report::figures::sample::float;
-use crate::report::figures::{Functions, graph, grid, knot_lines};
+use crate::report::figures::{graph, grid, knot_lines};
 use crate::scalar::{BigRational, rational};
 use crate::spline::Basis;
 
@@ -76,7 +76,7 @@ fn around(marks: &[Mark], whole: Frame) -> Frame {
 fn panel(panel: &Panel<'_>, basis: &Basis, i: usize, marks: &[Mark]) -> Drawn {
     grid(panel)?;
     knot_lines(panel, basis.knots())?;
-    let _ = graph(panel, &Functions::Index(basis), i, Pen::thick(BLUE, Dash::Solid))?;
+    let _ = graph(panel, basis, i, Pen::thick(BLUE, Dash::Solid))?;
     for mark in marks {
         let dot = match mark.kind {
             ExtremumKind::Maximum => Dot::Filled,

@@ -2,50 +2,24 @@
 
 use crate::meaning::Example;
 use crate::scalar::{BigRational, integer, rational};
-use crate::spline::{Basis, FormTable, Side, Span};
+use crate::spline::{Basis, HasWeights, Side, Span, WeightKind};
 
 use super::canvas::{Canvas, Cell, Dot, Drawn, Frame, Panel, Pen, PictureError};
 use super::labels::{Label, Named};
 use super::layout::{Sheet, heading, knot_axis, levels};
 use super::notation::{alpha, indexed, knots};
-use super::sample::{float, polygon, value};
+use super::sample::{float, polygon};
 
 const NOTE: &str = "Below the axis: knots, and how often they occur. ● value (from the right; at the last knot from the left), \
 ○ limit from the left.";
 
-/// The functions of a basis, for the pictures of any family.
-pub(in crate::report) enum Functions<'a> {
-    /// Of an index.
-    Index(&'a Basis),
-    /// Of another family.
-    Forms(&'a Basis<FormTable>),
-}
-
-impl Functions<'_> {
-    fn basis(&self) -> Basis<()> {
-        match self {
-            Self::Index(basis) => basis.with(()),
-            Self::Forms(basis) => basis.with(()),
-        }
-    }
-
-    fn values(&self, x: &BigRational, side: Side) -> Vec<BigRational> {
-        match self {
-            Self::Index(basis) => basis.values(x, side),
-            Self::Forms(basis) => {
-                basis.jets(x, side, 0).iter().map(|jet| jet.coefficients()[0].clone()).collect()
-            }
-        }
-    }
-
-    /// G_i on a span, at an x of its closure.
-    fn value(&self, i: usize, span: Span, x: f64) -> f64 {
-        match self {
-            Self::Index(basis) => value(basis, i, span, x),
-            Self::Forms(basis) => {
-                let at = BigRational::from_float(x).and_then(|x| basis.active(span, &x).ok());
-                at.map_or(f64::NAN, |active| active.get(i).map(float).unwrap_or_default())
-            }
+/// G_i on a span, at an x of its closure. Forms are summed exactly: their terms may cancel in floats.
+fn value<W: HasWeights>(basis: &Basis<W>, i: usize, span: Span, x: f64) -> f64 {
+    match basis.weights().kind() {
+        WeightKind::Index(_) => super::sample::value(basis, i, span, x),
+        WeightKind::Forms(_) => {
+            let at = BigRational::from_float(x).and_then(|x| basis.active(span, &x).ok());
+            at.map_or(f64::NAN, |active| active.get(i).map(float).unwrap_or_default())
         }
     }
 }
@@ -61,21 +35,14 @@ pub(super) fn svg(title: &str, instance: &Example) -> Result<String, PictureErro
     sheet.svg(|canvas, number, cell| {
         let (on, k) = (&on[number], instance.degree);
         let missing = || super::canvas::failed("an instance has a basis");
-        match on.basis_of(&on.weights, k) {
-            Some(basis) => {
-                let head = format!("k = {k}, α = {}", alpha(basis.index()));
-                panel(canvas, cell, &head, &Functions::Index(&basis))
-            }
-            None => {
-                let basis = on.forms_of(&on.weights, k).ok_or_else(missing)?;
-                panel(canvas, cell, &format!("k = {k}, {}", on.weights), &Functions::Forms(&basis))
-            }
-        }
+        let basis = on.any_basis_of(&on.weights, k).ok_or_else(missing)?;
+        let weights =
+            on.weights.index().map_or_else(|| on.weights.to_string(), |own| format!("α = {}", alpha(own)));
+        panel(canvas, cell, &format!("k = {k}, {weights}"), &basis)
     })
 }
 
-fn panel(canvas: &Canvas<'_>, cell: Cell, head: &str, functions: &Functions<'_>) -> Drawn {
-    let basis = functions.basis();
+fn panel<W: HasWeights>(canvas: &Canvas<'_>, cell: Cell, head: &str, basis: &Basis<W>) -> Drawn {
     heading(canvas, cell, head)?;
     let x = (float(basis.knots().first()), float(basis.knots().last()));
     let frame = Frame { x, y: (0.0, 1.0) }.padded(0.03, 0.0);
@@ -85,8 +52,8 @@ fn panel(canvas: &Canvas<'_>, cell: Cell, head: &str, functions: &Functions<'_>)
     let mut labels = Vec::new();
     for i in 0..=basis.n() {
         let pen = Pen::nth(i);
-        let line = graph(&panel, functions, i, pen)?;
-        for (at, left, _) in jumps(functions, i) {
+        let line = graph(&panel, basis, i, pen)?;
+        for (at, left, _) in jumps(basis, i) {
             panel.dot((float(&at), float(&left)), Dot::Open, pen.colour)?;
         }
         if !line.is_empty() {
@@ -95,29 +62,27 @@ fn panel(canvas: &Canvas<'_>, cell: Cell, head: &str, functions: &Functions<'_>)
     }
     // The value of one function in the limit of another: the dot goes into the ring.
     for i in 0..=basis.n() {
-        values(&panel, functions, i, Pen::nth(i))?;
+        values(&panel, basis, i, Pen::nth(i))?;
     }
     panel.labels(&labels)
 }
 
 /// The inner knots at which a function jumps, with its limits.
-fn jumps(functions: &Functions<'_>, i: usize) -> Vec<(BigRational, BigRational, BigRational)> {
-    let basis = functions.basis();
+fn jumps<W: HasWeights>(basis: &Basis<W>, i: usize) -> Vec<(BigRational, BigRational, BigRational)> {
     let limits = |(t, _): (&BigRational, usize)| {
-        let [left, right] = [Side::Left, Side::Right].map(|side| functions.values(t, side)[i].clone());
+        let [left, right] = [Side::Left, Side::Right].map(|side| basis.values(t, side)[i].clone());
         (left != right).then(|| (t.clone(), left, right))
     };
     basis.knots().inner_stop_knots().filter_map(limits).collect()
 }
 
 /// Draws the graph over the support, broken where the function jumps, and gives its points.
-pub(in crate::report) fn graph(
+pub(in crate::report) fn graph<W: HasWeights>(
     panel: &Panel<'_>,
-    functions: &Functions<'_>,
+    basis: &Basis<W>,
     i: usize,
     pen: Pen,
 ) -> Result<Vec<(f64, f64)>, PictureError> {
-    let basis = functions.basis();
     let knots = basis.knots();
     let (low, high) = basis.support(i);
     let tolerance = (panel.unit.0 / 2.0, panel.unit.1 / 2.0);
@@ -132,12 +97,12 @@ pub(in crate::report) fn graph(
         if from >= to {
             continue;
         }
-        let limit = |side| functions.values(start, side)[i].clone();
+        let limit = |side| basis.values(start, side)[i].clone();
         if *start != *knots.first() && !line.is_empty() && limit(Side::Left) != limit(Side::Right) {
             panel.line(&std::mem::take(&mut line), pen)?;
         }
         // What is outside of the frame is left out.
-        for point in polygon(|x| (x, functions.value(i, span, x)), (from, to), tolerance) {
+        for point in polygon(|x| (x, value(basis, i, span, x)), (from, to), tolerance) {
             if (bottom..=top).contains(&point.1) {
                 drawn.push(point);
                 line.push(point);
@@ -153,13 +118,12 @@ pub(in crate::report) fn graph(
 }
 
 /// The values at jumps, and at the ends of [t_0, t_m] where the function is not 0.
-fn values(panel: &Panel<'_>, functions: &Functions<'_>, i: usize, pen: Pen) -> Drawn {
-    for (at, _, right) in jumps(functions, i) {
+fn values<W: HasWeights>(panel: &Panel<'_>, basis: &Basis<W>, i: usize, pen: Pen) -> Drawn {
+    for (at, _, right) in jumps(basis, i) {
         panel.dot((float(&at), float(&right)), Dot::Filled, pen.colour)?;
     }
-    let basis = functions.basis();
     for (end, side) in [(basis.knots().first(), Side::Right), (basis.knots().last(), Side::Left)] {
-        let value = &functions.values(end, side)[i];
+        let value = &basis.values(end, side)[i];
         if *value != integer(0) {
             panel.dot((float(end), float(value)), Dot::Filled, pen.colour)?;
         }

@@ -26,5 +26,5 @@ pub use catalogue::{Figure, all, figure};
 pub use instance::{Picture, pictures};
 pub use png::png;
 
-pub(super) use basis::{Functions, graph};
+pub(super) use basis::graph;
 pub(super) use layout::{grid, knot_lines};

@@ -3,7 +3,7 @@
 use num_traits::ToPrimitive;
 
 use crate::scalar::BigRational;
-use crate::spline::{Basis, Curve, Point, Span};
+use crate::spline::{Basis, Curve, HasWeights, Point, Span};
 
 /// The nearest `f64`, or one beside it.
 pub(in crate::report) fn float(x: &BigRational) -> f64 {
@@ -53,7 +53,7 @@ fn halve(
 }
 
 /// G_i^k on a span, at an x of its closure.
-pub(in crate::report) fn value(basis: &Basis, i: usize, span: Span, x: f64) -> f64 {
+pub(in crate::report) fn value<W: HasWeights>(basis: &Basis<W>, i: usize, span: Span, x: f64) -> f64 {
     basis.active(span, &x).map_or(f64::NAN, |active| active.get(i).copied().unwrap_or_default())
 }
 

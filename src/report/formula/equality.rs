@@ -3,7 +3,7 @@
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
-use crate::analysis::{FormalBasis, FormalFunction, FormalPiece};
+use crate::analysis::{FormalBasis, FormalFunction, FormalPiece, Whose};
 use crate::scalar::{Multivariate, Quotient, RationalAlgebra, Ring, integer, rational, rationals_between};
 use crate::spline::Span;
 
@@ -90,10 +90,10 @@ struct Judge<'a> {
 impl Judge<'_> {
     /// Candidates for α: the one there is, or simple ones on both sides of [0, 1].
     fn indices(&self) -> Vec<Option<BigRational>> {
-        match self.formal.index() {
-            Some(_) => vec![None],
-            None => (1..=150).flat_map(|n| [rational(-n, 1), rational(n + 1, 1)].map(Some)).collect(),
+        if !self.formal.is_symbolic() {
+            return vec![None];
         }
+        (1..=150).flat_map(|n| [rational(-n, 1), rational(n + 1, 1)].map(Some)).collect()
     }
 
     /// The quotient that the function is around x.
@@ -172,17 +172,23 @@ impl Judge<'_> {
             Node::X => Quotient::variable(FormalBasis::X),
             Node::Alpha | Node::Ratio => {
                 let ratio = *node == Node::Ratio;
-                match self.formal.index() {
-                    None => {
+                match self.formal.basis().weights() {
+                    Whose::EveryIndex => {
                         let alpha = Quotient::variable(FormalBasis::ALPHA);
                         let below = alpha.minus(&alpha.one());
                         if ratio { alpha.over(&below).unwrap_or(alpha) } else { alpha }
                     }
-                    Some(index) if ratio => Quotient::constant(index.ratio()),
-                    Some(index) => match index.alpha() {
+                    Whose::Index(index) if ratio => Quotient::constant(index.ratio()),
+                    Whose::Index(index) => match index.alpha() {
                         Some(alpha) => Quotient::constant(&alpha),
                         None => return Err(fail("α is infinite here: `alpha` is no number")),
                     },
+                    Whose::Member(member) => {
+                        let message = format!(
+                            "the functions are those of {member}, which have no index: write a number"
+                        );
+                        return Err(fail(&message));
+                    }
                 }
             }
             Node::At(place, node) => self.value(node, x, *place)?,

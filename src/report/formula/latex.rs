@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::analysis::{FormalBasis, FormalFunction};
+use crate::analysis::{FormalBasis, FormalFunction, Whose};
 
 use super::expression::quotient;
 use super::{Form, Language, remarks};
@@ -32,12 +32,15 @@ pub(super) fn document(formal: &FormalBasis, functions: &[&FormalFunction], form
     text
 }
 
-/// The paper's ^αG_i^k(x).
+/// The paper's ^αG_i^k(x); without α for another family.
 fn name(formal: &FormalBasis, i: usize) -> String {
-    let index = match formal.index().map(|index| index.alpha()) {
-        None => "\\alpha".to_owned(),
-        Some(None) => "\\infty".to_owned(),
-        Some(Some(alpha)) => Language::Latex.number(&alpha),
+    let before = match formal.basis().weights() {
+        Whose::EveryIndex => "{}^{\\alpha}".to_owned(),
+        Whose::Index(index) => match index.alpha() {
+            None => "{}^{\\infty}".to_owned(),
+            Some(alpha) => format!("{{}}^{{{}}}", Language::Latex.number(&alpha)),
+        },
+        Whose::Member(_) => String::new(),
     };
-    format!("{{}}^{{{index}}}G_{{{i}}}^{{{}}}(x)", formal.basis().degree())
+    format!("{before}G_{{{i}}}^{{{}}}(x)", formal.basis().degree())
 }

@@ -9,7 +9,7 @@ use super::{Form, Language, remarks};
 
 /// One definition a function.
 pub(super) fn document(formal: &FormalBasis, functions: &[&FormalFunction], form: Form) -> String {
-    let arguments = if formal.index().is_some() { "x" } else { "x, alpha" };
+    let arguments = if formal.is_symbolic() { "x, alpha" } else { "x" };
     let mut text = format!("/* {} */\n", remarks(formal).join("\n   "));
     for function in functions {
         // Writing to a string cannot fail.

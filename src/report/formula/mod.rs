@@ -9,7 +9,7 @@ mod sympy;
 mod text;
 mod tree;
 
-use crate::analysis::{FormalBasis, FormalFunction};
+use crate::analysis::{FormalBasis, FormalFunction, Whose};
 
 pub use equality::Counterexample;
 pub use expression::expression;
@@ -65,16 +65,20 @@ pub fn formula(formal: &FormalBasis, index: Option<usize>, language: Language, f
 
 /// What a reader of any language has to know, line by line.
 fn remarks(formal: &FormalBasis) -> Vec<String> {
-    let (basis, symbol) = (formal.basis(), formal.index().is_none());
-    let index = formal.index().map_or_else(|| "a symbol".to_owned(), |index| format!("= {index}"));
+    let basis = formal.basis();
+    let whose = match basis.weights() {
+        Whose::Index(index) => format!("alpha = {index}"),
+        Whose::EveryIndex => "alpha a symbol".to_owned(),
+        Whose::Member(member) => format!("family {member}"),
+    };
     let mut lines = vec![
-        format!("Knots {}, degree {}, alpha {index}.", basis.knots(), basis.degree()),
+        format!("Knots {}, degree {}, {whose}.", basis.knots(), basis.degree()),
         format!(
             "Outside of its pieces a function is 0. At x = {}, the last knot, it has its limit from the left.",
             { basis.knots().last() }
         ),
     ];
-    if symbol {
+    if formal.is_symbolic() {
         lines
             .push("For every alpha < 0 and every alpha > 1; alpha = inf has formulas of its own.".to_owned());
     }

@@ -15,7 +15,7 @@ pub(super) fn document(formal: &FormalBasis, functions: &[&FormalFunction], form
         let _ = writeln!(text, "# {line}");
     }
     text.push_str("from sympy import *\n\nx = Symbol(\"x\", real=True)\n");
-    if formal.index().is_none() {
+    if formal.is_symbolic() {
         text.push_str("alpha = Symbol(\"alpha\", real=True)\n");
     }
     for function in functions {

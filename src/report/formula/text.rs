@@ -17,7 +17,9 @@ pub(super) fn document(formal: &FormalBasis, functions: &[&FormalFunction], form
         // Writing to a string cannot fail.
         let _ = writeln!(text, "\nG_{}", function.index);
         if function.pieces.is_empty() {
-            text.push_str("  0 for every x: all its knots are the same\n");
+            let (from, to) = formal.basis().support(function.index);
+            text.push_str("  0 for every x");
+            text.push_str(if from == to { ": all its knots are the same\n" } else { "\n" });
         }
         for piece in &function.pieces {
             let quotient = quotient(piece, Language::Text, form);

@@ -1,0 +1,60 @@
+#!/usr/bin/env bash
+# Compiles the theorems for every degree and asks Coq what each one rests on. Exits 1 unless every row of theorems.toml
+# names a theorem that is "Closed under the global context"; `check.sh table` prints the table of README.md from the rows.
+set -eu
+cd "$(dirname "$0")"
+
+# One line a row: the values of the keys in this order, separated by tabs.
+rows() {
+  awk '
+    function flush() { if (seen) { for (i = 1; i <= n; i++) printf "%s%s", row[key[i]], i < n ? "\t" : "\n" } seen = 0; delete row }
+    BEGIN { n = split("claim form verdict name file degrees weights covers says lacks", key, " ") }
+    /^\[\[theorem\]\]/ { flush(); seen = 1; next }
+    /^[a-z]+ = "/ { k = $1; v = $0; sub(/^[a-z]+ = "/, "", v); sub(/"$/, "", v); row[k] = v }
+    END { flush() }' theorems.toml
+}
+
+table() {
+  echo "| claim | form | verdict | theorem | what it says | degrees | weights | covers |"
+  echo "|---|---|---|---|---|---|---|---|"
+  rows | awk -F'\t' '{ gsub(/\|/, "\\|"); printf "| %s | %s | %s | [`%s`](%s) | %s | %s | %s | %s |\n", $1, $2, $3, $4, $5, $9, $6, $7, ($10 == "" ? $8 : $8 ": " $10) }'
+}
+
+if [ "${1:-}" = table ]; then table; exit; fi
+fail() { echo "$*" >&2; exit 1; }
+
+rows | while IFS=$'\t' read -r claim form verdict name file degrees weights covers rest; do
+  [ -n "$claim" ] && [ -n "$name" ] && [ -n "$degrees" ] && [ -n "$weights" ] || fail "theorems.toml: a key is missing at $claim $name"
+  case $form in printed|amended|fails|lemma) ;; *) fail "theorems.toml: form of $name";; esac
+  case $verdict in proved|refuted) ;; *) fail "theorems.toml: verdict of $name";; esac
+  case $covers in all|part) ;; *) fail "theorems.toml: covers of $name";; esac
+  [ -e "$file" ] || fail "theorems.toml: no file $file"
+  grep -qE "^(Theorem|Lemma|Corollary) $name( |:)" "$file" || fail "theorems.toml: no theorem $name in $file"
+done
+diff <(table) <(sed -n '/^| claim | form/,/^$/p' README.md | sed '/^$/d') || fail "README.md: its table is not that of theorems.toml (check.sh table)"
+diff <(ls ./*.v | sed 's|^\./||' | sort) <(grep '\.v$' _CoqProject | sort) || fail "_CoqProject: not the files that there are"
+if grep -nE '\b(Admitted|admit|Axioms?|Parameters?)\b|^ *((Local|Global) )?Conjectures?\b|bypass_check|Unset (Guard|Positivity|Universe) Checking|type-in-type|-noinit' ./*.v _CoqProject; then
+  fail "a proof is missing, or something is assumed"
+fi
+
+if ! command -v coqc >/dev/null; then
+  if [ "$(id -u)" != 0 ] || ! command -v apt-get >/dev/null; then
+    echo "skipped: coqc is not installed, and installing it takes root and apt"; exit 0
+  fi
+  apt-get update -qq
+  apt-get install -y -qq --no-install-recommends make coq libcoq-mathcomp-ssreflect libcoq-mathcomp-algebra \
+    libcoq-mathcomp-algebra-tactics libcoq-mathcomp-zify libcoq-mathcomp-real-closed >/dev/null
+fi
+start=$(date +%s)
+make -s >/dev/null
+
+work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
+{
+  rows | cut -f5 | sort -u | sed 's/\.v$//' | tr '\n' ' ' | sed 's/^/From Bsplines Require /; s/ $/.\n/'
+  rows | awk -F'\t' '{ sub(/\.v$/, "", $5); print "Print Assumptions Bsplines." $5 "." $4 "." }'
+} > "$work/Assumptions.v"
+coqc -w none -R . Bsplines "$work/Assumptions.v" > "$work/out" || fail "theorems.toml names a theorem that is not there"
+if grep -vx 'Closed under the global context' "$work/out"; then fail "a theorem rests on an axiom"; fi
+closed=$(wc -l < "$work/out"); wanted=$(rows | wc -l)
+[ "$closed" = "$wanted" ] && [ "$wanted" -gt 0 ] || fail "$closed of $wanted theorems are closed"
+echo "$wanted theorems, $(ls ./*.v | wc -l) files, closed under the global context, $(( $(date +%s) - start )) s"

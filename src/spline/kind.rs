@@ -1,0 +1,192 @@
+//! The two kinds of weights that a basis can have, and what is computed with either.
+
+use num_rational::BigRational;
+
+use crate::scalar::{Jet, RationalAlgebra, integer};
+
+use super::basis::Basis;
+use super::evaluator::Evaluator;
+use super::forms::FormTable;
+use super::index::Index;
+use super::knots::{Side, Span, SpanError};
+use super::triangle::{Active, de_boor, triangle};
+use super::weight::PointWeights;
+
+/// What the weights of a basis are made from.
+pub trait HasWeights {
+    /// Which of the two it is.
+    fn kind(&self) -> WeightKind<'_>;
+}
+
+/// An index, for which there are fast kernels, or the forms of a member of any family.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum WeightKind<'a> {
+    /// α.
+    Index(&'a Index),
+    /// A form for each weight.
+    Forms(&'a FormTable),
+}
+
+/// The same, where only the run of the program tells which of the two it is.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum AnyWeights {
+    /// α.
+    Index(Index),
+    /// A form for each weight.
+    Forms(FormTable),
+}
+
+impl HasWeights for Index {
+    fn kind(&self) -> WeightKind<'_> {
+        WeightKind::Index(self)
+    }
+}
+
+impl HasWeights for FormTable {
+    fn kind(&self) -> WeightKind<'_> {
+        WeightKind::Forms(self)
+    }
+}
+
+impl HasWeights for AnyWeights {
+    fn kind(&self) -> WeightKind<'_> {
+        match self {
+            Self::Index(index) => WeightKind::Index(index),
+            Self::Forms(table) => WeightKind::Forms(table),
+        }
+    }
+}
+
+impl<W: HasWeights> Basis<W> {
+    /// The functions that live on the span, at any scalar x of the closed span: a point, a jet, a variable.
+    ///
+    /// A variable, such as a [`RationalFunction`](crate::scalar::RationalFunction), stands for the points of the span:
+    /// the result is the functions as formulas.
+    ///
+    /// Over exact numbers this is the reference: every operation is reduced at once, and slow. For an index,
+    /// [`Evaluator`] gives the same values and jets.
+    ///
+    /// # Errors
+    /// [`SpanError`] for a span of another knot vector, and for a point outside of the closed span, NaN included.
+    pub fn active<S: RationalAlgebra>(&self, span: Span, x: &S) -> Result<Active<S>, SpanError> {
+        let (knots, k) = (self.knots(), self.degree());
+        knots.ends_around(span, x)?;
+        Ok(match self.weights().kind() {
+            WeightKind::Index(index) => {
+                triangle(&PointWeights::new(knots, x.embed(index.ratio()), x.clone()), span, k, knots.m())
+            }
+            WeightKind::Forms(table) => triangle(&table.at(knots, span, x), span, k, knots.m()),
+        })
+    }
+
+    /// K: as quotients in x, no function on the span has a higher degree, neither above nor below: the sum of the degrees of
+    /// the weights over it, N for forms and k(k + 1)/2 altogether for an index.
+    #[must_use]
+    pub fn quotient_degree(&self, span: Span) -> usize {
+        match self.weights().kind() {
+            WeightKind::Index(_) => self.degree() * (self.degree() + 1) / 2,
+            WeightKind::Forms(table) => {
+                let here = table.iter().filter(|((j, ..), _)| *j == span.index());
+                here.map(|(_, forms)| forms.degree()).sum()
+            }
+        }
+    }
+
+    /// G_0^k, …, G_n^k at x as jets of the given order: values and one-sided derivatives.
+    ///
+    /// For many points of one basis, a [`Sampler`] prepares what it can once only.
+    #[must_use]
+    pub fn jets(&self, x: &BigRational, side: Side, order: usize) -> Vec<Jet<BigRational>> {
+        self.all(Sampler::new(self).jets(x, side, order), &Jet::constant(integer(0), order))
+    }
+
+    /// G_0^k(x), …, G_n^k(x), as limits from the given side; for many points as [`jets`](Self::jets).
+    #[must_use]
+    pub fn values(&self, x: &BigRational, side: Side) -> Vec<BigRational> {
+        self.all(Sampler::new(self).values(x, side), &integer(0))
+    }
+
+    /// De Boor's algorithm at x of the closed span, for the control points d_{j−k}, …, d_j: see [`de_boor`].
+    pub(super) fn de_boor<S: RationalAlgebra>(
+        &self,
+        span: Span,
+        x: &S,
+        points: &[Vec<S>],
+    ) -> Option<Vec<Active<Vec<S>>>> {
+        match self.weights().kind() {
+            WeightKind::Index(index) => {
+                de_boor(&PointWeights::new(self.knots(), x.embed(index.ratio()), x.clone()), span, points)
+            }
+            WeightKind::Forms(table) => de_boor(&table.at(self.knots(), span, x), span, points),
+        }
+    }
+}
+
+/// A basis at many points: the knots of an index are brought to a common denominator once.
+#[derive(Debug, Clone)]
+pub struct Sampler<'a, W> {
+    basis: &'a Basis<W>,
+    kernel: Option<Evaluator>,
+}
+
+impl<'a, W: HasWeights> Sampler<'a, W> {
+    /// Prepares what can be prepared.
+    #[must_use]
+    pub fn new(basis: &'a Basis<W>) -> Self {
+        let kernel = match basis.weights().kind() {
+            WeightKind::Index(index) => {
+                Some(Evaluator::of(basis.knots().knots(), index.ratio(), basis.degree()))
+            }
+            WeightKind::Forms(_) => None,
+        };
+        Self { basis, kernel }
+    }
+
+    /// The functions that live at x as jets of the given order, limits from the side: values and one-sided derivatives;
+    /// `None` where all are 0, as in [`Evaluator::at`].
+    pub fn jets(&mut self, x: &BigRational, side: Side, order: usize) -> Option<Active<Jet<BigRational>>> {
+        match &mut self.kernel {
+            Some(kernel) => kernel.jets(x, side, order),
+            None => self.recursion(x, side, &Jet::variable(x.clone(), order)),
+        }
+    }
+
+    /// The values of the functions that live at x; `None` likewise.
+    pub fn values(&mut self, x: &BigRational, side: Side) -> Option<Active<BigRational>> {
+        match &mut self.kernel {
+            Some(kernel) => kernel.values(x, side),
+            None => self.recursion(x, side, x),
+        }
+    }
+
+    fn recursion<S: RationalAlgebra>(&self, x: &BigRational, side: Side, scalar: &S) -> Option<Active<S>> {
+        self.basis.active(self.basis.knots().span_at(x, side)?, scalar).ok()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::rational;
+    use crate::spline::{Forms, KnotVector};
+
+    /// Linear forms with one ratio are an index: the same functions as by its own kernels.
+    #[test]
+    fn forms_of_an_index_give_its_functions() {
+        let knots = KnotVector::new([0, 0, 0, 1, 1, 2, 4, 4, 5].map(integer).to_vec()).unwrap();
+        let index = Index::from_ratio(rational(2, 3)).unwrap();
+        let forms = || Forms::new(vec![integer(0), integer(2)], vec![integer(3), integer(0)], None).unwrap();
+        for degree in 1..=4 {
+            let Ok(basis) = Basis::new(knots.clone(), degree, index.clone()) else { continue };
+            let table = FormTable::new(&knots, degree, |_, _, _| Ok::<_, ()>(forms())).unwrap();
+            assert_eq!(table.get(3, 3, 1), None, "[t_3, t_4] is empty");
+            let other = basis.with(table);
+            for x in [rational(0, 1), rational(1, 3), rational(1, 1), rational(9, 2), rational(5, 1)] {
+                for side in [Side::Left, Side::Right] {
+                    assert_eq!(other.jets(&x, side, 2), basis.jets(&x, side, 2), "{degree}, {x}");
+                    assert_eq!(other.values(&x, side), basis.values(&x, side), "{degree}, {x}");
+                }
+            }
+        }
+    }
+}
