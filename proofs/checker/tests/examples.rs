@@ -568,6 +568,7 @@ fn a_hypothesis_on_an_index_has_to_exist() {
 fn on_knots(binders: &str, hypotheses: &str, conclusion: &str) -> String {
     format!(
         "(statement 2 (claim \"X\") (form printed) (verdict proved) (scope knots) (degrees 1)
+            {MOBIUS}
             (sentence (for (degree 0) {binders}) (if {hypotheses}) (then {conclusion})))"
     )
 }

@@ -2,10 +2,14 @@
 
 use knotproof_checker::check;
 
+const MOBIUS: &str = r#"(family "mobius" (parameter r () (> 0)) (rise (* (parameter r) (- (var x) (var a))))
+    (fall (- (var b) (var x))))"#;
+
 /// A refutation of a conclusion about functions of degree k on these knots.
 fn point(k: usize, knots: &str, conclusion: &str, numbers: &str) -> String {
     let statement = format!(
         "(statement 2 (claim \"X\") (form printed) (verdict refuted) (scope instance) (degrees {k})
+            {MOBIUS}
             (define C () y (sum l 0 n (* (coefficient d l) (of (G l) (at (var y))))))
             (sentence (for (degree 0) (knots) (integer i 0 n) (real s) (points d)) (if) (then {conclusion}))
             (point (k {k}) (knots {knots}) (parameter r 1/2) (integer i 1) (real s 1/2) {numbers}))"
@@ -106,6 +110,7 @@ fn counts_are_at_least_what_samples_show() {
     let below = |conclusion: &str, r: &str| -> String {
         let statement = format!(
             "(statement 2 (claim \"X\") (form printed) (verdict refuted) (scope instance) (degrees 3)
+                {MOBIUS}
                 (sentence (for (degree 0) (knots)) (if) (then {conclusion}))
                 (point (k 3) (knots {two}) (parameter r {r}) {turns}))"
         );
@@ -190,6 +195,7 @@ fn lists_stand_once_and_each_degree_has_its_point() {
     let statement = |degrees: &str, points: &str| {
         format!(
             "(statement 2 (claim \"X\") (form printed) (verdict refuted) (scope instance) (degrees {degrees})
+                {MOBIUS}
                 (sentence (for (degree 0) (knots)) (if) (then {X})) {points})"
         )
     };
