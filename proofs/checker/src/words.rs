@@ -8,7 +8,7 @@ use crate::obligation::Subject;
 use crate::place::{Form, Place};
 use crate::poly::Sign;
 use crate::section::Section;
-use crate::token::Node;
+use crate::token::{Node, tree};
 use crate::truth::Truth;
 use crate::value::Value;
 
@@ -37,13 +37,10 @@ impl<'t> Case<'_, 't> {
         Ok(all)
     }
 
-    /// Whether samples are in an interval: strictly inside, or its ends as well.
-    fn all_within(&mut self, samples: &[Node<'t>], [a, b]: [&Node<'t>; 2], relation: &str) -> Found<()> {
-        let (a, b) = (self.real(a)?, self.real(b)?);
+    /// Whether samples are in an interval.
+    fn all_in(&mut self, samples: &[Node<'t>], interval: &Node<'t>) -> Found<()> {
         for sample in samples {
-            let x = self.leaf(sample.clone())?;
-            let after = self.compare(a.clone(), relation, x.clone())?;
-            if !after.and(self.compare(x, relation, b.clone())?).is_true() {
+            if !self.truth(&Node::made("in", vec![sample.clone(), interval.clone()]))?.is_true() {
                 return Err(Stop::Undecided);
             }
         }
@@ -70,7 +67,7 @@ impl<'t> Case<'_, 't> {
         Ok((0..=last.ok_or(Stop::Undecided)?).map(of).collect())
     }
 
-    /// Σ c·f(x) over the factors and samples.
+    /// Σ c·f(x) over the factors and samples, none of which is a knot, or beyond them.
     fn functional(&mut self, of: &mut dyn FnMut(&mut Self, &Node<'t>) -> Found<Fraction>) -> Found<Fraction> {
         let (samples, factors) = (self.samples()?, self.list("factors")?);
         if samples.len() != factors.len() {
@@ -78,6 +75,13 @@ impl<'t> Case<'_, 't> {
         }
         let mut sum = Fraction::integer(0);
         for (x, c) in samples.iter().zip(&factors) {
+            let there = self.leaf(x.clone())?;
+            let before = self.locate(there)?;
+            let inside = self.place == Place::Inside;
+            self.restore(before);
+            if !inside {
+                return Err(Stop::Undecided);
+            }
             sum = sum.plus(&Fraction::number(c)?.times(&of(self, x)?)?)?;
         }
         Ok(sum)
@@ -110,28 +114,23 @@ impl<'t> Case<'_, 't> {
         }
         case.section = Section::new(&fixed, Env::new(self.family.clone()))?;
         (case.numbers, case.exact) = (Some(other), true);
+        // Without a point any number does.
+        let any = case.leaf(knots.first().cloned().ok_or(Stop::Undecided)?)?;
+        case.locate(any)?;
         Ok(case)
     }
 
     /// Whether a functional that is 0 on all functions of another basis, on knots among which there are all of these, is not on
-    /// one of these. Samples are no knots.
+    /// one of these.
     fn sticks_out(&mut self, knots: &[Node<'t>], k: i64) -> Found<Truth<'t>> {
         let mut other = self.on_knots(knots, k)?;
-        for sample in self.samples()? {
-            let x = other.leaf(sample)?;
-            other.locate(x)?;
-            if other.place != Place::Inside {
-                return Err(Stop::Undecided);
-            }
-        }
         if !other.vanishes(k)? || self.vanishes(self.k)? { Err(Stop::Undecided) } else { Ok(Truth::False) }
     }
 
     /// The minor of functions of a degree at the samples.
     fn minor(&mut self, degree: i64) -> Found<Fraction> {
         let (samples, basis) = (self.samples()?, self.basis(degree)?);
-        let ends = [Node::made("t", vec![Node::whole_of(0)]), Node::made("t", vec![Node::name_of("m")])];
-        self.all_within(&samples, [&ends[0], &ends[1]], "<=")?;
+        self.all_in(&samples, &tree("(closed (t 0) closed (t m))")?)?;
         let columns = self.list("columns")?.iter().map(Node::whole).collect::<Result<Vec<_>>>()?;
         if !columns.is_sorted_by(|a, b| a < b) || columns.len() != samples.len() {
             return Err(Stop::Undecided);
@@ -150,18 +149,20 @@ impl<'t> Case<'_, 't> {
 
     /// A formula that is a word.
     pub(crate) fn word(&mut self, head: &str, of: &[Node<'t>]) -> Found<Truth<'t>> {
-        let knots = self.numbers.as_ref().map(|numbers| numbers.knots.clone()).unwrap_or_default();
+        // Only a point has all knots, and values at them.
+        let numbers = self.numbers.as_ref().filter(|numbers| numbers.values.is_some());
+        let knots = numbers.map(|numbers| numbers.knots.clone()).ok_or(Stop::Undecided)?;
         match (head, of) {
-            // At every knot between t_0 and t_m.
-            ("continuous", [function]) => {
-                let [function] = function.part("function")?;
-                self.jumps(function, &knots).map(|jumps| Truth::of(!jumps))
-            }
+            // At every knot between t_0 and t_m; a basis function has no pole beside them.
+            ("continuous", [function]) => match function.part("function")? {
+                [function] if function.is("G") => self.jumps(function, &knots).map(|jumps| Truth::of(!jumps)),
+                _ => Err(Stop::Undecided),
+            },
             ("combination", [expression, degree]) => {
                 let [body, name, interval] = expression.part("expression")?;
-                let ([degree], [_, a, _, b]) = (degree.part("integer")?, interval.group("an interval")?);
+                let [degree] = degree.part("integer")?;
                 let (samples, degree) = (self.samples()?, self.fixed(degree)?);
-                self.all_within(&samples, [a, b], "<")?;
+                self.all_in(&samples, interval)?;
                 if !self.vanishes(degree)?
                     || self.functional(&mut |own, x| own.expression(body, name, x))?.is_zero()
                 {
@@ -269,9 +270,8 @@ impl<'t> Case<'_, 't> {
             Ok(("maxima", [function])) => Ok((Some(self.peaks(function)?), None)),
             Ok(("changes", [expression])) => {
                 let [body, name, interval] = expression.part("expression")?;
-                let [_, a, _, b] = interval.group("an interval")?;
                 let samples = self.samples()?;
-                self.all_within(&samples, [a, b], "<=")?;
+                self.all_in(&samples, interval)?;
                 let mut signs = Vec::new();
                 for x in &samples {
                     let value = self.expression(body, name, x)?;
@@ -353,8 +353,8 @@ impl<'t> Case<'_, 't> {
     fn peaks(&mut self, function: &Node<'t>) -> Found<i64> {
         let (function, knots) = self.support(function)?;
         let (Some(first), Some(last)) = (knots.first(), knots.last()) else { return Err(Stop::Undecided) };
-        let samples = self.samples()?;
-        self.all_within(&samples, [first, last], "<=")?;
+        let (samples, open) = (self.samples()?, || Node::name_of("open"));
+        self.all_in(&samples, &Node::group_of(vec![open(), first.clone(), open(), last.clone()]))?;
         // From the right it is continuous at the first knot.
         let after: Vec<_> = knots.iter().filter(|knot| *knot != first).cloned().collect();
         if samples.len() % 2 == 0 || self.jumps(&function, &after)? {

@@ -771,3 +771,26 @@ fn indices_are_put_in_order() {
     ];
     assert_eq!(wrong(&table), "");
 }
+
+/// What samples and limits show of a word is shown on the knots of a point, and not on all knots.
+#[test]
+fn words_are_not_derived() {
+    let said =
+        |word: &str| on_knots("(knots) (integer i 0 n) (point x (closed (t 0) closed (t m)))", "", word);
+    let of_weights = |word: &str| weights("(real x)", "", word);
+    let table = [
+        ("continuous", said("(continuous (function (G i)))"), NONE, "not decided"),
+        ("and not", said("(not (continuous (function (G i))))"), NONE, "not decided"),
+        ("of weights", of_weights("(continuous (function (phi (int 0) (int 1))))"), NONE, "not decided"),
+        ("of an example", about("", "(instance B)", "(continuous (function (G 0)))"), NONE, "not decided"),
+        (
+            "combination",
+            said("(combination (expression (var y) y (closed (t 0) closed (t m))) (integer k))"),
+            NONE,
+            "not decided",
+        ),
+        ("nested", said("(nested (real (var x)))"), NONE, "not decided"),
+        ("a count", said("(chain (int (maxima (function (G i)))) (= (int 1)))"), NONE, "not decided"),
+    ];
+    assert_eq!(wrong(&table), "");
+}

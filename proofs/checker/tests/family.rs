@@ -298,3 +298,86 @@ fn numbers_that_refute() {
         ],
     );
 }
+
+/// A statement about weights of its own, in degree 1; with the rest of it.
+fn of_weights(family: &str, verdict: &str, sentence: &str, rest: &str, proof: &str) -> String {
+    found(&[
+        format!(
+            "(statement 2 (claim \"X\") (form printed) {verdict} (degrees 1) {family} (sentence {sentence}) {rest})"
+        ),
+        proof.to_owned(),
+    ])
+}
+
+const MOBIUS: &str = r#"(family "mobius" (parameter r () (> 0)) (rise (* (parameter r) (- (var x) (var a))))
+    (fall (- (var b) (var x))))"#;
+
+/// What rests on quotients of polynomials, on their orders, and on an r that is positive, is said of those weights only.
+#[test]
+fn what_is_derived_of_known_weights_is_derived_of_them_alone() {
+    let proved = "(verdict proved) (scope knots)";
+    let smooth = |word: &str| {
+        format!(
+            "(for (degree 0) (knots) (integer i 0 n) (integer j 0 (- m 1))) (if)
+                (then ({word} (expression (of (G i) (at (var x))) x (open (t j) open (t (+ j 1))))))"
+        )
+    };
+    let rank =
+        "(for (degree 0) (knots simple)) (if) (then (chain (int (rank (integer k))) (= (int (+ n 1)))))";
+    let orders = "(proof 1 (section 1 (goal 1 (orders))) (section 2 (goal 1 (orders))))";
+    let goals = |n: usize| {
+        let goals: String = (1..=n).map(|goal| format!("(goal {goal} (by))")).collect();
+        format!("(proof 1 (section 1 {goals}))")
+    };
+    let omega = format!("(family \"k\" {OMEGA} {RISE} {FALL})");
+    for (family, known) in [(MOBIUS, true), (&*omega, true), ("(family any)", false)] {
+        for (sentence, proof) in
+            [(&*smooth("smooth"), &*goals(2)), (&smooth("rational"), &goals(6)), (rank, orders)]
+        {
+            let found = of_weights(family, proved, sentence, "", proof);
+            assert_eq!(found.starts_with("accepted"), known, "{family}: {sentence}: {found}");
+        }
+    }
+    // The ratio of an index is positive, and in order beside 1; what another family calls r need not be.
+    let real = "(for (real x)) (if) (then (chain (abs (- ratio (int 1))) (>= (int 0))) (or (chain ratio (< (int 1))) (chain ratio (>= (int 1)))))";
+    let positive = "(for (real x)) (if) (then (or (chain ratio (<= (int 1))) (chain ratio (> (int 1)))) (chain ratio (> (int 0))))";
+    let own = "(family \"own\" (parameter r ()) (rise (- (var x) (var a))) (fall (- (var b) (var x))))";
+    for sentence in [real, positive] {
+        assert!(of_weights(MOBIUS, proved, sentence, "", "(proof 1)").starts_with("accepted"), "{sentence}");
+        let found = of_weights(own, proved, sentence, "", "(proof 1)");
+        assert!(found.contains("not decided"), "{found}");
+    }
+}
+
+/// Weights of which it is not known whether they rise; and parameters of knots that are not known of others.
+#[test]
+fn words_look_at_the_weights_of_the_point() {
+    let refuted = "(verdict refuted) (scope instance)";
+    let point = |family: &str, conclusion: &str, point: &str| {
+        let sentence = format!("(for (degree 0) (knots) (integer i 0 n) (real s)) (if) (then {conclusion})");
+        of_weights(family, refuted, &sentence, &format!("(point {point})"), "(proof 1)")
+    };
+    let maxima = "(chain (int (maxima (function (G i)))) (= (int 1)))";
+    let turns = r#"(family "turns" (rise (* (- (var x) (var a)) (+ (^ (- (var x) (var a)) 2) (^ (- (var b) (var x)) 2))))
+        (fall (* (- (var b) (var x)) (+ (^ (- (var x) (var a)) 2) (^ (- (var b) (var x)) 2)))))"#;
+    let jump = "(k 1) (knots 0 1 1 2) (real s 1/2)";
+    let found = point(MOBIUS, maxima, &format!("{jump} (parameter r 1/2) (integer i 0)"));
+    assert!(found.starts_with("accepted"), "{found}");
+    let found = point(turns, maxima, &format!("{jump} (integer i 0)"));
+    assert!(found.contains("no conclusion fails"), "{found}");
+    let nested = "(nested (real (var s)))";
+    let bezier = "(k 1) (knots 0 0 1 1) (integer i 0) (real s 1/2)";
+    let lists = "(samples 1/8 1/4 3/8) (factors 7/5 -12/5 1)";
+    let found = point(MOBIUS, nested, &format!("{bezier} (parameter r 1/2) {lists}"));
+    assert!(found.starts_with("accepted"), "{found}");
+    let knots = format!("(family \"k\" {OMEGA} {RISE} {FALL})");
+    for omega in ["1 1 1 1", "1 2 1 2"] {
+        let found = point(&knots, nested, &format!("{bezier} (parameter omega {omega}) {lists}"));
+        assert!(found.contains("no conclusion fails"), "{omega}: {found}");
+    }
+    // Of the functions on the knots themselves all is known.
+    let x = "(combination (expression (var x) x (closed (t 0) closed (t m))) (integer k))";
+    let lists = "(samples 1/4 1/2 3/4) (factors 7/5 -12/5 1)";
+    let found = point(&knots, x, &format!("{bezier} (parameter omega 2 2 1 2) {lists}"));
+    assert!(found.starts_with("accepted"), "{found}");
+}

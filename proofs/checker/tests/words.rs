@@ -10,6 +10,7 @@ fn point(k: usize, knots: &str, conclusion: &str, numbers: &str) -> String {
     let statement = format!(
         "(statement 2 (claim \"X\") (form printed) (verdict refuted) (scope instance) (degrees {k})
             {MOBIUS}
+            (define pole () y (/ (int 1) (- (var y) (/ (int 1) (int 2)))))
             (define C () y (sum l 0 n (* (coefficient d l) (of (G l) (at (var y))))))
             (sentence (for (degree 0) (knots) (integer i 0 n) (real s) (points d)) (if) (then {conclusion}))
             (point (k {k}) (knots {knots}) (parameter r 1/2) (integer i 1) (real s 1/2) {numbers}))"
@@ -38,6 +39,8 @@ const ZERO: &str = "(samples 1/4 1/2 3/4) (factors 7/5 -12/5 1)";
 fn functionals_show_what_is_no_combination() {
     let one = "(combination (expression (+ (of (G 0) (at (var x))) (int 1)) x (closed (t 0) closed (t m))) (integer k))";
     let bezier = "0 0 1 1";
+    // The limit from the left differs from a function at knots only.
+    let left = |i: usize| X.replace("(var x)", &format!("(of (G {i}) (left (var x)))"));
     let table = [
         (1, bezier, X, ZERO, true),
         // The sum of both is 1: the functional is 0 there, too.
@@ -49,6 +52,12 @@ fn functionals_show_what_is_no_combination() {
         // Samples that do not rise, at the ends, or of which there are more than factors.
         (1, bezier, X, "(samples 3/4 1/2 1/4) (factors 1 -12/5 7/5)", false),
         (1, bezier, X, "(samples 0 1) (factors 0 0)", false),
+        // At a knot, or beyond them, a functional says nothing.
+        (0, "0 1/2 1", &left(0), "(samples 1/4 1/2) (factors -1 1)", false),
+        (0, "0 1/2 1", &left(0), "(samples 1/2 3/4) (factors -1 1)", false),
+        (1, bezier, &X.replace("closed (t m)", "closed (int 2)"), "(samples 1/2 3/2) (factors 0 1)", false),
+        (1, bezier, &X.replace("closed (t 0)", "open (/ (int 1) (int 4))"), ZERO, false),
+        (1, bezier, "(nested (real (int 2)))", "(samples 5/4 3/2 7/4) (factors 7/5 -12/5 1)", false),
         (1, bezier, X, "(samples 1/4 1/2 3/4) (factors 7/5 -12/5)", false),
         (1, bezier, X, "(samples 1/4 1/2 3/4)", false),
         (1, bezier, X, "", false),
@@ -179,9 +188,23 @@ fn counts_are_at_least_what_samples_show() {
             "(points d 1 -1 -1)",
             false,
         ),
+        // An end that does not belong to the interval.
+        (
+            1,
+            "0 0 1 1 2 2",
+            "(chain (int (changes (expression (- (of (G 0) (at (var x))) (of (G 2) (at (var x)))) x (closed (t 0) open (int 1))))) (<= (int 0)))",
+            "(samples 0 1)",
+            false,
+        ),
+        // Where it is 0 there is no maximum to be seen.
+        (1, "0 0 0 1 1", &*maxima("<=", "0").replace("(G i)", "(G 0)"), "(samples 0)", false),
         // Continuous.
         (1, hat, "(continuous (function (G i)))", "", false),
         (1, "0 0 1 1 2", "(continuous (function (G i)))", "", true),
+        (1, "0 0 1 1 2", "(not (continuous (function (G i))))", "", false),
+        (1, hat, "(not (continuous (function (G i))))", "", true),
+        // A definition may have a pole where there is no knot.
+        (1, hat, "(not (continuous (function (defined pole))))", "", false),
     ];
     assert_eq!(wrong(&table), "");
 }
@@ -200,7 +223,8 @@ fn lists_stand_once_and_each_degree_has_its_point() {
         )
     };
     let one = format!("(point (k 1) (knots 0 0 1 1) (parameter r 1/2) {ZERO})");
-    let two = "(point (k 2) (knots 0 0 0 1 1 1) (parameter r 1/2) (samples 1/5 2/5 3/5 4/5) (factors FACTORS))";
+    let two =
+        "(point (k 2) (knots 0 0 0 1 1 1) (parameter r 1/2) (samples 1/5 2/5 3/5 4/5) (factors FACTORS))";
     let good = two.replace("FACTORS", &"-1 3 -3 1".replace("-1 3 -3 1", "0 0 0 0"));
     let reason = |degrees: &str, points: &str| match check(&statement(degrees, points), "(proof 1)") {
         Ok(checked) => checked.to_string(),
