@@ -7,9 +7,9 @@ use std::rc::Rc;
 use crate::case::{At, Bound, Case, Stop, read};
 use crate::error::{Reason, Result};
 use crate::family::Family;
+use crate::numbers::declared;
 use crate::obligation::{
-    Obligation, Point, Subject, is_variable, may_be_infinite, member, names_index, obligations, ratio,
-    subjects,
+    Obligation, Point, Subject, is_variable, may_be_infinite, names_index, obligations, side, subjects,
 };
 use crate::place::{Place, fine};
 use crate::token::Node;
@@ -98,7 +98,7 @@ impl<'w, 't> Walk<'w, 't> {
             _ => Point::Any,
         };
         let known = match may_be_infinite(&hypotheses) {
-            false => member(&hypotheses),
+            false => side(&hypotheses),
             true if obligation.subject == Some(Subject::Knots) => {
                 return Err(Reason::NoWindow(
                     "a hypothesis takes an index for a number that may be infinite",
@@ -106,7 +106,8 @@ impl<'w, 't> Walk<'w, 't> {
             }
             true => None,
         };
-        let (declared, ratios) = (ratio(known), Vec::new());
+        // An order of 1 and r.
+        let declared = known.map_or_else(Vec::new, |side| declared(&[(-side).max(0), side.max(0)]));
         Ok(Walk {
             family,
             obligation,
@@ -116,7 +117,7 @@ impl<'w, 't> Walk<'w, 't> {
             k,
             mirrored: false,
             declared,
-            ratios,
+            ratios: Vec::new(),
             free: false,
         })
     }

@@ -65,11 +65,14 @@ fn beside<'t>(one: i64, rank: i64) -> Node<'t> {
     }
 }
 
-/// All that occur in ratios of these ranks.
-fn declared<'t>(one: i64, order: &[i64]) -> Vec<Node<'t>> {
+/// What is known of r, the rank of which is the second one, and of other ratios: all that occurs in them.
+pub(crate) fn declared<'t>(order: &[i64]) -> Vec<Node<'t>> {
+    let [one, r, ..] = order else { return Vec::new() };
     let most = order.iter().max().map_or(0, |most| most - one);
     let all: Vec<_> = (-one..most).map(|j| Node::made("rho", vec![Node::whole_of(j)])).collect();
-    if all.is_empty() { all } else { vec![Node::made("positive", all)] }
+    let positive = (!all.is_empty()).then(|| Node::made("positive", all));
+    let r = Node::made("let", vec![Node::name_of("r"), beside(*one, *r)]);
+    positive.into_iter().chain([r]).collect()
 }
 
 /// The number of a rank: o, and what each is more than the one before.
@@ -127,9 +130,7 @@ impl<'w, 't> Walk<'w, 't> {
             if others.contains(alpha) {
                 continue;
             }
-            self.declared = declared(*one, &order);
-            let r = Node::made("let", vec![Node::name_of("r"), beside(*one, *alpha)]);
-            self.declared.push(r);
+            self.declared = declared(&order);
             let ratio = |(name, rank): (&&'t str, &i64)| (*name, beside(*one, *rank));
             self.ratios = self.obligation.indices.iter().zip(others).map(ratio).collect();
             match all(self)? {

@@ -312,28 +312,6 @@ pub(crate) enum Point<'t> {
     Any,
 }
 
-/// α = ∞, α < 0, α > 1: these are all.
-#[derive(Clone, Copy, PartialEq)]
-pub(crate) enum Member {
-    Classical,
-    Below,
-    Above,
-}
-
-/// What r is for such an α.
-pub(crate) fn ratio<'t>(member: Option<Member>) -> Vec<Node<'t>> {
-    let (one, rho) = (|| Node::whole_of(1), || Node::made("rho", vec![Node::whole_of(0)]));
-    let above = || Node::made("+", vec![one(), rho()]);
-    let r = match member {
-        None => return Vec::new(),
-        Some(Member::Classical) => one(),
-        Some(Member::Below) => Node::made("/", vec![one(), above()]),
-        Some(Member::Above) => above(),
-    };
-    let declared = r.any(&mut |node| node.is("rho")).then(|| Node::made("positive", vec![rho()]));
-    declared.into_iter().chain([Node::made("let", vec![Node::name_of("r"), r])]).collect()
-}
-
 /// Whether a formula takes an index for a number that may be ∞: then it may not exist.
 pub(crate) fn may_be_infinite(hypotheses: &[Node<'_>]) -> bool {
     fn indices<'t>(node: &Node<'t>, found: &mut Vec<&'t str>) {
@@ -356,8 +334,8 @@ pub(crate) fn may_be_infinite(hypotheses: &[Node<'_>]) -> bool {
     })
 }
 
-/// Which members of the family a hypothesis leaves.
-pub(crate) fn member(hypotheses: &[Node<'_>]) -> Option<Member> {
+/// Where a hypothesis leaves r beside 1: there for α = ∞, below for α < 0, above for α > 1.
+pub(crate) fn side(hypotheses: &[Node<'_>]) -> Option<i64> {
     let is_alpha =
         |node: &Node<'_>| matches!(node.headed(""), Ok(("alpha", [name])) if name.is_word("alpha"));
     hypotheses.iter().find_map(|hypothesis| {
@@ -369,9 +347,9 @@ pub(crate) fn member(hypotheses: &[Node<'_>]) -> Option<Member> {
         };
         match (relation, number) {
             _ if !is_alpha(a) => None,
-            ("=", _) if b.is_word("infinity") => Some(Member::Classical),
-            ("<", Some(0)) => Some(Member::Below),
-            (">", Some(1)) => Some(Member::Above),
+            ("=", _) if b.is_word("infinity") => Some(0),
+            ("<", Some(0)) => Some(-1),
+            (">", Some(1)) => Some(1),
             _ => None,
         }
     })

@@ -131,7 +131,7 @@ fn for_ratios(
     weighted: &Weighted,
     of: impl Fn(&Ratios) -> Result<Vec<Section>, NoWindow>,
 ) -> Result<Vec<Section>, NoWindow> {
-    of(&Ratios { is_free: true, ..Ratios::of(obligation.member) }).or_else(|error| {
+    of(&Ratios { is_free: true, ..Ratios::of(obligation.side) }).or_else(|error| {
         let orders = if weighted.is_mobius() { Ratios::in_order(obligation) } else { Vec::new() };
         let each = orders.iter().map(of).collect::<Result<Vec<_>, _>>();
         each.ok().filter(|all| !all.is_empty()).map(|all| all.concat()).ok_or(error)
@@ -330,7 +330,7 @@ fn at(
         return Ok(None);
     }
     let found = shown(case, obligation, None)?;
-    let ratios = Ratios::of(obligation.member);
+    let ratios = Ratios::of(obligation.side);
     Ok(found.map(|(windows, goals)| section(parameters, weighted, &ratios, windows, goals)))
 }
 

@@ -1,5 +1,7 @@
 //! A sentence as obligations: each has one conclusion, the integers that it runs over, and one point x.
 
+use std::cmp::Ordering;
+
 use crate::language::{
     Adjective, Argument, Binder, Claim, Definition, Form, Formula, Function, Int, Interval, Item, Member,
     Name, Over, Range, Real, Relation, Row, Sentence, Use, Word,
@@ -57,17 +59,6 @@ pub(super) fn subjects<'a>(
     }
 }
 
-/// What r is where something is assumed of α.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Ratio {
-    /// α = ∞.
-    One,
-    /// α < 0.
-    Below,
-    /// α > 1.
-    Above,
-}
-
 /// One thing to show.
 #[derive(Debug, Clone)]
 pub(super) struct Obligation<'a> {
@@ -87,7 +78,7 @@ pub(super) struct Obligation<'a> {
     /// Knots inside are no k + 1 of k+1, …, n.
     interior: bool,
     /// What is assumed of α.
-    pub(super) member: Option<Ratio>,
+    pub(super) side: Option<Ordering>,
     /// Other indices.
     pub(super) indices: Vec<Name>,
     /// In the place of all this: the orders of functions of a degree where they begin.
@@ -403,8 +394,8 @@ fn obligation<'a>(
         }
     }
     let coincide = assume.iter().filter_map(coinciding).collect();
-    let member = match may_be_infinite(&assume) {
-        false => assume.iter().find_map(ratio),
+    let side = match may_be_infinite(&assume) {
+        false => assume.iter().find_map(side),
         true if given.subject == Subject::Knots => {
             return Err(NoWindow::because("a hypothesis takes an index for a number that may be infinite"));
         }
@@ -427,20 +418,20 @@ fn obligation<'a>(
         simple,
         inner,
         interior,
-        member,
+        side,
         indices: given.indices.clone(),
         orders: None,
         definitions,
     })
 }
 
-fn ratio(f: &Formula) -> Option<Ratio> {
+fn side(f: &Formula) -> Option<Ordering> {
     let Formula::Chain(Real::Index(name), rest) = f else { return None };
     match rest.as_slice() {
         _ if &**name != "alpha" => None,
-        [(Relation::Equal, Real::Infinity)] => Some(Ratio::One),
-        [(Relation::Less, Real::Whole(Int::Number(0)))] => Some(Ratio::Below),
-        [(Relation::Greater, Real::Whole(Int::Number(1)))] => Some(Ratio::Above),
+        [(Relation::Equal, Real::Infinity)] => Some(Ordering::Equal),
+        [(Relation::Less, Real::Whole(Int::Number(0)))] => Some(Ordering::Less),
+        [(Relation::Greater, Real::Whole(Int::Number(1)))] => Some(Ordering::Greater),
         _ => None,
     }
 }

@@ -1,10 +1,12 @@
 //! What is known of the slope ratios of indices: what is assumed of α, or the order of 1, r, and those of other indices.
 
+use std::cmp::Ordering;
+
 use crate::certificate::term::Term;
 use crate::language::Name;
 use crate::scalar::integer;
 
-use super::obligation::{Obligation, Ratio};
+use super::obligation::Obligation;
 
 /// All orders of so many numbers: the ranks of each, without a gap.
 pub(super) fn orders(count: usize) -> Option<Vec<Vec<usize>>> {
@@ -51,35 +53,33 @@ fn over_one(below: Term) -> Term {
 
 impl Ratios {
     /// What is assumed of α.
-    pub(super) fn of(member: Option<Ratio>) -> Self {
-        let first = || above(std::iter::once(0));
-        let own = member.map(|member| match member {
-            Ratio::One => one(),
-            Ratio::Below => over_one(first()),
-            Ratio::Above => first(),
-        });
-        let moves = member.is_some_and(|member| member != Ratio::One);
-        Self { declared: moves.then(|| rho(0)).into_iter().collect(), own, ..Self::default() }
+    pub(super) fn of(side: Option<Ordering>) -> Self {
+        side.map_or_else(Self::default, |side| match side {
+            Ordering::Less => Self::ranked(&[1, 0], &[]),
+            Ordering::Equal => Self::ranked(&[0, 0], &[]),
+            Ordering::Greater => Self::ranked(&[0, 1], &[]),
+        })
     }
 
     /// All orders of 1, r, and the ratios of other indices, which differ from r.
     pub(super) fn in_order(obligation: &Obligation<'_>) -> Vec<Self> {
         let names = &obligation.indices;
-        let of = |order: &Vec<usize>| {
-            let rank =
-                |at: usize| i64::try_from(order[at]).unwrap_or(0) - i64::try_from(order[0]).unwrap_or(0);
-            let beside = |at: usize| match rank(at) {
-                0 => one(),
-                steps @ 1.. => above(0..steps),
-                steps => over_one(above((1..=-steps).map(|j| -j))),
-            };
-            let (least, most) =
-                (0..order.len()).fold((0, 0), |(a, b), at| (rank(at).min(a), rank(at).max(b)));
-            let others = names.iter().zip(2..).map(|(name, at)| (name.clone(), beside(at))).collect();
-            Self { declared: (least..most).map(rho).collect(), own: Some(beside(1)), others, is_free: false }
-        };
         let all = orders(2 + names.len()).unwrap_or_default();
-        all.iter().filter(|order| !order[2..].contains(&order[1])).map(of).collect()
+        let fits = all.iter().filter(|order| !order[2..].contains(&order[1]));
+        fits.map(|order| Self::ranked(order, names)).collect()
+    }
+
+    /// By the ranks of 1, r, and the ratios of those that are named.
+    fn ranked(order: &[usize], names: &[Name]) -> Self {
+        let rank = |at: usize| i64::try_from(order[at]).unwrap_or(0) - i64::try_from(order[0]).unwrap_or(0);
+        let beside = |at: usize| match rank(at) {
+            0 => one(),
+            steps @ 1.. => above(0..steps),
+            steps => over_one(above((1..=-steps).map(|j| -j))),
+        };
+        let (least, most) = (0..order.len()).fold((0, 0), |(a, b), at| (rank(at).min(a), rank(at).max(b)));
+        let others = names.iter().zip(2..).map(|(name, at)| (name.clone(), beside(at))).collect();
+        Self { declared: (least..most).map(rho).collect(), own: Some(beside(1)), others, is_free: false }
     }
 }
 
