@@ -772,6 +772,72 @@ fn indices_are_put_in_order() {
     assert_eq!(wrong(&table), "");
 }
 
+/// In a number of an example, and not in a place, an end of the span can't be looked at.
+#[test]
+fn what_is_no_place_has_no_ends() {
+    let said = |word: &str| {
+        let quotient = "(/ (int 1) (- (var y) (t 0)))";
+        about(
+            "",
+            "(instance B)",
+            &format!("({word} (expression {quotient} y (open (t 0) open (t (+ 0 1)))))"),
+        )
+    };
+    let proofs = [by(1), "(proof 1 (section 1 (goal 1 (by)) (goal 2 (by)) (goal 3 (by))))".to_owned()];
+    for (word, proof) in
+        ["smooth", "rational"].iter().flat_map(|word| proofs.iter().map(move |proof| (word, proof)))
+    {
+        let found = reason(&said(word), proof);
+        assert!(found.contains("not decided"), "{word}: {found}");
+    }
+}
+
+/// What an index is inside of another member is not known, but for those that have names of their own.
+#[test]
+fn a_member_of_a_member_has_a_name() {
+    let said = |inner: &str, other: &str| {
+        let define = format!("(define g () y (of (G 0) (at (var y) {inner}))) (define v");
+        let at = |member: &str| format!("(at (/ (int 1) (int 2)) {member})");
+        let both =
+            format!("(chain (of (defined g) {}) (= (of (G 0) {})))", at("(alpha (alpha beta))"), at(other));
+        about("(index beta) (index gamma)", "(instance B)", &both).replace("(define v", &define)
+    };
+    let [dual, beta, gamma, infinity] = [
+        "(alpha (- (int 1) (alpha alpha)))",
+        "(alpha (alpha beta))",
+        "(alpha (alpha gamma))",
+        "(alpha infinity)",
+    ];
+    let table = [
+        ("of gamma", said(gamma, gamma), &*by(1), "accepted"),
+        ("of infinity", said(infinity, infinity), &*by(1), "accepted"),
+        ("of the first one", said(gamma, beta), &*by(1), "rule by"),
+        ("of 1 - α", said(dual, dual), &*by(1), "not decided"),
+        ("of r", said("(ratio ratio)", "(ratio ratio)"), &*by(1), "not decided"),
+        ("of a number", said("(ratio 2)", "(ratio 2)"), &*by(1), "not decided"),
+    ];
+    assert_eq!(wrong(&table), "");
+}
+
+/// Copies of t_0 are few only where t_k and t_{m−k} differ: otherwise no knot is between them.
+#[test]
+fn knots_between_none_are_not_few() {
+    let said = |adjectives: &str| {
+        on_knots(
+            &format!("(knots {adjectives}) (real x)"),
+            "(chain (var x) (= (t 0)))",
+            "(chain (t 0) (< (t (+ k 1))))",
+        )
+    };
+    let proper = said("interior").replace("(if ", "(if (chain (t k) (< (t (- m k)))) ");
+    let table = [
+        ("with knots between", proper, NONE, "accepted"),
+        ("without", said("interior"), NONE, "not decided"),
+        ("inner", said("inner"), NONE, "not decided"),
+    ];
+    assert_eq!(wrong(&table), "");
+}
+
 /// What samples and limits show of a word is shown on the knots of a point, and not on all knots.
 #[test]
 fn words_are_not_derived() {

@@ -365,6 +365,10 @@ fn words_look_at_the_weights_of_the_point() {
     assert!(found.starts_with("accepted"), "{found}");
     let found = point(turns, maxima, &format!("{jump} (integer i 0)"));
     assert!(found.contains("no conclusion fails"), "{found}");
+    // One that rises and jumps has no maximum, whatever its weights.
+    let none = maxima.replace("(= (int 1))", "(<= (int 0))");
+    let found = point(turns, &none, &format!("{jump} (integer i 0) (samples 1/2)"));
+    assert!(found.contains("no conclusion fails"), "{found}");
     let nested = "(nested (real (var s)))";
     let bezier = "(k 1) (knots 0 0 1 1) (integer i 0) (real s 1/2)";
     let lists = "(samples 1/8 1/4 3/8) (factors 7/5 -12/5 1)";

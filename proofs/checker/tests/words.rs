@@ -33,6 +33,8 @@ fn wrong(table: &[(usize, &str, &str, &str, bool)]) -> String {
 
 /// x on one span of degree 1 for r = 1/2: the functional is 0 on both functions.
 const X: &str = "(combination (expression (var x) x (closed (t 0) closed (t m))) (integer k))";
+/// The functional is 0 on the functions of degree 3 with each knot once more, and not on those of degree 2.
+const RAISED: &str = "(samples 1/6 1/3 1/2 2/3 5/6) (factors 459195/129311 -26444000/2456909 144342/12103 -14039040/2456909 1)";
 const ZERO: &str = "(samples 1/4 1/2 3/4) (factors 7/5 -12/5 1)";
 
 #[test]
@@ -59,6 +61,7 @@ fn functionals_show_what_is_no_combination() {
         (1, bezier, &X.replace("closed (t 0)", "open (/ (int 1) (int 4))"), ZERO, false),
         (1, bezier, "(nested (real (int 2)))", "(samples 5/4 3/2 7/4) (factors 7/5 -12/5 1)", false),
         (1, bezier, X, "(samples 1/4 1/2 3/4) (factors 7/5 -12/5)", false),
+        (1, bezier, X, "(samples 1/4 1/2 3/4 7/8) (factors 7/5 -12/5 1)", false),
         (1, bezier, X, "(samples 1/4 1/2 3/4)", false),
         (1, bezier, X, "", false),
         (1, bezier, &X.replace("(integer k)", "(integer 0)"), "(samples 1/4 1/2) (factors -1 1)", true),
@@ -66,10 +69,14 @@ fn functionals_show_what_is_no_combination() {
         // Another knot, or each once more.
         (1, bezier, "(nested (real (var s)))", "(samples 1/8 1/4 3/8) (factors 7/5 -12/5 1)", true),
         (1, bezier, "(nested (real (var s)))", ZERO, false),
+        // It is not 0 on the functions on the other knots.
+        (1, bezier, "(nested (real (var s)))", "(samples 1/8 1/4 3/8) (factors 1 1 1)", false),
         (1, bezier, "(nested (real (var s)))", "(samples 1/8 1/2) (factors 0 0)", false),
         (1, bezier, "(nested (real (int 0)))", ZERO, false),
         (1, bezier, "(elevated (integer k))", ZERO, false),
         (1, bezier, "(elevated (integer 0))", ZERO, false),
+        (2, "0 0 0 1 2 2 2", "(elevated (integer k))", RAISED, true),
+        (2, "0 0 0 1 2 2 2", "(elevated (integer 1))", RAISED, false),
     ];
     assert_eq!(wrong(&table), "");
 }
@@ -90,6 +97,8 @@ fn minors_show_what_they_are() {
         (3, knots, positive, "(samples 1 1023/1024 1025/1024) (columns 1 2 3)", false),
         (3, knots, positive, "(samples 1023/1024 1 4) (columns 1 2 3)", false),
         (1, "0 0 1 1", positive, "(samples 1/3 2/3) (columns 0 1)", false),
+        (1, "0 0 1 1", positive, "(samples 1/3 2/3) (columns 1 0)", false),
+        (1, "0 0 1 1", positive, "(samples 1/3 4/3) (columns 0 1)", false),
         (1, "0 0 1 1", &rank("=", "3"), "", true),
         (1, "0 0 1 1", &rank("=", "2"), "", false),
         (1, "0 0 1 1", &rank("=", "1"), "(samples 1/3 2/3) (columns 0 1)", true),
@@ -140,6 +149,8 @@ fn counts_are_at_least_what_samples_show() {
         (1, hat, &*maxima("<=", "0"), "(samples 2)", true),
         (1, hat, &*maxima("<=", "0"), "(samples 7/2)", false),
         (1, hat, &*maxima("<=", "0"), "(samples 3/2 2)", false),
+        (1, hat, &*maxima("<=", "0"), "(samples 2 5/2)", true),
+        (1, hat, &*maxima("<=", "1"), "(samples 2 5/2)", false),
         // It rises to 1 and jumps: no largest value.
         (1, "0 0 1 1 2", &*maxima("=", "1"), "", true),
         (1, "0 0 1 1 2", &*maxima("=", "0"), "", false),
@@ -150,6 +161,9 @@ fn counts_are_at_least_what_samples_show() {
         // It jumps: three samples say nothing.
         (1, "0 0 0 1 1 2", &*maxima("=", "1").replace("(G i)", "(G 1)"), "(samples 0 1/2 1)", false),
         (0, "0 1 2", highest, "", false),
+        // It is 1 on all of its span.
+        (0, "0 1 2 3", highest, "", false),
+        (0, "0 1 2 3", &*maxima("=", "1"), "", false),
         // A polygon with two changes, and its curve.
         (2, "0 0 0 1 1 1", changes, &*changed("1 -1 1", "0 1/2 1"), false),
         (2, "0 0 0 1 1 1", changes, &*changed("1 1 1", "0 1/2 1"), false),
