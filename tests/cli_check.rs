@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
 
 use std::fs;
-use std::process::{Command as Process, Stdio};
+use std::process::Stdio;
 
 use assert_cmd::Command;
 use knotproof::judge::Witness;
@@ -13,8 +13,8 @@ use knotproof::spline::{Basis, Index, KnotVector, Side};
 use serde_json::{Value, json};
 
 fn knotproof(arguments: &[&str]) -> Command {
-    let mut command = Command::cargo_bin("knotproof").unwrap();
-    command.args(arguments).env("KNOTPROOF_PROGRESS", "never");
+    let mut command = crate::program();
+    command.args(arguments);
     command
 }
 
@@ -359,10 +359,15 @@ fn an_instance_by_name_by_file_and_by_options_is_the_same() {
     let path = folder.path().join("u9.json");
     let content = r#"{"degree": 2, "knots": [0, 0, 0, 0.75, "6/4", "9/4", 3, 3, 3], "alpha": [-1, 5]}"#;
     fs::write(&path, content).unwrap();
-    let by_name = check(&["--instance", "U9", "--alpha", "-1", "--alpha", "5"]);
-    assert_eq!(check(&["--instance", path.to_str().unwrap()]), by_name);
+    // Claims of every kind; with all claims this would be three quarters of a minute of the same.
+    let claims =
+        ["--property", "T3.5.1", "--property", "T3.5.3", "--property", "T3.11.2", "--property", "X.close"];
+    let on = |instance: &[&str]| check(&[instance, &claims].concat());
+    let by_name = on(&["--instance", "U9", "--alpha", "-1", "--alpha", "5"]);
+    assert_eq!(properties(&by_name.1).len(), 8);
+    assert_eq!(on(&["--instance", path.to_str().unwrap()]), by_name);
     let knots = "0 0 0 3/4 3/2 9/4 3 3 3";
-    assert_eq!(check(&["--degree", "2", "--knots", knots, "--alpha", "-1", "--alpha", "5"]), by_name);
+    assert_eq!(on(&["--degree", "2", "--knots", knots, "--alpha", "-1", "--alpha", "5"]), by_name);
 }
 
 /// Any knots at all: degree 0, ends and inner knots of multiplicity k + 1 and k + 2, not open, negative, fewer
@@ -540,7 +545,7 @@ fn colour_only_where_it_is_asked_for() {
 #[test]
 fn a_closed_pipe_is_no_error() {
     for format in ["text", "json"] {
-        let mut child = Process::new(assert_cmd::cargo::cargo_bin("knotproof"))
+        let mut child = crate::process()
             .args(["check", "--format", format, "--instance", "U4", "--alpha", "-1"])
             .stdout(Stdio::piped())
             .stderr(Stdio::piped())

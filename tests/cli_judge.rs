@@ -7,13 +7,12 @@ use std::fs;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use assert_cmd::Command;
 use serde_json::Value;
 
 /// What a command comes to: exit code, standard output, standard error.
 fn run(folder: &Path, arguments: &[&str]) -> (i32, String, String) {
-    let mut command = Command::cargo_bin("knotproof").unwrap();
-    command.args(arguments).current_dir(folder).env("KNOTPROOF_PROGRESS", "never");
+    let mut command = crate::program();
+    command.args(arguments).current_dir(folder);
     let output = command.output().unwrap();
     let [stdout, stderr] = [output.stdout, output.stderr].map(|text| String::from_utf8(text).unwrap());
     (output.status.code().unwrap(), stdout, stderr)

@@ -6,7 +6,7 @@
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command as Process, Stdio};
+use std::process::Stdio;
 
 use assert_cmd::Command;
 use knotproof::certificate::Sexp;
@@ -14,8 +14,8 @@ use knotproof::report::Baseline;
 use serde_json::{Value, json};
 
 fn knotproof(arguments: &[&str]) -> Command {
-    let mut command = Command::cargo_bin("knotproof").unwrap();
-    command.args(arguments).env("KNOTPROOF_PROGRESS", "never");
+    let mut command = crate::program();
+    command.args(arguments);
     command
 }
 
@@ -708,10 +708,9 @@ fn a_closed_pipe_is_no_error() {
         &["prove", "--claim", "P2.1.3", "--out", path],
     ] {
         for format in ["text", "json"] {
-            let mut child = Process::new(assert_cmd::cargo::cargo_bin("knotproof"))
+            let mut child = crate::process()
                 .args(arguments)
                 .args(["--format", format])
-                .env("KNOTPROOF_PROGRESS", "never")
                 .stdout(Stdio::piped())
                 .stderr(Stdio::piped())
                 .spawn()

@@ -11,8 +11,8 @@ use knotproof::report::Baseline;
 use serde_json::Value;
 
 fn knotproof(arguments: &[&str]) -> Command {
-    let mut command = Command::cargo_bin("knotproof").unwrap();
-    command.args(arguments).env("KNOTPROOF_PROGRESS", "never");
+    let mut command = crate::program();
+    command.args(arguments);
     command
 }
 
