@@ -155,8 +155,3 @@ apply: (@le_trans _ _ (\sum_(1 <= i < n.+1) M * `|TT t s r k i x - TT t s 1 k i 
 by rewrite -mulr_sumr mulrC ler_wpmul2r // TT_distance.
 Qed.
 End Close.
-
-Print Assumptions T_distance.
-Print Assumptions weight_distance.
-Print Assumptions X_close_bound.
-Print Assumptions X_close_curve.

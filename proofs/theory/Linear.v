@@ -135,6 +135,3 @@ apply: (@X_linear_amended R r r0 r1 t mono s (le_lt_trans s1 s2) n k 1 c) => //;
 move=> x /andP[x1 x2]; rewrite expr1; apply: H; apply/andP; split; first exact: le_trans (t_le mono ks) x1.
 by apply: le_trans x2 _; apply: (t_le mono).
 Qed.
-Print Assumptions power_not_regular.
-Print Assumptions X_linear_amended.
-Print Assumptions X_linear_printed_false.

@@ -113,10 +113,3 @@ move/eqP: E; rewrite eqr_div ?d // => /eqP E.
 apply/eqP; rewrite -subr_eq0; have : al' * (2%:R * al - 1) - al * (2%:R * al' - 1) = 0 by rewrite E subrr.
 by have -> : al' * (2%:R * al - 1) - al * (2%:R * al' - 1) = - (al' - al) by [ring]; move/eqP; rewrite oppr_eq0.
 Qed.
-
-Print Assumptions phi_shape_printed.
-Print Assumptions R2_2_1_printed.
-Print Assumptions R2_2_2a_printed.
-Print Assumptions R2_2_2b_printed.
-Print Assumptions R2_2_2c_printed.
-Print Assumptions L2_1_printed.
