@@ -230,6 +230,25 @@ have [p [p1 p2 pm E]] := P3_1_2_paper r_gt0 t_mono i hy hk.
 rewrite value_in ?E; last by case/andP: hy.
 by rewrite -(left_span_uniq t_mono pm (x := x)) ?p1 // L.
 Qed.
+(* on a closed span the piece is nowhere below two values around *)
+Lemma closed_low s x b y : (i <= s <= i + k)%N -> t s <= x -> x < b -> b < y -> y <= t s.+1 ->
+  Num.min (P r t s k i x) (P r t s k i y) <= P r t s k i b.
+Proof.
+move=> hs sx xb bY ys; have xy := lt_trans xb bY; have ss : t s < t s.+1 := le_lt_trans sx (lt_le_trans xy ys).
+have hx : t s <= x <= t s.+1 by rewrite sx (le_trans (ltW xy)).
+have hy : t s <= y <= t s.+1 by rewrite ys (le_trans sx (ltW xy)).
+rewrite leNgt; apply/negP; rewrite lt_minr => /andP[hx1 hy1].
+have [d d0 Hd] := taylor_above (P_taylor r_gt0 t_mono k i ss hx) hx1; have [d' d0' Hd'] := taylor_above (P_taylor r_gt0 t_mono k i ss hy) hy1.
+have [g [g0 g1 g2]] := small2 d0 (b := b - x) ltac:(by rewrite subr_gt0).
+have [g' [g0' g1' g2']] := small2 d0' (b := y - b) ltac:(by rewrite subr_gt0).
+have a1 : x < x + g by rewrite ltr_addl. have a2 : x + g < b by rewrite addrC -ltr_subr_addr.
+have c1 : b < y - g' by rewrite ltr_subr_addr addrC -ltr_subr_addr. have c2 : y - g' < y by rewrite ltr_subl_addr ltr_addl.
+have inn z : x < z -> z < y -> G k i z = P r t s k i z.
+  by move=> xz zy; apply: G_P => //; rewrite (le_trans sx (ltW xz)) (lt_le_trans zy ys).
+have := @unimodal s (x + g) b (y - g') hs (le_lt_trans sx a1) a2 c1 (lt_le_trans c2 ys).
+rewrite !inn ?(lt_trans a2 bY) ?(lt_trans xb c1) // lt_minl.
+by rewrite ltNge ltW ?Hd ?gtr0_norm ?gt_eqF //= ltNge ltW // Hd' ?normrN ?gtr0_norm // oppr_eq0 gt_eqF.
+Qed.
 (* a closed span has one local maximum at most *)
 Lemma one_a_span s x y : (i <= s <= i + k)%N -> M x -> M y -> x < y -> t s <= x -> y <= t s.+1 -> False.
 Proof.
@@ -240,8 +259,6 @@ have hx : t s <= x <= t s.+1 by rewrite sx (le_trans (ltW xy)).
 have hy : t s <= y <= t s.+1 by rewrite ys (le_trans sx (ltW xy)).
 have xs : x < t s.+1 := lt_le_trans xy ys. have sy : t s < y := le_lt_trans sx xy.
 have ex := closed_value hs ss hx Mx. have ey := closed_value hs ss hy My.
-have TX := P_taylor r_gt0 t_mono k i ss hx. have TY := P_taylor r_gt0 t_mono k i ss hy.
-rewrite -ex in TX; rewrite -ey in TY.
 have inn z : x < z -> z < y -> f z = P r t s k i z /\ f z = G k i z.
   move=> xz zy; have zs : z < t s.+1 := lt_le_trans zy ys.
   by rewrite value_in ?(lt_le_trans zs tsm) // (G_P r t_mono k i (s := s)) // (le_trans sx (ltW xz)).
@@ -250,15 +267,7 @@ have uni a b c : x < a -> a < b -> b < c -> c < y -> Num.min (f a) (f c) < f b.
   rewrite (proj2 (inn a xa (lt_trans ab bx))) (proj2 (inn b xb bx)) (proj2 (inn c (lt_trans xb bc) cy)).
   by apply: (unimodal hs) => //; [exact: le_lt_trans xa|exact: lt_le_trans ys].
 have low b : x < b -> b < y -> Num.min (f x) (f y) <= f b.
-  move=> xb bY; rewrite leNgt; apply/negP; rewrite lt_minr => /andP[hx1 hy1].
-  have [d d0 Hd] := taylor_above TX hx1; have [d' d0' Hd'] := taylor_above TY hy1.
-  have [g [g0 g1 g2]] := small2 d0 (b := b - x) ltac:(by rewrite subr_gt0).
-  have [g' [g0' g1' g2']] := small2 d0' (b := y - b) ltac:(by rewrite subr_gt0).
-  have a1 : x < x + g by rewrite ltr_addl. have a2 : x + g < b by rewrite addrC -ltr_subr_addr.
-  have c1 : b < y - g' by rewrite ltr_subr_addr addrC -ltr_subr_addr. have c2 : y - g' < y by rewrite ltr_subl_addr ltr_addl.
-  have := uni _ _ _ a1 a2 c1 c2.
-  rewrite (proj1 (inn _ a1 (lt_trans a2 bY))) (proj1 (inn _ (lt_trans xb c1) c2)) lt_minl.
-  rewrite ltNge ltW ?Hd ?gtr0_norm ?gt_eqF //= ltNge ltW // Hd' ?normrN ?gtr0_norm // oppr_eq0 gt_eqF //.
+  by move=> xb bY; rewrite ex ey (proj1 (inn b xb bY)); apply: closed_low.
 have [Rx [e e0 Hx]] := Mx; have [Ry [e' e0' Hy]] := My.
 have dom z : x < z -> z < y -> t i <= z <= t (i + k.+1)%N.
   move=> xz zy; case/andP: Rx => x0 _; case/andP: Ry => _ y1.
