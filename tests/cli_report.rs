@@ -114,7 +114,7 @@ fn the_summary_counts_the_paper_and_our_questions_apart() {
         let all: usize = refuted.iter().sum();
         serde_json::json!({
             "statements": statements, "proved": statements - all, "refuted": all, "undecided": 0, "not-formal": 0,
-            "refutations": {
+            "in-every-degree": statements, "refutations": {
                 "by_severity": {"hypothesis": hypothesis, "reading": reading, "serious": serious, "slip": slip},
                 "by_cause": causes,
             },
@@ -358,6 +358,8 @@ fn recording_needs_the_folders() {
     fs::create_dir(folder.path().join("proofs")).unwrap();
     assert!(refusal().starts_with("--record: cannot write docs: "), "no folder docs");
     assert_eq!(fs::read_dir(folder.path().join("proofs")).unwrap().count(), 0);
+    fs::create_dir(folder.path().join("docs")).unwrap();
+    assert!(refusal().starts_with("--record: cannot write proofs/theory: "), "no folder of theorems");
 }
 
 /// Verdicts on a part are no baseline.

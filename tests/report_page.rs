@@ -25,6 +25,7 @@ const SOURCE: PageSource<'_> = PageSource {
     pictures: &[],
     instances: &[],
     certificates: Some("../proofs/certs"),
+    theory: Some("../proofs/theory"),
     beside: &[("the errata", "errata.md")],
 };
 
@@ -72,7 +73,9 @@ fn the_page_stands_alone_and_is_the_same_every_time() {
             && html.contains("<a href=\"errata.md\">")
     );
     assert!(html.contains("href=\"../proofs/certs/T3.5.2.printed.proof\""));
-    assert!(!page(&REPORT, &PageSource { certificates: None, ..SOURCE }).unwrap().contains("../proofs"));
+    assert!(html.contains("<a href=\"../proofs/theory/StatementsBasis.v\"><code>T3_5_2_printed</code></a>"));
+    let alone = PageSource { certificates: None, theory: None, ..SOURCE };
+    assert!(!page(&REPORT, &alone).unwrap().contains("../proofs"));
     assert_eq!(html, page(&REPORT, &SOURCE).unwrap());
 }
 

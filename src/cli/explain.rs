@@ -180,6 +180,9 @@ impl fmt::Display for Explanation {
                 shown = goals;
                 writeln!(f, "  goals: {}", goals.replace('\n', "\n         "))?;
             }
+            for theorem in &finding.theorems {
+                writeln!(f, "  theorem: {}", theorem.words())?;
+            }
             if let Some(certificate) = &finding.certificate {
                 let checked_by = finding.checked_by.join(", ");
                 if Path::new(RECORDED).join(format!("{certificate}.statement")).is_file() {
