@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use knotproof::judge::Cases;
 use knotproof::language::{Claim, File, Form, Source, claims, paper, shipped};
-use knotproof::report::{theory_tables, with_theory_tables};
+use knotproof::report::{examples_in_coq, stanzas_in_coq, theory_tables, with_theory_tables};
 use knotproof::settle::{
     Computed, Covers, Decides, DegreeRange, Outcome, Proving, StanzaPart, Theory, settle,
 };
@@ -54,13 +54,55 @@ fn every_row_is_about_a_sentence_and_names_a_theorem() {
 fn the_page_of_the_theorems_is_that_of_the_rows() {
     let (page, theory) = (text("README.md"), Theory::shipped());
     let wanted = with_theory_tables(&page, theory, &claims()).expect("the page has a place for the table");
-    assert!(page == wanted, "proofs/theory/README.md is out of date: `cargo run --release -- report --record`");
+    let fresh = Path::new(env!("CARGO_TARGET_TMPDIR")).join("README.md");
+    fs::write(&fresh, &wanted).expect("a temporary file");
+    assert!(page == wanted, "proofs/theory/README.md is out of date: it is now in {}", fresh.display());
     assert!(!theory_tables(theory, &claims()).contains("no reason is given"), "proofs/theory/missing.toml");
     for claim in claims() {
         let missing = theory.missing_because(claim.id()).is_some();
-        let wanted =
-            claim.source() == Source::Paper && claim.is_general() && !theory.has_all_of(claim);
+        let wanted = claim.source() == Source::Paper && claim.is_general() && !theory.has_all_of(claim);
         assert_eq!(missing, wanted, "{} in proofs/theory/missing.toml", claim.id());
+    }
+}
+
+/// What is proved of a stanza is what is printed from it, and what Coq computes are the numbers of this program.
+#[test]
+fn what_is_printed_for_coq_is_up_to_date() {
+    let printed = [("Stanzas.v", stanzas_in_coq(&claims())), ("Examples.v", examples_in_coq(paper()))];
+    let fresh = Path::new(env!("CARGO_TARGET_TMPDIR"));
+    for (name, text) in &printed {
+        fs::write(fresh.join(name), text).expect("a temporary file");
+    }
+    for (name, printed) in printed {
+        let is_it = fs::read_to_string(folder().join(name)).is_ok_and(|text| text == printed);
+        assert!(is_it, "proofs/theory/{name} is out of date: it is now in {}", fresh.display());
+    }
+}
+
+/// The sentences that are called printed from the stanza are those of which Bridge.v has the proof, and that all is defined that
+/// they name.
+#[test]
+fn what_is_called_printed_from_the_stanza_is_proved_in_the_bridge() {
+    let theory = Theory::shipped();
+    let names = |file: &str, kind: &str| -> BTreeSet<String> {
+        let name = |line: &str| Some(line.strip_prefix(kind)?.split([' ', ':']).next()?.to_owned());
+        text(file).lines().filter_map(name).collect()
+    };
+    let (proved, printed) = (names("Bridge.v", "Theorem stanza_"), names("Stanzas.v", "Definition "));
+    let listed = theory.stanzas.iter().map(|one| one.replace(['.', ' '], "_"));
+    let listed: BTreeSet<_> = listed.collect();
+    assert_eq!(listed, proved.iter().filter(|name| !name.ends_with("_defined")).cloned().collect());
+    assert!(listed.len() >= 60, "{}", listed.len());
+    for name in &listed {
+        let defined = format!("{name}_defined");
+        assert_eq!(printed.contains(&defined), proved.contains(&defined), "{defined}");
+        assert!(text("Bridge.v").contains(&format!("Theorem stanza_{name} : Stanzas.{name} R.\n")), "{name}");
+    }
+    for one in &theory.stanzas {
+        let row = |theorem: &&knotproof::settle::Theorem| {
+            theorem.verdict == Decides::Proved && *one == format!("{} {}", theorem.claim, theorem.form.name())
+        };
+        assert!(theory.theorems.iter().any(|theorem| row(&theorem)), "{one} has no row in theorems.toml");
     }
 }
 
@@ -78,7 +120,8 @@ fn rows_that_make_no_sense_are_refused_with_their_place() {
             ("covers", "all"),
             ("says", "it"),
         ];
-        let lines = keys.map(|(name, own)| format!("{name} = \"{}\"\n", if name == key { value } else { own }));
+        let lines =
+            keys.map(|(name, own)| format!("{name} = \"{}\"\n", if name == key { value } else { own }));
         Theory::read(&format!("[[theorem]]\n{}", lines.concat()))
     };
     assert!(row("says", "it").is_ok());

@@ -9,8 +9,8 @@ use serde::Serialize;
 
 use crate::language::{claims, paper};
 use crate::report::{
-    Baseline, Difference, Errata, PageSource, Report, THEORY, conjecture_page, errata_page, figures,
-    verdicts_page, with_theory_tables,
+    Baseline, Difference, Errata, PageSource, Report, THEORY, conjecture_page, errata_page, examples_in_coq,
+    figures, stanzas_in_coq, verdicts_page, with_theory_tables,
 };
 use crate::settle::Theory;
 
@@ -65,6 +65,10 @@ const DOCS: &str = "docs";
 const VERDICTS_PAGE: &str = "verdicts.md";
 /// The page on the theorems, in their folder.
 const README: &str = "README.md";
+/// The claims in Coq, there as well.
+const STANZAS: &str = "Stanzas.v";
+/// Numbers in Coq.
+const EXAMPLES: &str = "Examples.v";
 
 /// The result: its fields are the JSON.
 #[derive(Debug, Serialize, JsonSchema)]
@@ -204,6 +208,9 @@ fn record(found: &Baseline, written: &mut Vec<PathBuf>) -> Result<(), CliError> 
     write_file("--record", &Path::new(PROOFS).join(VERDICTS), &pretty_json(found)?, written)?;
     for (name, text) in pages {
         write_file("--record", &Path::new(DOCS).join(name), &text, written)?;
+    }
+    for (name, text) in [(STANZAS, stanzas_in_coq(&claims())), (EXAMPLES, examples_in_coq(paper()))] {
+        write_file("--record", &Path::new(THEORY).join(name), &text, written)?;
     }
     let path = Path::new(THEORY).join(README);
     let page = read("--record", &path)?;

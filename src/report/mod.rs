@@ -46,7 +46,7 @@ pub use page::{PageError, PageSource, page};
 pub use picture::dependence_picture;
 pub use record::{DegreeFinding, Finding, Grounds, Record, Stated, THEORY, TheoremRecord, by_severity};
 pub use summary::{Counts, Refutations, Summary};
-pub use theory::{theory_tables, with_theory_tables};
+pub use theory::{examples_in_coq, stanzas_in_coq, theory_tables, with_theory_tables};
 
 /// All that one run found: the data of `report.json`.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
