@@ -61,9 +61,10 @@ fn the_claims_asked_for_and_the_study_of_floats() {
     });
     assert_eq!(printed["witness"], expected);
     let amended = &support["amended"];
-    assert_eq!((&amended["status"], &amended["scope"]), (&"proved".into(), &"knots".into()));
+    assert_eq!((&amended["status"], &amended["scope"]), (&"proved".into(), &"degree".into()));
     assert_eq!(amended["certificate"], "T3.5.1.amended");
-    assert_eq!(amended["checked_by"], serde_json::json!(["engine", "prover", "checker"]));
+    assert_eq!(amended["checked_by"], serde_json::json!(["engine", "prover", "checker", "coq"]));
+    assert_eq!(amended["theorems"][0]["name"], "T3_5_1_amended");
     assert_eq!(amended["degrees"], serde_json::json!([0, 1, 2, 3, 4, 5, 6, 7, 8]));
     assert_ne!(amended["statement"], support["statement"]);
     for count in ["instances", "small_cases", "facts"] {

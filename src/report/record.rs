@@ -337,7 +337,9 @@ impl TheoremRecord {
             degrees: theorem.degrees.common(sentence).words(),
             all_degrees: theorem.degrees.covers(sentence),
             any_weights: theorem.is_for_any_weights(),
-            from_stanza: Theory::shipped().is_from_stanza(&theorem.claim, theorem.form),
+            // The stanza is about the weights of the paper.
+            from_stanza: !theorem.is_for_any_weights()
+                && Theory::shipped().is_from_stanza(&theorem.claim, theorem.form),
         }
     }
 }
