@@ -389,7 +389,7 @@ impl Theory {
 /// Is it the sentence that the rows are about?
 fn is_of_the_paper(claim: Claim<'_>, form: Form, sentence: &Sentence) -> bool {
     let own = Claim::of(paper()).find(|own| own.id() == claim.id());
-    own.is_some_and(|own| {
+    own.filter(|_| claim.paper.called.is_none()).is_some_and(|own| {
         let family = &claim.paper.about.family;
         own.sentence(form) == Some(sentence)
             && own.definitions == claim.definitions
