@@ -366,7 +366,7 @@ impl Theory {
 
     /// The theorems that say all of a sentence, true or false, in at least one of its degrees.
     ///
-    /// A sentence of the same name in another paper, or in a file of the user's own, is another sentence.
+    /// Another sentence of the same name, in another paper or in a file of the user's own, has none.
     #[must_use]
     pub fn about(&self, claim: Claim<'_>, form: Form) -> Vec<&Theorem> {
         let sentence = claim.sentence(form).filter(|sentence| is_of_the_paper(claim, form, sentence));
@@ -389,7 +389,7 @@ impl Theory {
 /// Is it the sentence that the rows are about?
 fn is_of_the_paper(claim: Claim<'_>, form: Form, sentence: &Sentence) -> bool {
     let own = Claim::of(paper()).find(|own| own.id() == claim.id());
-    own.filter(|_| claim.paper.called.is_none()).is_some_and(|own| {
+    own.is_some_and(|own| {
         let family = &claim.paper.about.family;
         own.sentence(form) == Some(sentence)
             && own.definitions == claim.definitions
