@@ -17,11 +17,11 @@ fn folder() -> PathBuf {
 }
 
 fn text(file: &str) -> String {
-    fs::read_to_string(folder().join(file)).unwrap_or_else(|error| panic!("{file}: {error}"))
+    fs::read_to_string(folder().join(file)).expect(file)
 }
 
 fn claim(id: &str) -> Claim<'static> {
-    claims().into_iter().find(|claim| claim.id() == id).unwrap_or_else(|| panic!("no claim {id}"))
+    claims().into_iter().find(|claim| claim.id() == id).expect(id)
 }
 
 /// The names that rows may give in the place of a claim: of no stanza yet, with lemmas only.
