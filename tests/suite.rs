@@ -60,6 +60,7 @@ mod sentences;
 mod shape_oracle;
 mod spline;
 mod texts;
+mod theory;
 mod variants;
 mod verdicts;
 mod windows;
