@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
 
 use std::fs;
-use std::process::{Command as Process, Stdio};
+use std::process::Stdio;
 
 use assert_cmd::Command;
 use knotproof::judge::Witness;
@@ -13,8 +13,8 @@ use knotproof::spline::{Basis, Index, KnotVector, Side};
 use serde_json::{Value, json};
 
 fn knotproof(arguments: &[&str]) -> Command {
-    let mut command = Command::cargo_bin("knotproof").unwrap();
-    command.args(arguments).env("KNOTPROOF_PROGRESS", "never");
+    let mut command = crate::program();
+    command.args(arguments);
     command
 }
 
@@ -37,6 +37,11 @@ fn check(arguments: &[&str]) -> (i32, Value) {
     (output.status.code().unwrap(), found)
 }
 
+/// Who came to a verdict, but for a theorem.
+fn without_coq(checked_by: &Value) -> Value {
+    checked_by.as_array().unwrap().iter().filter(|by| **by != "coq").cloned().collect()
+}
+
 fn has_shape_of_finding(finding: &Value) {
     let has = |field: &str| finding.get(field).is_some();
     assert!(finding["statement"].is_string());
@@ -46,11 +51,15 @@ fn has_shape_of_finding(finding: &Value) {
             // The widest scope: with a formal proof for every knot vector, else for this one.
             if has("certificate") {
                 // Of X.maxima.most it is one for the function of a formula, which is an instance for each α.
-                let reached = ["knots", "instance"].map(Value::from).contains(&finding["scope"]);
+                let reached = ["degree", "knots", "instance"].map(Value::from).contains(&finding["scope"]);
                 assert!(finding["certificate"].is_string() && reached, "{finding}");
                 // What the engine leaves open here is settled by the proof alone.
                 let by = [json!(["engine", "prover", "checker"]), json!(["prover", "checker"])];
-                assert!(by.contains(&finding["checked_by"]), "{finding}");
+                assert!(by.contains(&without_coq(&finding["checked_by"])), "{finding}");
+            } else if finding["scope"] == "degree" {
+                // Where numbers are only tried a theorem settles it alone.
+                let by = [json!(["engine", "coq"]), json!(["coq"])];
+                assert!(finding["theorems"].is_array() && by.contains(&finding["checked_by"]), "{finding}");
             } else {
                 assert_eq!(
                     (&finding["scope"], &finding["checked_by"]),
@@ -134,11 +143,21 @@ fn all_fields_are_there() {
                 "amended": {
                     "statement": unity("k ≤ j ≤ n"),
                     "status": "proved",
-                    "scope": "knots",
+                    "scope": "degree",
                     "any_weights": true,
                     "degrees": [1],
                     "certificate": "T3.5.3.amended",
-                    "checked_by": ["engine", "prover", "checker"],
+                    "checked_by": ["engine", "prover", "checker", "coq"],
+                    "theorems": [
+                        {
+                            "name": "T3_5_3_amended", "file": "StatementsBasis.v", "status": "proved",
+                            "degrees": "for every k", "all_degrees": true, "from_stanza": true,
+                        },
+                        {
+                            "name": "T3_5_3", "file": "Basis.v", "status": "proved",
+                            "degrees": "for every k", "all_degrees": true, "any_weights": true,
+                        },
+                    ],
                 },
             },
             {
@@ -147,10 +166,14 @@ fn all_fields_are_there() {
                 "form": "printed",
                 "statement": "For every U, every 0 ≤ i ≤ n and every 0 ≤ j ≤ m − 1: G_i^k(x) for x in (t_j, t_{j+1}) is a quotient of polynomials without a pole.",
                 "status": "proved",
-                "scope": "knots",
+                "scope": "degree",
                 "degrees": [1],
                 "certificate": "P3.1.1.printed",
-                "checked_by": ["engine", "prover", "checker"],
+                "checked_by": ["engine", "prover", "checker", "coq"],
+                "theorems": [{
+                    "name": "P3_1_1_printed", "file": "StatementsDerivatives.v", "status": "proved",
+                    "degrees": "for every k", "all_degrees": true, "from_stanza": true,
+                }],
             },
         ],
     });
@@ -285,13 +308,14 @@ fn a_proof_that_reaches_less_far_than_asked_for_is_undecided() {
         let reason = found["properties"][0]["reason"].as_str().unwrap();
         assert_eq!(reason, format!("proved at scope instance only, and {scope} was asked for"));
     }
-    // One instance is enough to refute.
+    // One instance is enough to refute; a theorem about every degree reaches this one.
     let options = ["--instance", "U4", "--alpha", "-1", "--property", "T3.5.1", "--scope", "degree"];
     let (code, found) = check(&options);
     assert_eq!((code, statuses(&found)), (1, vec![("T3.5.1", "refuted")]));
-    let amended = &found["properties"][0]["amended"];
-    assert_eq!(amended["status"], "undecided");
-    assert_eq!(amended["reason"], "proved at scope knots only, and degree was asked for");
+    assert_eq!(found["properties"][0]["amended"]["scope"], "degree");
+    let options = ["--instance", "U4", "--alpha", "-1", "--property", "X.weights", "--scope", "degree"];
+    let (_, found) = check(&options);
+    assert_eq!(found["properties"][0]["reason"], "proved at scope knots only, and degree was asked for");
 }
 
 /// `--scope knots` is met by the claims that are proved formally, as printed or as amended, and by no others.
@@ -312,14 +336,14 @@ fn a_formal_proof_reaches_every_knot_vector() {
     assert_eq!((code, statuses(&found)), (1, expected.to_vec()));
     let [support, positive, unity, weak] = properties(&found) else { panic!("four claims: {found}") };
     let certified = [
-        (&support["amended"], "T3.5.1.amended"),
-        (positive, "T3.5.2.printed"),
-        (weak, "Conj3.1.weak.continuous.degrees"),
+        (&support["amended"], "degree", "T3.5.1.amended"),
+        (positive, "degree", "T3.5.2.printed"),
+        (weak, "knots", "Conj3.1.weak.continuous.degrees"),
     ];
-    for (finding, certificate) in certified {
-        assert_eq!((&finding["status"], &finding["scope"]), (&json!("proved"), &json!("knots")));
+    for (finding, scope, certificate) in certified {
+        assert_eq!((&finding["status"], &finding["scope"]), (&json!("proved"), &json!(scope)));
         assert_eq!((&finding["degrees"], &finding["certificate"]), (&json!([2]), &json!(certificate)));
-        assert_eq!(finding["checked_by"], json!(["engine", "prover", "checker"]));
+        assert_eq!(without_coq(&finding["checked_by"]), json!(["engine", "prover", "checker"]));
     }
     assert_eq!(unity["reason"], "proved at scope instance only, and knots was asked for");
     assert_eq!(
@@ -359,10 +383,15 @@ fn an_instance_by_name_by_file_and_by_options_is_the_same() {
     let path = folder.path().join("u9.json");
     let content = r#"{"degree": 2, "knots": [0, 0, 0, 0.75, "6/4", "9/4", 3, 3, 3], "alpha": [-1, 5]}"#;
     fs::write(&path, content).unwrap();
-    let by_name = check(&["--instance", "U9", "--alpha", "-1", "--alpha", "5"]);
-    assert_eq!(check(&["--instance", path.to_str().unwrap()]), by_name);
+    // Claims of every kind; with all claims this would be three quarters of a minute of the same.
+    let claims =
+        ["--property", "T3.5.1", "--property", "T3.5.3", "--property", "T3.11.2", "--property", "X.close"];
+    let on = |instance: &[&str]| check(&[instance, &claims].concat());
+    let by_name = on(&["--instance", "U9", "--alpha", "-1", "--alpha", "5"]);
+    assert_eq!(properties(&by_name.1).len(), 8);
+    assert_eq!(on(&["--instance", path.to_str().unwrap()]), by_name);
     let knots = "0 0 0 3/4 3/2 9/4 3 3 3";
-    assert_eq!(check(&["--degree", "2", "--knots", knots, "--alpha", "-1", "--alpha", "5"]), by_name);
+    assert_eq!(on(&["--degree", "2", "--knots", knots, "--alpha", "-1", "--alpha", "5"]), by_name);
 }
 
 /// Any knots at all: degree 0, ends and inner knots of multiplicity k + 1 and k + 2, not open, negative, fewer
@@ -510,7 +539,7 @@ fn the_text_shows_the_witness_and_the_limit() {
     let refuted = text("T3.5.3");
     for part in [
         "at j = 2, x = 3/2: it says Σ_{i=0}^1 G_i^1(3/2) = Σ_{i=1}^2 G_i^1(3/2) = 1; but Σ_{i=0}^1 G_i^1(3/2) = 2/3, Σ_{i=1}^2 G_i^1(3/2) does not exist",
-        "amended: proved (knots, for k = 1, any weights) ",
+        "amended: proved (degree, for every k, any weights) ",
     ] {
         assert!(refuted.contains(part), "{part} in {refuted}");
     }
@@ -540,7 +569,7 @@ fn colour_only_where_it_is_asked_for() {
 #[test]
 fn a_closed_pipe_is_no_error() {
     for format in ["text", "json"] {
-        let mut child = Process::new(assert_cmd::cargo::cargo_bin("knotproof"))
+        let mut child = crate::process()
             .args(["check", "--format", format, "--instance", "U4", "--alpha", "-1"])
             .stdout(Stdio::piped())
             .stderr(Stdio::piped())

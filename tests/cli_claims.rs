@@ -6,14 +6,13 @@
 use std::fs;
 use std::path::Path;
 
-use assert_cmd::Command;
 use knotproof::judge::Witness;
 use serde_json::{Value, json};
 
 /// What comes of it in a folder: the exit code and both streams.
 fn check_in(folder: &Path, arguments: &[&str]) -> (i32, String, String) {
-    let mut command = Command::cargo_bin("knotproof").unwrap();
-    command.arg("check").args(arguments).current_dir(folder).env("KNOTPROOF_PROGRESS", "never");
+    let mut command = crate::program();
+    command.arg("check").args(arguments).current_dir(folder);
     let output = command.output().unwrap();
     let [stdout, stderr] = [output.stdout, output.stderr].map(|text| String::from_utf8(text).unwrap());
     (output.status.code().unwrap(), stdout, stderr)

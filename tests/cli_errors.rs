@@ -10,7 +10,7 @@ use assert_cmd::Command;
 use serde_json::Value;
 
 fn knotproof(arguments: &[&str]) -> Command {
-    let mut command = Command::cargo_bin("knotproof").unwrap();
+    let mut command = crate::program();
     command.args(arguments);
     command
 }

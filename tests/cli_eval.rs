@@ -3,14 +3,14 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
 use std::io::Write;
-use std::process::{Command as Process, Stdio};
+use std::process::Stdio;
 
 use assert_cmd::Command;
 use knotproof::scalar::BigRational;
 use serde_json::{Value, json};
 
 fn knotproof(arguments: &[&str]) -> Command {
-    let mut command = Command::cargo_bin("knotproof").unwrap();
+    let mut command = crate::program();
     command.args(arguments);
     command
 }
@@ -197,7 +197,7 @@ fn degree_40_with_100_knots() {
 fn a_closed_pipe_is_no_error() {
     let knots = (0..100).map(|t| t.to_string()).collect::<Vec<_>>().join(" ");
     for format in ["text", "json"] {
-        let mut child = Process::new(assert_cmd::cargo::cargo_bin("knotproof"))
+        let mut child = crate::process()
             .args(["eval", "--format", format, "--degree", "40", "--alpha", "-1/7", "--x", "101/2"])
             .args(["--derivatives", "3", "--knots", &knots])
             .stdout(Stdio::piped())
@@ -237,7 +237,7 @@ fn no_color_is_honoured() {
 #[test]
 fn a_full_disk_is_exit_code_4() {
     let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
-    let mut child = Process::new(assert_cmd::cargo::cargo_bin("knotproof"));
+    let mut child = crate::process();
     let output = child.arg("schema").stdout(full).output().unwrap();
     assert_eq!(output.status.code(), Some(4));
     assert!(output.stderr.starts_with(b"error: cannot write the result"));

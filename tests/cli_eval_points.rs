@@ -5,7 +5,7 @@
 
 use std::io::{BufRead, BufReader, Write};
 use std::path::PathBuf;
-use std::process::{Child, Command as Process, Stdio};
+use std::process::{Child, Stdio};
 
 use assert_cmd::Command;
 use serde_json::{Map, Value, json};
@@ -15,7 +15,7 @@ const U4: [&str; 4] = ["--instance", "U4", "--alpha", "-1"];
 const CURVE: [&str; 2] = ["--points", "0,0 1,2 2,2 3,0 1,1"];
 
 fn knotproof(arguments: &[&str]) -> Command {
-    let mut command = Command::cargo_bin("knotproof").unwrap();
+    let mut command = crate::program();
     command.arg("eval").args(arguments);
     command
 }
@@ -339,7 +339,7 @@ fn one_point_or_a_file() {
 }
 
 fn spawned(options: &[&str]) -> Child {
-    Process::new(assert_cmd::cargo::cargo_bin("knotproof"))
+    crate::process()
         .arg("eval")
         .args(U4)
         .args(options)

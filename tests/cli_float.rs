@@ -2,11 +2,10 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
-use assert_cmd::Command;
 use serde_json::Value;
 
 fn run(arguments: &[&str]) -> (i32, Value, String) {
-    let mut command = Command::cargo_bin("knotproof").unwrap();
+    let mut command = crate::program();
     let output = command.arg("float").args(arguments).args(["--format", "json"]).output().unwrap();
     let json = serde_json::from_slice(if output.stdout.is_empty() { &output.stderr } else { &output.stdout });
     (output.status.code().unwrap(), json.unwrap(), String::from_utf8(output.stderr).unwrap())
@@ -90,7 +89,7 @@ fn the_worst_case_of_a_member_is_shown_again() {
 }
 
 fn text(arguments: &[&str]) -> String {
-    let mut command = Command::cargo_bin("knotproof").unwrap();
+    let mut command = crate::program();
     let output = command.arg("float").args(arguments).output().unwrap();
     String::from_utf8(output.stdout).unwrap()
 }
@@ -193,7 +192,7 @@ fn values_next_to_underflow_are_counted() {
         assert_eq!(of(&found, name)["sign_errors"], usize::from(!["fast", "accurate"].contains(&name)));
     }
     assert!(text(&arguments).contains("Left out are exact values below 2^-900"));
-    let help = Command::cargo_bin("knotproof").unwrap().args(["float", "--help"]).output().unwrap().stdout;
+    let help = crate::program().args(["float", "--help"]).output().unwrap().stdout;
     assert!(String::from_utf8(help).unwrap().contains("below 2^-900"));
 }
 

@@ -12,7 +12,7 @@ use std::time::Duration;
 use assert_cmd::Command;
 
 fn knotproof(arguments: &[&str], folder: &Path) -> Command {
-    let mut command = Command::cargo_bin("knotproof").unwrap();
+    let mut command = crate::program();
     command.args(arguments).current_dir(folder);
     command
 }

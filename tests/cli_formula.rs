@@ -8,7 +8,7 @@ use knotproof::spline::{Basis, KnotVector, Side};
 use serde_json::{Value, json};
 
 fn knotproof(arguments: &[&str]) -> Command {
-    let mut command = Command::cargo_bin("knotproof").unwrap();
+    let mut command = crate::program();
     command.arg("formula").args(arguments);
     command
 }
@@ -138,7 +138,7 @@ fn members_of_other_families_have_the_values_of_eval() {
             assert_eq!((&found["family"]["name"], found.get("alpha")), (&json!(member[1]), None));
         }
         for x in ["-1", "0", "1/3", "1/2", "9/10", "1", "7/4", "2", "5/2", "9"] {
-            let mut eval = Command::cargo_bin("knotproof").unwrap();
+            let mut eval = crate::program();
             let eval = eval.args(["eval", "--format", "json", "--x", x]).args(&on).assert().success();
             let values: Value = serde_json::from_slice(&eval.get_output().stdout).unwrap();
             let values: Vec<_> = values["values"].as_array().unwrap().iter().map(number).collect();
@@ -322,8 +322,7 @@ fn what_cannot_be_written_is_refused() {
 /// Other commands do not take a letter for a number.
 #[test]
 fn only_formula_takes_a_symbol() {
-    let output = Command::cargo_bin("knotproof")
-        .unwrap()
+    let output = crate::program()
         .args(["eval", "--instance", "U4", "--alpha", "symbolic", "--x", "1"])
         .assert()
         .code(2)

@@ -2,7 +2,6 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
-use assert_cmd::Command;
 use knotproof::scalar::{BigRational, parse_rational, rational};
 use num_traits::{Signed, ToPrimitive};
 use serde_json::Value;
@@ -12,7 +11,7 @@ const SHAPE: [&str; 9] =
     ["shape", "--degree", "3", "--knots", "0 0 0 0 1 2 4 4", "--alpha", "5/2", "--index", "2"];
 
 fn output(arguments: &[&str]) -> String {
-    let output = Command::cargo_bin("knotproof").unwrap().args(arguments).output().unwrap();
+    let output = crate::program().args(arguments).output().unwrap();
     assert!(output.status.code().unwrap() <= 1, "{}", String::from_utf8_lossy(&output.stderr));
     String::from_utf8(output.stdout).unwrap()
 }
@@ -149,9 +148,9 @@ fn tables_have_no_fractions() {
 #[test]
 fn too_many_digits_are_refused() {
     for digits in ["0", "10001", "-1", "x"] {
-        let mut command = Command::cargo_bin("knotproof").unwrap();
+        let mut command = crate::program();
         command.args(EVAL).args(["--digits", digits]).assert().code(2).stdout("");
     }
-    let mut command = Command::cargo_bin("knotproof").unwrap();
+    let mut command = crate::program();
     command.args(EVAL).args(["--digits", "3", "--float"]).assert().code(2);
 }

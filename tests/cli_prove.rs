@@ -6,7 +6,7 @@
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command as Process, Stdio};
+use std::process::Stdio;
 
 use assert_cmd::Command;
 use knotproof::certificate::Sexp;
@@ -14,8 +14,8 @@ use knotproof::report::Baseline;
 use serde_json::{Value, json};
 
 fn knotproof(arguments: &[&str]) -> Command {
-    let mut command = Command::cargo_bin("knotproof").unwrap();
-    command.args(arguments).env("KNOTPROOF_PROGRESS", "never");
+    let mut command = crate::program();
+    command.args(arguments);
     command
 }
 
@@ -564,9 +564,10 @@ fn a_proved_claim_is_explained() {
     assert_eq!(code, 0);
     for part in [
         "T3.5.2 (Theorem 3.5 (2)): Positivity\n",
-        "As printed: proved (knots, for k ≤ 8, any weights)\n",
+        "As printed: proved (degree, for every k, any weights)\n",
         "  For every U, every 0 ≤ i ≤ n and t_i < x < t_{i+k+1}: G_i^k(x) > 0.\n",
         "  why: Windows and goals follow from the sentence",
+        "  theorem: true for every k: T3_5_2_printed in proofs/theory/StatementsBasis.v, printed from the stanza\n",
         "  certificate: proofs/certs/T3.5.2.printed.statement and .proof; checked by engine, prover, checker\n",
     ] {
         assert!(found.contains(part), "{part} in {found}");
@@ -589,7 +590,7 @@ fn a_refuted_claim_is_explained_with_witness_and_amendment() {
         "  again: knotproof eval --degree 1 --knots 0,0,1,2 --alpha -1 --x 3/2\n",
         "  why: At these numbers all hypotheses are true",
         "  certificate: proofs/certs/T3.5.3.printed.statement",
-        "As amended: proved (knots, for k ≤ 8, any weights)\n",
+        "As amended: proved (degree, for every k, any weights)\n",
         "  For every U, every k ≤ j ≤ n and every x in [t_j, t_{j+1}): ",
         "  certificate: proofs/certs/T3.5.3.amended.statement",
         "Note: ",
@@ -708,10 +709,9 @@ fn a_closed_pipe_is_no_error() {
         &["prove", "--claim", "P2.1.3", "--out", path],
     ] {
         for format in ["text", "json"] {
-            let mut child = Process::new(assert_cmd::cargo::cargo_bin("knotproof"))
+            let mut child = crate::process()
                 .args(arguments)
                 .args(["--format", format])
-                .env("KNOTPROOF_PROGRESS", "never")
                 .stdout(Stdio::piped())
                 .stderr(Stdio::piped())
                 .spawn()

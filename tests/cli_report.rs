@@ -11,8 +11,8 @@ use knotproof::report::Baseline;
 use serde_json::Value;
 
 fn knotproof(arguments: &[&str]) -> Command {
-    let mut command = Command::cargo_bin("knotproof").unwrap();
-    command.args(arguments).env("KNOTPROOF_PROGRESS", "never");
+    let mut command = crate::program();
+    command.args(arguments);
     command
 }
 
@@ -61,9 +61,10 @@ fn the_claims_asked_for_and_the_study_of_floats() {
     });
     assert_eq!(printed["witness"], expected);
     let amended = &support["amended"];
-    assert_eq!((&amended["status"], &amended["scope"]), (&"proved".into(), &"knots".into()));
+    assert_eq!((&amended["status"], &amended["scope"]), (&"proved".into(), &"degree".into()));
     assert_eq!(amended["certificate"], "T3.5.1.amended");
-    assert_eq!(amended["checked_by"], serde_json::json!(["engine", "prover", "checker"]));
+    assert_eq!(amended["checked_by"], serde_json::json!(["engine", "prover", "checker", "coq"]));
+    assert_eq!(amended["theorems"][0]["name"], "T3_5_1_amended");
     assert_eq!(amended["degrees"], serde_json::json!([0, 1, 2, 3, 4, 5, 6, 7, 8]));
     assert_ne!(amended["statement"], support["statement"]);
     for count in ["instances", "small_cases", "facts"] {
@@ -114,7 +115,7 @@ fn the_summary_counts_the_paper_and_our_questions_apart() {
         let all: usize = refuted.iter().sum();
         serde_json::json!({
             "statements": statements, "proved": statements - all, "refuted": all, "undecided": 0, "not-formal": 0,
-            "refutations": {
+            "in-every-degree": statements, "refutations": {
                 "by_severity": {"hypothesis": hypothesis, "reading": reading, "serious": serious, "slip": slip},
                 "by_cause": causes,
             },
@@ -190,7 +191,7 @@ fn the_files_are_written_where_asked_for() {
     let text = fs::read_to_string(out.join("report.md")).unwrap();
     assert!(text.starts_with("# "), "{text}");
     for part in
-        ["| `P2.1.3` |", "### R2.2.1 (", "witness: ", "**As amended: proved (knots).**", "| U13 | 2 |"]
+        ["| `P2.1.3` |", "### R2.2.1 (", "witness: ", "**As amended: proved (degree).**", "| U13 | 2 |"]
     {
         assert!(text.contains(part), "{part}");
     }
@@ -222,11 +223,11 @@ fn the_text_has_a_row_for_each_claim_and_the_counts() {
     assert_eq!(row("claim"), "claim where as printed as amended statement");
     assert!(
         row("P2.1.3").starts_with(
-            "P2.1.3 Proposition 2.1 (3) refuted (hypothesis) proved (knots) For all real a, b, "
+            "P2.1.3 Proposition 2.1 (3) refuted (hypothesis) proved (degree) For all real a, b, "
         ),
         "{text}"
     );
-    assert!(row("R2.2.1").starts_with("R2.2.1 Remark 2.2 (1) proved (knots) "), "{text}");
+    assert!(row("R2.2.1").starts_with("R2.2.1 Remark 2.2 (1) proved (degree) "), "{text}");
     assert!(text.find("P2.1.3 ").unwrap() < text.find("R2.2.1 ").unwrap(), "what is refuted stands first");
     for part in [
         "The paper, 2 statements: 1 proved, 1 refuted (1 hypothesis)",
@@ -260,6 +261,7 @@ fn a_verdict_that_is_not_as_recorded_is_exit_code_1() {
     let mut altered = recorded.clone();
     let entry = altered.claims.iter_mut().find(|entry| entry.id == "P2.1.3").unwrap();
     entry.as_printed.witness = None;
+    entry.as_printed.theorems.clear();
     (entry.as_printed.status, entry.as_printed.scope) = ("proved".to_owned(), Some("instance".to_owned()));
     altered.claims.retain(|entry| entry.id != "R2.2.1");
     written(&path, &altered);
@@ -358,6 +360,8 @@ fn recording_needs_the_folders() {
     fs::create_dir(folder.path().join("proofs")).unwrap();
     assert!(refusal().starts_with("--record: cannot write docs: "), "no folder docs");
     assert_eq!(fs::read_dir(folder.path().join("proofs")).unwrap().count(), 0);
+    fs::create_dir(folder.path().join("docs")).unwrap();
+    assert!(refusal().starts_with("--record: cannot write proofs/theory: "), "no folder of theorems");
 }
 
 /// Verdicts on a part are no baseline.

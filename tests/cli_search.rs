@@ -15,7 +15,7 @@ use knotproof::scalar::BigRational;
 use serde_json::Value;
 
 fn knotproof(arguments: &[&str]) -> Command {
-    let mut command = Command::cargo_bin("knotproof").unwrap();
+    let mut command = crate::program();
     command.args(arguments);
     command
 }
@@ -62,7 +62,7 @@ fn text(path: &Path) -> &str {
 
 /// A search in a process of its own, which says nothing.
 fn start(arguments: &[&str]) -> Child {
-    let mut process = Process::new(assert_cmd::cargo::cargo_bin("knotproof"));
+    let mut process = crate::process();
     process.args(["search", "--format", "json"]).args(arguments);
     process.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap()
 }
@@ -539,7 +539,7 @@ fn only_regular_files_are_read() {
 /// A reader that has seen enough, as `| head` does.
 #[test]
 fn a_closed_pipe_is_no_error() {
-    let mut process = Process::new(assert_cmd::cargo::cargo_bin("knotproof"));
+    let mut process = crate::process();
     process.args(["search", "--degree", "3", "--limit", "11", "--format", "json"]);
     let mut process = process.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
     drop(process.stdout.take());
@@ -777,7 +777,7 @@ fn forged_shards_are_found_out() {
 /// Off a terminal a line comes now and then, and something moves inside a single decision that takes long.
 #[test]
 fn long_searches_say_so_in_a_log() {
-    let mut process = Process::new(assert_cmd::cargo::cargo_bin("knotproof"));
+    let mut process = crate::process();
     process.args(["search", "--degree", "16", "--count", "2", "--threads", "1"]);
     process.env_remove("KNOTPROOF_PROGRESS");
     let mut process = process.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();

@@ -2,7 +2,6 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests: a failure is a failed test")]
 
-use assert_cmd::Command;
 use knotproof::analysis::{ExtremumKind, Partition, Pieces, Shape};
 use knotproof::scalar::{BigRational, integer, parse_rational, rational};
 use knotproof::search::{Candidate, Enumeration, Goal, Sample, Search, Space, local_maxima};
@@ -11,7 +10,7 @@ use proptest::prelude::*;
 use serde_json::{Value, json};
 
 fn shape(arguments: &[&str]) -> (i32, Value) {
-    let mut command = Command::cargo_bin("knotproof").unwrap();
+    let mut command = crate::program();
     let output = command.args(["shape", "--format", "json"]).args(arguments).output().unwrap();
     let text = if output.stdout.is_empty() { output.stderr } else { output.stdout };
     (output.status.code().unwrap(), serde_json::from_slice(&text).unwrap())
@@ -70,7 +69,7 @@ fn what_is_refused() {
 
 /// What `shape` prints for people.
 fn printed(arguments: &[&str]) -> String {
-    let output = Command::cargo_bin("knotproof").unwrap().arg("shape").args(arguments).output().unwrap();
+    let output = crate::program().arg("shape").args(arguments).output().unwrap();
     assert!(output.stderr.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
     String::from_utf8(output.stdout).unwrap()
 }

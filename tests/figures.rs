@@ -2,7 +2,6 @@
 
 use std::fs;
 
-use assert_cmd::Command;
 use knotproof::language::{claims, paper};
 use knotproof::meaning::examples_named;
 use knotproof::report::figures::{all, figure, png};
@@ -17,7 +16,7 @@ fn svg(name: &str) -> String {
 }
 
 fn program(arguments: &[&str]) -> std::process::Output {
-    Command::cargo_bin("knotproof").expect("it is built").args(arguments).output().expect("it runs")
+    crate::program().args(arguments).output().expect("it runs")
 }
 
 #[test]

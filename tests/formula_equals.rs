@@ -5,7 +5,6 @@
 use std::fs;
 use std::time::{Duration, Instant};
 
-use assert_cmd::Command;
 use serde_json::{Value, json};
 
 /// Runs the command on a text; exit code, standard output and standard error.
@@ -13,7 +12,7 @@ fn run(text: &str, arguments: &[&str]) -> (i32, String, String) {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("formulas.mac");
     fs::write(&path, text).unwrap();
-    let mut command = Command::cargo_bin("knotproof").unwrap();
+    let mut command = crate::program();
     let output = command.arg("formula").args(arguments).arg("--equals").arg(&path).output().unwrap();
     let [out, err] = [output.stdout, output.stderr].map(|bytes| String::from_utf8(bytes).unwrap());
     (output.status.code().unwrap(), out, err)
@@ -126,8 +125,7 @@ fn not_equal_at_a_point() {
 #[test]
 fn what_was_not_compared_is_said() {
     let basis = ["--instance", "U4", "--alpha", "-1"];
-    let all =
-        Command::cargo_bin("knotproof").unwrap().arg("formula").args(basis).args(["--as", "maxima"]).output();
+    let all = crate::program().arg("formula").args(basis).args(["--as", "maxima"]).output();
     let all = String::from_utf8(all.unwrap().stdout).unwrap();
     let (code, found) = json(&all, &basis);
     assert_eq!((code, &found["equal"], &found["not_compared"]), (0, &json!(true), &json!([])));

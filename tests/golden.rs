@@ -3,7 +3,6 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
-use assert_cmd::Command;
 use knotproof::scalar::{BigRational, parse_rational};
 use knotproof::spline::{Basis, KnotVector, Side, by_definition};
 use serde::Deserialize;
@@ -83,7 +82,7 @@ fn the_program_prints_the_same() {
     for (position, case) in golden().iter().enumerate().step_by(10) {
         let separator = if position % 20 == 0 { "," } else { " " };
         let degree = case.degree.to_string();
-        let mut command = Command::cargo_bin("knotproof").unwrap();
+        let mut command = crate::program();
         command.args(["eval", "--format", "json", "--derivatives", "3", "--degree", &degree]);
         command.args(["--knots", &case.knots.join(separator), "--alpha", &case.alpha]);
         command.args(["--x", &case.x, "--side", &case.side]);

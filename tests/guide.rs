@@ -9,7 +9,7 @@ use assert_cmd::Command;
 use serde_json::Value;
 
 fn knotproof() -> Command {
-    Command::cargo_bin("knotproof").unwrap()
+    crate::program()
 }
 
 fn text(arguments: &[&str]) -> String {

@@ -122,7 +122,7 @@ fn what_fails_is_refuted_and_amended() {
         assert!(witness.given().contains(&("U".into(), knots.into())), "{id}: {witness}");
         let of_amended = outcome.amended.as_ref().map(|amended| amended.verdict.status());
         assert_eq!(of_amended, Some("proved"), "{id}");
-        let by_degree = outcome.by_degree.iter().map(|of| (of.form, Finding::from(of).status));
+        let by_degree = outcome.by_degree.iter().map(|of| (of.form, Finding::of(claim(id), of).status));
         let expected = [(1, "proved"), (2, "refuted"), (3, "refuted")];
         let expected = expected.map(|(k, status)| (Form::Degree(k), status.to_owned()));
         assert_eq!(by_degree.collect::<Vec<_>>(), expected, "{id}");

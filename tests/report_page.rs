@@ -25,6 +25,7 @@ const SOURCE: PageSource<'_> = PageSource {
     pictures: &[],
     instances: &[],
     certificates: Some("../proofs/certs"),
+    theory: Some("../proofs/theory"),
     beside: &[("the errata", "errata.md")],
 };
 
@@ -72,7 +73,9 @@ fn the_page_stands_alone_and_is_the_same_every_time() {
             && html.contains("<a href=\"errata.md\">")
     );
     assert!(html.contains("href=\"../proofs/certs/T3.5.2.printed.proof\""));
-    assert!(!page(&REPORT, &PageSource { certificates: None, ..SOURCE }).unwrap().contains("../proofs"));
+    assert!(html.contains("<a href=\"../proofs/theory/StatementsBasis.v\"><code>T3_5_2_printed</code></a>"));
+    let alone = PageSource { certificates: None, theory: None, ..SOURCE };
+    assert!(!page(&REPORT, &alone).unwrap().contains("../proofs"));
     assert_eq!(html, page(&REPORT, &SOURCE).unwrap());
 }
 
@@ -275,8 +278,10 @@ fn only_what_is_serious_is_red() {
 #[test]
 fn the_status_says_for_which_degrees() {
     let words = |id: &str| RECORDED.claims.iter().find(|record| record.id == id).unwrap().words();
-    assert_eq!(words("T3.5.2"), "proved (knots, for k ≤ 8, any weights)");
-    assert_eq!(words("P2.1.1"), "proved (knots)");
+    assert_eq!(words("T3.5.2"), "proved (degree, for every k, any weights)");
+    assert_eq!(words("P3.1.2"), "proved (degree, for every k; any weights for 1 ≤ k ≤ 8)");
+    assert_eq!(words("P2.1.1"), "proved (degree)");
+    assert_eq!(words("abstract.regularity"), "proved (knots, for 1 ≤ k ≤ 6)");
 }
 
 #[test]
@@ -307,14 +312,15 @@ fn no_theorem_falls_and_the_sentence_changes_if_one_did() {
 }
 
 #[test]
-fn the_opening_is_five_lines_from_the_data() {
+fn the_opening_is_six_lines_from_the_data() {
     let lines = opening(&RECORDED);
-    assert_eq!(lines.len(), 5, "{lines:#?}");
+    assert_eq!(lines.len(), 6, "{lines:#?}");
     for (line, words) in lines.iter().zip([
         "No theorem",
         "Conjecture 3.1, one maximum for each function, is false from k = 3 on",
         "turns by up to 0.99",
         "do not diminish variation from k = 3 on",
+        "are true of every degree",
         "the errata are ready",
     ]) {
         assert!(line.contains(words), "{line}");

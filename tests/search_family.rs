@@ -5,7 +5,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::PathBuf;
-use std::process::{Command as Process, Stdio};
+use std::process::Stdio;
 use std::thread::sleep;
 use std::time::Duration;
 
@@ -56,7 +56,7 @@ fn lists<T: Clone>(length: usize, of: &[T]) -> Vec<Vec<T>> {
 }
 
 fn knotproof(arguments: &[&str]) -> Command {
-    let mut command = Command::cargo_bin("knotproof").unwrap();
+    let mut command = crate::program();
     command.args(arguments);
     command
 }
@@ -345,7 +345,7 @@ fn interruptions_have_no_influence() {
     // At no particular moment.
     let file = path_in(&folder, "killed.jsonl");
     for _ in 0..2 {
-        let mut process = Process::new(assert_cmd::cargo::cargo_bin("knotproof"))
+        let mut process = crate::process()
             .arg("search")
             .args(options)
             .args(["--checkpoint", file.to_str().unwrap()])

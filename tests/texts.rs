@@ -2,7 +2,7 @@
 //! has read and compared with other sources. After a change that is meant,
 //!
 //! ```sh
-//! INSTA_UPDATE=always cargo test --test texts
+//! INSTA_UPDATE=always cargo test --test suite texts::
 //! ```
 //!
 //! writes the snapshots anew; then `git diff tests/snapshots` is there to be read, number by number.
@@ -13,7 +13,6 @@ use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
-use assert_cmd::Command;
 use insta::{Settings, assert_snapshot};
 
 /// The arguments as a shell would split them: at spaces, but not between double quotes.
@@ -31,7 +30,7 @@ fn arguments(line: &str) -> Vec<String> {
 fn session_in(folder: &Path, lines: &[&str]) -> String {
     let mut session = String::new();
     for line in lines {
-        let mut command = Command::cargo_bin("knotproof").unwrap();
+        let mut command = crate::program();
         command.args(arguments(line)).current_dir(folder).env_clear();
         command.env("NO_COLOR", "1").env("KNOTPROOF_PROGRESS", "never");
         let output = command.output().unwrap();

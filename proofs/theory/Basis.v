@@ -92,7 +92,7 @@ have q2 : 0 <= (1 - w k.+1 i.+1 x) * G k i.+1 x by rewrite mulr_ge0 ?subr_ge0.
 case: (ltP x (t (i + k.+1)%N)) => h3.
   have /andP[c1 c2] : 0 < w k.+1 i x < 1 by apply: win; rewrite h1 h3.
   by rewrite ltr_paddr // mulr_gt0 // IH // h1 h3.
-have h4 : t i.+1 <= x by apply: le_trans h3; apply: tle; lia.
+have h4 : t i.+1 <= x by apply: le_trans h3; apply: tle; rewrite addnS ltnS leq_addr.
 have h5 : x < t (i.+1 + k.+1)%N by rewrite addSnnS.
 move: h4; rewrite le_eqVlt => /orP[/eqP e|h4]; last first.
   have /andP[c1 c2] : 0 < w k.+1 i.+1 x < 1 by apply: win; rewrite h4 h5.
@@ -265,9 +265,3 @@ apply: T3_5_3_sharp => //; first exact: wt_left.
 - exact: wt_inside.
 by left; rewrite h1 /= (lt_le_trans h2) // ler1n.
 Qed.
-
-Print Assumptions T3_5_1.
-Print Assumptions G_neq0_iff.
-Print Assumptions T3_5_3_sharp.
-Print Assumptions T3_5_2_alpha.
-Print Assumptions T3_5_3_printed_false.

@@ -78,7 +78,3 @@ have -> : (r * (x - a) + (b - x)) ^+ k = (r * (x - a) + (b - x)) ^+ i * (r * (x 
 rewrite invfM !mulrA; congr (_ / _).
 by rewrite -!mulrA; congr (_ * (_ * _)); rewrite mulrC.
 Qed.
-
-Print Assumptions P3_3_1.
-Print Assumptions P3_3_2.
-Print Assumptions P3_3_2_paper.

@@ -130,5 +130,3 @@ Proof.
 have -> : q2r R BQ.q2 = 2%:R by rewrite /q2r /z2r /= divr1.
 by have -> : (2%:R : R) - 1 = 1 by [ring]; rewrite divr1.
 Qed.
-
-Print Assumptions Conj3_1_false_k3.

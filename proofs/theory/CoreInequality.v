@@ -587,6 +587,3 @@ by rewrite mulr_ge0 ?(ltW b0) // core_inequality.
 Qed.
 End Final.
 End Core.
-
-Print Assumptions theoremA.
-Print Assumptions core_strict.

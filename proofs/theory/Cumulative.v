@@ -309,9 +309,3 @@ move: ss; rewrite ltNge; case/negP; apply: (@le_trans _ _ (t m)).
 by rewrite -p3 -e'; exact: tle.
 Qed.
 End Paper.
-
-Print Assumptions TT_x.
-Print Assumptions TT_r.
-Print Assumptions TT_mono.
-Print Assumptions X_order_printed.
-Print Assumptions monotone_curve.

@@ -94,9 +94,3 @@ rewrite big_nat_cond [X in _ <= X]big_nat_cond; apply: ler_sum => i /andP[hi _].
 have g0 : 0 <= G w t k i x by apply: T3_5_2_nonneg.
 by rewrite normrM ger0_norm // ler_wpmul2l // H.
 Qed.
-
-Print Assumptions T4_1.
-Print Assumptions T4_1_last.
-Print Assumptions P4_1_1_conv.
-Print Assumptions P4_1_4.
-Print Assumptions abstract_approx.

@@ -154,7 +154,3 @@ case: (ltP x (t j)) => h; last first.
 by have [|s [hs1 hs2]] := IH; [rewrite h1 h|exists s; split => //; move: hs1; lia].
 Qed.
 End Defs.
-
-Print Assumptions G_N.
-Print Assumptions N_deBoor.
-Print Assumptions N_sum1.

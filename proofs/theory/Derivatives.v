@@ -538,12 +538,3 @@ have -> : \sum_(0 <= i < n.+1) P r t k k i (t 0%N) * d i = d 0%N.
 by apply => i _; apply: G_right => //; rewrite e0 lexx.
 Qed.
 End Coordinate.
-
-Print Assumptions P_taylor.
-Print Assumptions T3_11_3a.
-Print Assumptions T3_11_3b.
-Print Assumptions T3_11_2_right.
-Print Assumptions right_taylor_unique.
-Print Assumptions P3_1_2_continuous.
-Print Assumptions P4_2_2_right.
-Print Assumptions P4_2_2_curve_left.

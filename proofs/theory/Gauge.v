@@ -114,6 +114,3 @@ rewrite /AA' -(dbl (fun l => (lam l)^-1) (F := fun l m => DDx x 2 (l :: m :: V))
 by move=> l m; apply: (DDperm (y_side yy_sd hx)); rewrite (perm_catCA [:: l] [:: m]).
 Qed.
 End Far.
-
-Print Assumptions D_scale.
-Print Assumptions AA_der2.

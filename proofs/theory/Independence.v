@@ -115,4 +115,3 @@ apply: le_trans (le_trans _ up) _; first by apply: ler_wpmul2l; [exact: normr_ge
 by rewrite exprS mulrA.
 Qed.
 End Paper.
-Print Assumptions P3_2.

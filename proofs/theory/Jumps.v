@@ -233,9 +233,3 @@ have E2 : (p - e.+1 + (q.+2 + e) = (p + q).+1)%N by move: h dp; clear; lia.
 by rewrite subr_gt0 /mw E2 mob_lt1 // (le_trans _ (ltW hL)) // tle // leq_subr.
 Qed.
 End Paper.
-
-Print Assumptions jump.
-Print Assumptions jump_neq0.
-Print Assumptions jump_low_neq0.
-Print Assumptions no_derivative.
-Print Assumptions jump_bound.

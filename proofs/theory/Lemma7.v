@@ -99,5 +99,3 @@ move: (DD 1 (a :: b :: s2)) (DD 1 (a :: a :: s2)) (DD 1 (b :: b :: s2)) (C (a ::
 ring.
 Qed.
 End Lemma7.
-
-Print Assumptions lemma7.

@@ -130,5 +130,3 @@ apply: (isd_ext (isd_div (isd_sub h1 h2) (y_der l) n)) => x hx.
 exact: esym (@level_up _ _ (y x) (c x) (y_side hx) j l s js).
 Qed.
 End Functions.
-
-Print Assumptions lemma7_fun.

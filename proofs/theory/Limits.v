@@ -92,5 +92,3 @@ have d0 : 0 < r * (x - t j) + (t (j + e.+1)%N - x) by rewrite ltr_paddr.
 by apply: ler_wpmul2l => //; rewrite lef_pinv ?posrE // ler_addl.
 Qed.
 End Paper.
-
-Print Assumptions X_limit_printed.

@@ -55,19 +55,23 @@ move=> h; elim: s => [|i s IH].
   by apply: (regular_ext (regular_const 0)) => x _; rewrite big_nil.
 by apply: (regular_ext (regular_add (h i) IH)) => x _; rewrite big_cons.
 Qed.
-(* no power of x is *)
+(* no polynomial that is not constant is *)
+Theorem poly_not_regular (p : {poly R}) : (1 < size p)%N -> ~ regular (fun x => p.[x]).
+Proof.
+move=> p1 [P [Q [s h]]]; have Q0 : Q != 0 by apply: reg_Q0 => x hx; have [] := h x hx.
+have p0 : p != 0 by rewrite -size_poly_gt0 ltnW.
+have E : P - p * Q = 0.
+  by apply: (poly0 uv) => x hx; have [a b] := h x hx; rewrite hornerD hornerN hornerM b divfK // subrr.
+have : (size Q < size P)%N.
+  have -> : P = p * Q by apply/eqP; rewrite -subr_eq0 E.
+  by rewrite size_mul // -(ltn_predK p1) addSn /= -[X in (X < _)%N]add0n ltn_add2r -ltnS (ltn_predK p1).
+by rewrite ltnNge s.
+Qed.
+(* so no power of x is *)
 Theorem power_not_regular q : (0 < q)%N -> ~ regular (fun x => x ^+ q).
 Proof.
-move=> q0 [P [Q [s h]]]; have Q0 : Q != 0 by apply: reg_Q0 => x hx; have [] := h x hx.
-have E : P - 'X^q * Q = 0.
-  apply: (poly0 uv) => x hx; have [a b] := h x hx.
-  by rewrite hornerD hornerN hornerM hornerXn b divfK // subrr.
-have : (size Q < size P)%N.
-  have -> : P = 'X^q * Q by apply/eqP; rewrite -subr_eq0 E.
-  have X0 : 'X^q != 0 :> {poly R} by rewrite monic_neq0 ?monicXn.
-  rewrite mulrC (size_mul Q0 X0) size_polyXn addnS /=.
-  by rewrite -[X in (X < _)%N]addn0 ltn_add2l.
-by rewrite ltnNge s.
+move=> q0 h; apply: (@poly_not_regular 'X^q); first by rewrite size_polyXn ltnS.
+by apply: (regular_ext h) => x _; rewrite hornerXn.
 Qed.
 End Regular.
 
@@ -112,16 +116,23 @@ apply: (regular_ext (regular_add ss A B)) => x _; rewrite NS; congr (_ + _).
   by case: ifP => h //; rewrite N_supp ?h ?mulr0.
 by case: ifP => h //; rewrite N_supp ?h ?mulr0.
 Qed.
-(* X.linear as amended *)
-Theorem X_linear_amended n k q (c : nat -> R) : (s < n + k.+1)%N -> (1 <= q)%N ->
-  ~ (forall x, t s <= x <= t s.+1 -> x ^+ q = \sum_(0 <= i < n.+1) c i * value r t (n + k.+1) k i x).
+(* no polynomial but the constants is a combination of the functions on any span *)
+Theorem no_polynomial n k (p : {poly R}) (c : nat -> R) : (s < n + k.+1)%N -> (1 < size p)%N ->
+  ~ (forall x, t s <= x <= t s.+1 -> p.[x] = \sum_(0 <= i < n.+1) c i * value r t (n + k.+1) k i x).
 Proof.
-move=> sm q1 H; apply: (@power_not_regular R (t s) (t s.+1) ss q q1).
+move=> sm p1 H; apply: (@poly_not_regular R (t s) (t s.+1) ss p p1).
 have reg : regular (fun x => \sum_(0 <= i < n.+1) c i * N (fun e j => mw r t e j x) s k i).
   apply: (regular_sum ss) => i; apply: (regular_mul ss); [exact: regular_const|exact: N_regular].
 apply: (regular_ext reg) => x /andP[x1 x2]; rewrite H ?(ltW x1) ?(ltW x2) //.
 apply: eq_bigr => i _; rewrite value_in; last by apply: (lt_le_trans x2); exact: tle.
 by rewrite (G_P r t_mono k i (s := s)) // (ltW x1).
+Qed.
+(* X.linear as amended *)
+Theorem X_linear_amended n k q (c : nat -> R) : (s < n + k.+1)%N -> (1 <= q)%N ->
+  ~ (forall x, t s <= x <= t s.+1 -> x ^+ q = \sum_(0 <= i < n.+1) c i * value r t (n + k.+1) k i x).
+Proof.
+move=> sm q1 H; apply: (@no_polynomial n k 'X^q c sm); first by rewrite size_polyXn ltnS.
+by move=> x hx; rewrite hornerXn; apply: H.
 Qed.
 End Paper.
 
@@ -135,6 +146,3 @@ apply: (@X_linear_amended R r r0 r1 t mono s (le_lt_trans s1 s2) n k 1 c) => //;
 move=> x /andP[x1 x2]; rewrite expr1; apply: H; apply/andP; split; first exact: le_trans (t_le mono ks) x1.
 by apply: le_trans x2 _; apply: (t_le mono).
 Qed.
-Print Assumptions power_not_regular.
-Print Assumptions X_linear_amended.
-Print Assumptions X_linear_printed_false.

@@ -198,5 +198,3 @@ move=> uV tV c0 b0.
 exact: (theoremA y_side DDperm DDtower DDpos DDone uV tV c0 b0).
 Qed.
 End Glue.
-
-Print Assumptions theoremA_concrete.

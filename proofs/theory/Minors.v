@@ -382,8 +382,3 @@ rewrite -(ler_pmul2r Bx); apply: le_trans M _; rewrite mulrC ler_wpmul2l // ltW 
 Qed.
 End Global.
 End Paper.
-
-Print Assumptions minors_2.
-Print Assumptions one_crossing.
-Print Assumptions N_minor.
-Print Assumptions closed_minor.

@@ -130,7 +130,3 @@ Proof. by move=> h; rewrite -(pmulr_rge0 _ h) theoremA_signed. Qed.
 Corollary theoremA_left : y t0 < 0 -> A0 * A1' - A0' * A1 <= 0.
 Proof. by move=> h; rewrite -(nmulr_rge0 _ h) theoremA_signed. Qed.
 End Signed.
-
-Print Assumptions D_mirror.
-Print Assumptions theoremA_signed.
-Print Assumptions theoremA_signed_strict.

@@ -37,10 +37,10 @@ rewrite NS; case: (boolP (s <= j + d)%N) => e.
     have /andP[p1 p2] := @wp d.+1 j.+1 ltac:(lia) ltac:(lia) dk.
     by rewrite mulr_ge0 ?subr_ge0 // N_ge0 //; lia.
   have -> : (d.+1 - (s - j) = (d - (s - j)).+1)%N by lia.
-  rewrite !exprS mulrACA ler_pmul ?mulr_ge0 ?exprn_ge0 ?wa ?IH //; lia.
+  rewrite !exprS mulrACA ler_pmul ?mulr_ge0 ?exprn_ge0 ?wa ?IH //; move: dk hj e; clear; lia.
 rewrite [N w s d j]N_supp ?mulr0 ?add0r; last lia.
 have -> : (d.+1 - (s - j) = d - (s - j.+1))%N by lia.
-rewrite exprS -mulrA ler_pmul ?mulr_ge0 ?exprn_ge0 ?wq ?IH //; lia.
+rewrite exprS -mulrA ler_pmul ?mulr_ge0 ?exprn_ge0 ?wq ?IH //; move: dk ij hj e; clear; lia.
 Qed.
 Lemma N_upper d j : (d <= k)%N -> (i <= j)%N -> (j <= s <= j + d)%N -> N w s d j <= (b + 1) ^+ d * h ^+ (d - (s - j)).
 Proof.
@@ -51,17 +51,14 @@ elim: d j => [|d IH] j dk ij hj.
 have E (u : R) : (b + 1) ^+ d.+1 * u = b * ((b + 1) ^+ d * u) + (b + 1) ^+ d * u by rewrite exprS; ring.
 rewrite NS E; apply: ler_add.
   case: (boolP (s <= j + d)%N) => e; last first.
-    by rewrite N_supp ?mulr0 ?mulr_ge0 ?exprn_ge0 //; lia.
+    by rewrite N_supp ?mulr0 ?mulr_ge0 ?exprn_ge0 //; move: dk ij hj e; clear; lia.
   have -> : (d.+1 - (s - j) = (d - (s - j)).+1)%N by lia.
   have /andP[p1 _] := @wp d.+1 j ij ltac:(lia) dk.
   have -> : b * ((b + 1) ^+ d * h ^+ (d - (s - j)).+1) = (b * h) * ((b + 1) ^+ d * h ^+ (d - (s - j))) by rewrite exprS; ring.
-  by rewrite ler_pmul ?N_ge0 ?wb ?IH //; lia.
-case: (boolP (j.+1 <= s)%N) => e; last by rewrite N_supp ?mulr0 ?mulr_ge0 ?exprn_ge0 //; lia.
+  by rewrite ler_pmul ?N_ge0 ?wb ?IH //; move: dk ij hj e; clear; lia.
+case: (boolP (j.+1 <= s)%N) => e; last by rewrite N_supp ?mulr0 ?mulr_ge0 ?exprn_ge0 //; move: dk ij hj e; clear; lia.
 have -> : (d.+1 - (s - j) = d - (s - j.+1))%N by lia.
 have /andP[p1 p2] := @wp d.+1 j.+1 ltac:(lia) ltac:(lia) dk.
-rewrite -[X in _ <= X]mul1r ler_pmul ?subr_ge0 ?N_ge0 ?IH ?ger_addl ?oppr_le0 //; lia.
+rewrite -[X in _ <= X]mul1r ler_pmul ?subr_ge0 ?N_ge0 ?IH ?ger_addl ?oppr_le0 //; move: dk ij hj e; clear; lia.
 Qed.
 End Orders.
-
-Print Assumptions N_lower.
-Print Assumptions N_upper.

@@ -233,8 +233,3 @@ case: (posnP q) => q0; first by move: h3; rewrite q0 addn0 => /ltW.
 by rewrite h2 //; lia.
 Qed.
 End Paper.
-
-Print Assumptions P3_1_2.
-Print Assumptions P3_1_2_paper.
-Print Assumptions P3_1_3_left.
-Print Assumptions P4_2_1_right.

@@ -255,6 +255,3 @@ by rewrite !addr_ge0 // mulr_ge0 // ?w2_ge0 ?(ltW d) // IHn.
 Qed.
 
 End Race.
-
-Print Assumptions G_ratio.
-Print Assumptions C_mono.

@@ -269,9 +269,3 @@ move=> h f0 x y ux xy yv; apply: (isd_mono_seg h) => // z /andP[h1 h2]; apply: f
 by rewrite (lt_le_trans ux) // (le_lt_trans h2).
 Qed.
 End Mono.
-
-Print Assumptions rational_smooth.
-Print Assumptions isd_uniq.
-Print Assumptions isd_taylor.
-Print Assumptions isd_mono_strict.
-Print Assumptions isd_mono.

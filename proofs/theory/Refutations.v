@@ -212,16 +212,3 @@ rewrite /coordinate pick big_nat_rev /= (eq_big_nat _ _ (F2 := fun j => (j == i)
 by move=> j /andP[_ hj]; rewrite add0n subSS subKn.
 Qed.
 End Refutations.
-
-Print Assumptions T3_5_1_printed_false.
-Print Assumptions T3_5_4_printed_false.
-Print Assumptions P3_1_3_printed_false.
-Print Assumptions L3_8_printed_false.
-Print Assumptions L3_9_printed_false.
-Print Assumptions L3_10_printed_false.
-Print Assumptions T3_11_2_printed_false.
-Print Assumptions T3_11_3a_printed_false.
-Print Assumptions T3_11_3b_printed_false.
-Print Assumptions P4_1_1_printed_false.
-Print Assumptions P4_2_1_printed_false.
-Print Assumptions P4_3_printed_false.

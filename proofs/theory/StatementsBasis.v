@@ -215,18 +215,3 @@ rewrite (bigD1_seq (last_span t m)) ?mem_index_iota ?iota_uniq //= eqxx big1 ?ad
 by move=> i /negbTE ->.
 Qed.
 End Statements.
-
-Print Assumptions T3_5_1_amended.
-Print Assumptions T3_5_1_fails.
-Print Assumptions T3_5_2_printed.
-Print Assumptions T3_5_3_amended.
-Print Assumptions T3_5_3_fails.
-Print Assumptions T3_5_4_amended.
-Print Assumptions T3_5_4_fails.
-Print Assumptions L3_6_printed.
-Print Assumptions L3_7_printed.
-Print Assumptions P3_1_2_printed.
-Print Assumptions P3_1_3_amended.
-Print Assumptions P3_1_3_fails.
-Print Assumptions P3_1_extension.
-Print Assumptions P4_1_3_printed.

@@ -136,11 +136,3 @@ rewrite ltr_pexpn2r ?nnegrE ?c // ltr_pmul2l // ltf_pinv ?posrE ?D // ltr_add2r 
 by rewrite subr_gt0.
 Qed.
 End Bernstein.
-
-Print Assumptions P3_3_1_amended.
-Print Assumptions P3_3_1_fails.
-Print Assumptions P3_3_2_amended.
-Print Assumptions P3_3_2_fails.
-Print Assumptions abstract_bezier_points_amended.
-Print Assumptions X_derivative_amended.
-Print Assumptions abstract_bezier.

@@ -276,17 +276,3 @@ Theorem P4_3_fails x : Uopen t n k -> Usymmetric t n k -> t 0%N < x < t m -> (k 
   exists i, (i <= n)%N /\ value k i (t 0%N + t m - x) != Values.value r^-1 t m k (n - i) x.
 Proof. by move=> _; apply: T3_5_4_fails. Qed.
 End Statements.
-
-Print Assumptions P3_2_printed.
-Print Assumptions P4_1_1_amended.
-Print Assumptions P4_1_1_fails.
-Print Assumptions P4_1_2_printed.
-Print Assumptions P4_1_4_printed.
-Print Assumptions P4_2_1_amended.
-Print Assumptions P4_2_1_fails.
-Print Assumptions P4_2_2_amended.
-Print Assumptions P4_2_2_fails.
-Print Assumptions T4_1_printed.
-Print Assumptions T4_1_range_amended.
-Print Assumptions P4_3_amended.
-Print Assumptions P4_3_fails.

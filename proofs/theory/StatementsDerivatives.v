@@ -338,20 +338,3 @@ have := jump_low_neq0 r_gt0 t_mono j0 p1 p2 p3 dp; rewrite -E r1 => h.
 by rewrite /Values.Dleft /Values.Dright L Rr h.
 Qed.
 End Statements.
-
-Print Assumptions L3_8_amended.
-Print Assumptions L3_8_fails.
-Print Assumptions L3_9_amended.
-Print Assumptions L3_9_fails.
-Print Assumptions L3_10_amended.
-Print Assumptions L3_10_fails.
-Print Assumptions T3_11_2_amended.
-Print Assumptions T3_11_2_fails.
-Print Assumptions T3_11_3a_amended.
-Print Assumptions T3_11_3a_fails.
-Print Assumptions T3_11_3b_amended.
-Print Assumptions T3_11_3b_fails.
-Print Assumptions P3_1_1_printed.
-Print Assumptions T3_11_1_printed.
-Print Assumptions Rem3_1_printed.
-Print Assumptions abstract_regularity.

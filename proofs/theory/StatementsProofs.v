@@ -222,12 +222,3 @@ have /andP[a b] : t i <= x <= t (i + k.+1)%N.
 by rewrite le_maxl !(le_trans _ w) // ?ler_add2l ?ler_add2r // ler_opp2.
 Qed.
 End Proofs.
-
-Print Assumptions proof_T3_5_2_cover_amended.
-Print Assumptions proof_T3_5_2_cover_fails.
-Print Assumptions proof_P4_1_1_iff_amended.
-Print Assumptions proof_T3_5_3_iff_amended.
-Print Assumptions proof_T3_5_4_corollary_amended.
-Print Assumptions proof_P3_2_hypothesis_amended.
-Print Assumptions proof_P4_3_bisector_amended.
-Print Assumptions abstract_approx_printed.

@@ -1,7 +1,7 @@
 (* The claims about the weight (section 2) that Weight.v does not state: phi.shape, L2.1, R2.2. No degree occurs in them. *)
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp Require Import ring zify.
-From Bsplines Require Import Definitions Weight Basis Curves Pieces Derivatives Values.
+From Bsplines Require Import Definitions Weight Basis Curves Pieces Derivatives Values RationalDerivative.
 Import Order.TTheory GRing.Theory Num.Theory.
 Set Implicit Arguments. Unset Strict Implicit. Unset Printing Implicit Defensive.
 Local Open Scope ring_scope.
@@ -113,10 +113,29 @@ move/eqP: E; rewrite eqr_div ?d // => /eqP E.
 apply/eqP; rewrite -subr_eq0; have : al' * (2%:R * al - 1) - al * (2%:R * al' - 1) = 0 by rewrite E subrr.
 by have -> : al' * (2%:R * al - 1) - al * (2%:R * al' - 1) = - (al' - al) by [ring]; move/eqP; rewrite oppr_eq0.
 Qed.
-
-Print Assumptions phi_shape_printed.
-Print Assumptions R2_2_1_printed.
-Print Assumptions R2_2_2a_printed.
-Print Assumptions R2_2_2b_printed.
-Print Assumptions R2_2_2c_printed.
-Print Assumptions L2_1_printed.
+(* Ill2.1: the second derivative of the weight on (a,b) is positive for alpha < 0, negative for alpha > 1 *)
+Theorem Ill2_1_printed (R : realFieldType) (al a b : R) : al < 0 \/ 1 < al -> a < b -> exists F1 F2,
+  [/\ isd a b (fun x => phi_alpha al x a b) F1, isd a b F1 F2 &
+      forall x, a < x < b -> (al < 0 -> 0 < F2 x) /\ (1 < al -> F2 x < 0)].
+Proof.
+move=> h ab; have r0 := D2_3_r_gt0 h; have e1 := al_neq1 h; set r := al / (al - 1) in r0.
+pose D x := r * (x - a) + (b - x).
+have D0 x : a < x < b -> 0 < D x by move=> /andP[ax xb]; rewrite /D mob_den_gt0 // ltW.
+have dx : isd a b (fun x => x - a) (fun _ => 1 - 0) := isd_sub (isd_id a b) (isd_const a b a).
+have dD : isd a b D (fun _ => r * (1 - 0) + (0 - 1)) := isd_add (isd_scale r dx) (isd_sub (isd_const a b b) (isd_id a b)).
+have nD x : a < x < b -> D x != 0 by move=> hx; rewrite gt_eqF // D0.
+have nD2 x : a < x < b -> D x * D x != 0 by move=> hx; rewrite mulf_neq0 // nD.
+exists (fun x => r * (b - a) / (D x * D x)), (fun x => (2%:R * r * (1 - r) * (b - a)) / D x ^+ 3); split.
+- apply: (isd_ext (isd_div (isd_scale r dx) dD nD)) => x hx.
+    by have /andP[ax xb] := hx; rewrite D2_3 // phi_in ?(ltW ax).
+  have n := nD x hx; rewrite -[b - a](_ : D x - (r - 1) * (x - a) = _); last by rewrite /D; ring.
+  by move: (D x) n => c n; field.
+- apply: (isd_ext (isd_div (isd_const a b (r * (b - a))) (isd_mul dD dD) nD2)) => x hx //.
+  by have n := nD x hx; move: (D x) n => c n; field.
+move=> x hx; have D3 : 0 < D x ^+ 3 by rewrite exprn_gt0 // D0.
+have c0 : 0 < 2%:R * r by rewrite mulr_gt0 ?ltr0n. have c1 : 0 < b - a by rewrite subr_gt0.
+have E : 1 - r = - (al - 1)^-1 by rewrite /r; field.
+split=> ha; rewrite E.
+  by rewrite divr_gt0 // mulr_gt0 // mulr_gt0 // oppr_gt0 invr_lt0 subr_lt0 (lt_trans ha) ?ltr01.
+rewrite pmulr_llt0 ?invr_gt0 // pmulr_llt0 // pmulr_rlt0 // oppr_lt0 invr_gt0 subr_gt0 //.
+Qed.

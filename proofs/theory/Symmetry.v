@@ -93,31 +93,25 @@ move=> r0 c0 mono mono' m sym im hx hk; have ri : 0 < r^-1 by rewrite invr_gt0.
 have [p [p1 p2 pm ->]] := P3_1_2_paper ri mono (n - i) hx hk.
 have -> : G (wt r t') t' k i (e - c * x) = P r t' (m - 1 - p) k i (e - c * x).
   apply: G_P => //.
-  have -> : (m - 1 - p = m - p.+1)%N by lia.
-  rewrite sym; last lia.
-  have -> : ((m - p.+1).+1 = m - p)%N by lia.
+  have -> : (m - 1 - p = m - p.+1)%N by rewrite -subnDA.
+  rewrite sym //.
+  have -> : ((m - p.+1).+1 = m - p)%N by rewrite subnSK.
   rewrite sym; last exact: ltnW.
   by rewrite ler_add2l ler_opp2 ler_pmul2l // p2 ltr_add2l ltr_opp2 ltr_pmul2l.
-rewrite /P /piece (@N_reflect _ _ m); try (rewrite /m; lia).
-have -> : (m - 1 - (m - 1 - p) = p)%N by lia.
-have -> : (m - 1 - k - i = n - i)%N by rewrite /m; lia.
+rewrite /P /piece (@N_reflect _ _ m); [|by move: pm; clear; lia|by rewrite /m addnS ltnS leq_add2r].
+have -> : (m - 1 - (m - 1 - p) = p)%N by move: pm; clear; lia.
+have -> : (m - 1 - k - i = n - i)%N by rewrite /m; clear; lia.
 apply: N_ext2 => d j h1 h2 h3 h4; rewrite /mw.
-have jm : (j + d <= m)%N by rewrite /m; lia.
-have -> : (m - d - j + d = m - j)%N by lia.
-have -> : (m - d - j = m - (j + d))%N by lia.
-rewrite !sym; try lia.
+have jm : (j + d <= m)%N by move: h2 h3 im; rewrite /m; clear; lia.
+have -> : (m - d - j + d = m - j)%N by move: jm; clear; lia.
+have -> : (m - d - j = m - (j + d))%N by clear; lia.
+rewrite (sym j) ?(sym (j + d)%N) //; last exact: leq_trans (leq_addr _ _) jm.
 have E u : e - c * u = c * (- u) + e by rewrite mulrN addrC.
-have tj : t j <= t p by apply: t_le => //; lia.
-have tjd : t p.+1 <= t (j + d)%N by apply: t_le => //; lia.
+have tj : t j <= t p by apply: t_le => //; case/andP: h1.
+have tjd : t p.+1 <= t (j + d)%N by apply: t_le => //; case/andP: h1.
 rewrite !E mob_affine ?gt_eqF // mob_mirror ?invrK //.
 - by rewrite opprB addrC subrK.
 - exact: le_trans tj (ltW p1).
 - exact: le_trans p2 tjd.
 - exact: (le_lt_trans tj (lt_le_trans p1 (le_trans p2 tjd))).
 Qed.
-
-Print Assumptions T3_5_4_sided.
-Print Assumptions T3_5_4.
-Print Assumptions P4_3.
-Print Assumptions G_affine.
-Print Assumptions G_mirror.

@@ -134,7 +134,3 @@ rewrite !e ?sx ?zs ?(lt_trans sx xy) ?(lt_trans yz zs) ?(lt_trans sx xz) ?(lt_tr
 by apply: (unimodal r0 (tLu t_mono s) (tRv t_mono s) (tL_mono t_mono s) (tR_mono t_mono s)); rewrite ?nm.
 Qed.
 End Theorem3.
-
-Print Assumptions G_table.
-Print Assumptions paper_theorem3.
-Print Assumptions paper_unimodal.

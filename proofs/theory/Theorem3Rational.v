@@ -44,7 +44,7 @@ Definition tmap (p : triple [realFieldType of rat]) : triple RA := (f p.1.1, f p
 Lemma tmap_add p q : tmap (tadd p q) = tadd (tmap p) (tmap q).
 Proof. by rewrite /tmap /tadd /= !rmorphD. Qed.
 Lemma tmap_mul p q : tmap (tmul p q) = tmul (tmap p) (tmap q).
-Proof. by rewrite /tmap /tmul /= !(rmorphD, rmorphM, rmorph1). Qed.
+Proof. by rewrite /tmap /tmul /=; congr (_, _, _); rewrite ?rmorphD ?rmorphM ?rmorph_nat. Qed.
 Variables tl tr : nat -> rat.
 Notation ftl := (fun n => f (tl n)). Notation ftr := (fun n => f (tr n)).
 Lemma tmap_w x n m : tmap (tw r tl tr x n m) = tw (f r) ftl ftr (f x) n m.
@@ -97,6 +97,3 @@ Theorem rational_theorem3 (r u v : rat) (tl tr : nat -> rat) n m x y : 0 < r ->
   (0 < n + m)%N -> u < x -> x < y -> y < v ->
   (G3 r tl tr x n m).1.2 <= 0 -> (G3 r tl tr y n m).1.2 < 0.
 Proof. move=> r0 h1 h2 h3 h4; exact: (@rat_theorem3 r r0 [rcfType of realalg] tl tr u v h1 h2 h3 h4). Qed.
-
-Print Assumptions rational_unimodal.
-Print Assumptions rational_theorem3.

@@ -406,10 +406,3 @@ have ty' : t < y by rewrite lt_neqAle ne.
 have := theorem3 nm (lt_le_trans ux xt) ty' yv k; by rewrite ltNge (ltW h).
 Qed.
 End Theorem3.
-
-Print Assumptions G3_der.
-Print Assumptions A_ratio.
-Print Assumptions G_der.
-Print Assumptions A_ratio_strict.
-Print Assumptions theorem3.
-Print Assumptions unimodal.

@@ -248,6 +248,3 @@ rewrite /Gauge.AA; case: (V) VR pos => [//|l s] _ pos; rewrite big_cons.
 by apply: ltr_paddr; [apply: sumr_ge0 => m _; apply: ltW; apply: pos | apply: pos].
 Qed.
 End Far.
-
-Print Assumptions theoremA_fun_right.
-Print Assumptions theoremA_fun_left.

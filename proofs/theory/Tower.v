@@ -101,6 +101,3 @@ have -> : L = (y m * M - (y m - y l) * X) / y l by rewrite e opprB addrC subrK m
 by field; rewrite yl ym.
 Qed.
 End Tower.
-
-Print Assumptions Drel_perm.
-Print Assumptions rightrel.

@@ -510,5 +510,3 @@ split.
   by rewrite [X in _ < X]hg ?a0 // -addrA ltr_addl -mulNr H2 // a0.
 by rewrite [X in _ < X]hg' ?(ltW b0) // -addrA ltr_addl H1 // b0.
 Qed.
-Print Assumptions both_signs.
-Print Assumptions Conj3_1_strong_continuous_printed_false.

@@ -198,11 +198,3 @@ move=> /(_ isT); rewrite ltnS pk /= -ltnNge => np.
 by move: h4; rewrite /m; move: qk np; clear; lia.
 Qed.
 End Adjectives.
-
-Print Assumptions DleftP.
-Print Assumptions DrightP.
-Print Assumptions wDrightP.
-Print Assumptions wDleftP.
-Print Assumptions value_tmE.
-Print Assumptions value_left.
-Print Assumptions Uinterior_inner.

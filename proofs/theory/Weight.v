@@ -206,10 +206,3 @@ have -> : 0 + 2%:R - 0 = 2%:R :> R by ring.
 have -> : 0 + 2%:R - 1 = 1 :> R by ring.
 rewrite /phi [2%:R < 1]ltNge ler1n andbF [1 <= 0]leNgt ltr01 /= subr0 eq_sym oner_neq0 //.
 Qed.
-
-Print Assumptions D2_3.
-Print Assumptions P2_1_2.
-Print Assumptions P2_1_3.
-Print Assumptions C2_4.
-Print Assumptions P2_1_3_printed_false.
-Print Assumptions C2_4_printed_false.

@@ -71,10 +71,3 @@ Qed.
 Theorem place_one s s' x : t s <= x < t s.+1 -> t s' <= x < t s'.+1 -> s = s'.
 Proof. by move=> h h'; apply/eqP; rewrite -(span_eq t_mono s h') h. Qed.
 End Place.
-
-Print Assumptions shift.
-Print Assumptions locality.
-Print Assumptions span_locality.
-Print Assumptions span_zero.
-Print Assumptions place.
-Print Assumptions place_one.

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Compiles the theorems for every degree and asks Coq what each one rests on. Exits 1 unless every row of theorems.toml
-# names a theorem that is "Closed under the global context"; `check.sh table` prints the table of README.md from the rows.
+# Compiles the theorems for every degree and asks Coq what each one rests on. Exits 1 unless every row of theorems.toml, and
+# every theorem about a printed stanza, is "Closed under the global context", and unless wrong numbers are refused;
+# `check.sh table` prints the table of README.md from the rows.
 set -eu
 cd "$(dirname "$0")"
 
@@ -49,12 +50,35 @@ start=$(date +%s)
 make -s >/dev/null
 
 work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
+ask() { coqc -w none -R . Bsplines "$work/$1.v" > "$work/$1" || fail "theorems.toml names a theorem that is not there"; }
+# The theorems of the rows, and those about the printed stanzas.
+names=$({
+  rows | awk -F'\t' '{ sub(/\.v$/, "", $5); print $5 "." $4 }'
+  sed -nE 's/^Theorem (stanza_[A-Za-z0-9_]+) .*/Bridge.\1/p' Bridge.v
+} | sort -u)
+files=$(echo "$names" | cut -d. -f1 | sort -u | tr '\n' ' ')
+# All theorems at once, as a tuple: what it rests on is what any of them rests on. Each by itself only if that is not nothing.
 {
-  rows | cut -f5 | sort -u | sed 's/\.v$//' | tr '\n' ' ' | sed 's/^/From Bsplines Require /; s/ $/.\n/'
-  rows | awk -F'\t' '{ sub(/\.v$/, "", $5); print "Print Assumptions Bsplines." $5 "." $4 "." }'
-} > "$work/Assumptions.v"
-coqc -w none -R . Bsplines "$work/Assumptions.v" > "$work/out" || fail "theorems.toml names a theorem that is not there"
-if grep -vx 'Closed under the global context' "$work/out"; then fail "a theorem rests on an axiom"; fi
-closed=$(wc -l < "$work/out"); wanted=$(rows | wc -l)
-[ "$closed" = "$wanted" ] && [ "$wanted" -gt 0 ] || fail "$closed of $wanted theorems are closed"
-echo "$wanted theorems, $(ls ./*.v | wc -l) files, closed under the global context, $(( $(date +%s) - start )) s"
+  echo "From Bsplines Require $files."
+  echo "Definition all_theorems := ("
+  echo "$names" | sed 's/.*/@Bsplines.&,/'
+  echo "I). Print Assumptions all_theorems."
+} > "$work/all.v"
+ask all
+if grep -qvx 'Closed under the global context' "$work/all"; then
+  { echo "From Bsplines Require $files."; echo "$names" | sed 's/.*/Print Assumptions Bsplines.&./'; } > "$work/each.v"
+  ask each
+  cat "$work/each" >&2; fail "a theorem rests on an axiom"
+fi
+wanted=$(echo "$names" | wc -l)
+[ "$(cat "$work/all")" = 'Closed under the global context' ] && [ "$wanted" -gt 100 ] || fail "Coq did not say what the theorems rest on"
+
+# A wrong number is no number of the functions: of each kind of example one is changed, and Coq has to refuse it.
+for kind in value wt Gleft DGleft DGright; do
+  awk -v kind=" : $kind " '
+    !changed && index($0, kind) && / = q \(-?[0-9]+#/ { changed = 1; sub(/ = q \(/, "&1") ; sub(/ = q \(1-/, " = q (-1") }
+    { print } END { exit !changed }' Examples.v > "$work/Wrong.v" || fail "Examples.v: no example of $kind"
+  if coqc -w none -R . Bsplines "$work/Wrong.v" >"$work/out" 2>&1; then fail "Examples.v: a wrong number of $kind is accepted"; fi
+  grep -q 'Unable to unify' "$work/out" || fail "Examples.v: refused for another reason: $(cat "$work/out")"
+done
+echo "$wanted theorems, $(grep -c '^Example ' Examples.v) numbers, $(ls ./*.v | wc -l) files, closed under the global context, $(( $(date +%s) - start )) s"

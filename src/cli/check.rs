@@ -354,7 +354,7 @@ impl On<'_> {
         // What is proved for every knot vector is proved for this one, and further.
         let proving = if self.proves { Proving::ForDegree(self.degree) } else { Proving::Nothing };
         let Some(settled) = settle_form(claim, form, self.cases, proving)? else { return Ok(None) };
-        let finding = Finding::from(&settled);
+        let finding = Finding::of(claim, &settled);
         let reached = Scope::ALL.into_iter().find(|reached| finding.scope.as_deref() == Some(reached.name()));
         Ok(Some(match reached.filter(|reached| *reached < self.scope) {
             Some(reached) => {

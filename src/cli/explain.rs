@@ -180,8 +180,13 @@ impl fmt::Display for Explanation {
                 shown = goals;
                 writeln!(f, "  goals: {}", goals.replace('\n', "\n         "))?;
             }
+            for theorem in &finding.theorems {
+                writeln!(f, "  theorem: {}", theorem.words())?;
+            }
             if let Some(certificate) = &finding.certificate {
-                let checked_by = finding.checked_by.join(", ");
+                // A theorem is none of the certificate's.
+                let checked_by: Vec<_> = finding.checked_by.iter().map(String::as_str).collect();
+                let checked_by = checked_by.join(", ").replace(", coq", "");
                 if Path::new(RECORDED).join(format!("{certificate}.statement")).is_file() {
                     let file = format!("{RECORDED}/{certificate}.statement");
                     writeln!(f, "  certificate: {file} and .proof; checked by {checked_by}")?;

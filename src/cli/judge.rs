@@ -185,6 +185,7 @@ fn write(folder: &Path, judged: &Judged<'_>, paper: &Paper) -> Result<(Vec<PathB
         pictures: &[],
         instances: &drawn,
         certificates: (!report.certificates.is_empty()).then_some(CERTIFICATES),
+        theory: None,
         beside: &beside,
     };
     let mut files = report_files(judged, report, &source, CERTIFICATES)?;

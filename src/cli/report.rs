@@ -9,8 +9,10 @@ use serde::Serialize;
 
 use crate::language::{claims, paper};
 use crate::report::{
-    Baseline, Difference, Errata, PageSource, Report, conjecture_page, errata_page, figures, verdicts_page,
+    Baseline, Difference, Errata, PageSource, Report, THEORY, conjecture_page, errata_page, examples_in_coq,
+    figures, stanzas_in_coq, verdicts_page, with_theory_tables,
 };
+use crate::settle::Theory;
 
 use super::atomic::{Folder, write_atomically};
 use super::error::CliError;
@@ -61,6 +63,12 @@ const CERTIFICATES: &str = "proofs/certs";
 /// The folder of the pages that are written from the verdicts, and the one with their table.
 const DOCS: &str = "docs";
 const VERDICTS_PAGE: &str = "verdicts.md";
+/// The page on the theorems, in their folder.
+const README: &str = "README.md";
+/// The claims in Coq, there as well.
+const STANZAS: &str = "Stanzas.v";
+/// Numbers in Coq.
+const EXAMPLES: &str = "Examples.v";
 
 /// The result: its fields are the JSON.
 #[derive(Debug, Serialize, JsonSchema)]
@@ -122,7 +130,8 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
             Some(path) => path.display().to_string(),
             None => "the recorded verdicts".to_owned(),
         };
-        let certificates = certificates_from(folder);
+        let certificates = way(folder, CERTIFICATES);
+        let theory = way(folder, THEORY);
         let mut beside = BESIDE.to_vec();
         if !partial {
             beside.push(("the page on Conjecture 3.1", CONJECTURE));
@@ -133,6 +142,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
             pictures: &shown,
             instances: &[],
             certificates: certificates.as_deref(),
+            theory: theory.as_deref(),
             beside: &beside,
         };
         let mut files = report_files(&outcome, &outcome.report, &source, CERTIFICATES)?;
@@ -169,8 +179,8 @@ fn read_baseline(path: &Path) -> Result<Baseline, CliError> {
     Baseline::parse(&text).map_err(|error| CliError::Baseline { path: path.to_owned(), error })
 }
 
-/// The way from the folder to the certificates, if both are below the current folder.
-fn certificates_from(folder: &Path) -> Option<String> {
+/// The way from the folder to another one of the project, if both are below the current folder.
+fn way(folder: &Path, other: &str) -> Option<String> {
     let here = Path::new(".").canonicalize().ok()?;
     // It need not be there yet; the folder around it is.
     let there = folder.canonicalize().or_else(|_| {
@@ -179,12 +189,12 @@ fn certificates_from(folder: &Path) -> Option<String> {
     });
     let there = there.ok()?;
     let depth = there.strip_prefix(&here).ok()?.components().count();
-    Path::new(CERTIFICATES).is_dir().then(|| "../".repeat(depth) + CERTIFICATES)
+    Path::new(other).is_dir().then(|| "../".repeat(depth) + other)
 }
 
 /// Are the folders there where `--record` looks for them?
 fn recordable() -> Result<(), CliError> {
-    for folder in [PROOFS, DOCS] {
+    for folder in [PROOFS, DOCS, THEORY] {
         let folder = Path::new(folder);
         fs::read_dir(folder).map_err(|error| unwritable("--record", folder, error))?;
     }
@@ -198,6 +208,14 @@ fn record(found: &Baseline, written: &mut Vec<PathBuf>) -> Result<(), CliError> 
     write_file("--record", &Path::new(PROOFS).join(VERDICTS), &pretty_json(found)?, written)?;
     for (name, text) in pages {
         write_file("--record", &Path::new(DOCS).join(name), &text, written)?;
+    }
+    for (name, text) in [(STANZAS, stanzas_in_coq(&claims())), (EXAMPLES, examples_in_coq(paper()))] {
+        write_file("--record", &Path::new(THEORY).join(name), &text, written)?;
+    }
+    let path = Path::new(THEORY).join(README);
+    let page = read("--record", &path)?;
+    if let Some(page) = with_theory_tables(&page, Theory::shipped(), &claims()) {
+        write_file("--record", &path, &page, written)?;
     }
     Ok(())
 }

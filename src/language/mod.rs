@@ -29,7 +29,9 @@ pub use family::{Family, Parameter, classical, families, family_schema};
 pub use file::{File, RestsOn, Said, Stanza, schema, stanzas};
 pub use known::Known;
 pub use paper::{About, Headline, Paper, PaperNumber, paper, shipped, shipped_names};
-pub use print::{Claimed, Print, canonical, canonical_family, latex, mathml, source, text};
+pub use print::{
+    Claimed, NotInCoq, Print, Proposition, canonical, canonical_family, coq, latex, mathml, source, text,
+};
 pub use rows::{Row, RowPart};
 pub use sentence::{one_line, sentence};
 pub use syntax::{

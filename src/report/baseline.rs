@@ -10,7 +10,7 @@ use thiserror::Error;
 use crate::json::{self, JsonError};
 use crate::language::{Claim, Form};
 
-use super::record::{DegreeFinding, Finding, Record, Stated};
+use super::record::{DegreeFinding, Finding, Record, Stated, TheoremRecord};
 
 /// The verdicts that were recorded with the source of this program.
 const RECORDED: &str = include_str!("../../proofs/verdicts.json");
@@ -92,6 +92,11 @@ impl Entry {
     /// The names of all certificates about the claim.
     pub fn certificates(&self) -> impl Iterator<Item = &str> {
         self.findings().filter_map(|(_, finding)| finding.certificate.as_deref())
+    }
+
+    /// The theorems about its sentences, as printed and as amended.
+    pub fn theorems(&self) -> impl Iterator<Item = &TheoremRecord> {
+        std::iter::once(&self.as_printed).chain(&self.amended).flat_map(|finding| &finding.theorems)
     }
 
     /// The record of its claim: nothing is judged, and nothing is said of grounds.
@@ -193,6 +198,9 @@ fn describe(finding: &Finding) -> String {
     }
     for remark in &finding.remarks {
         words += &format!("; {remark}");
+    }
+    for theorem in &finding.theorems {
+        words += &format!("; theorem: {}", theorem.words());
     }
     words
 }

@@ -9,30 +9,38 @@ use super::baseline::{Baseline, Entry};
 use super::corners::Corner;
 use super::dependence::Dependency;
 use super::opening::opening;
-use super::record::{Grounds, Record, Stated, by_severity};
+use super::record::{Grounds, Record, Stated, THEORY, TheoremRecord, by_severity};
 use super::{Drift, Report};
 
-/// `docs/verdicts.md`: one row a claim, with certificates as links.
+/// `docs/verdicts.md`: one row a claim, with certificates and theorems as links.
 #[must_use]
 pub fn verdicts_page(baseline: &Baseline) -> String {
     let row = |entry: &Entry| {
         let amended = entry.amended.as_ref().map(super::Finding::words).unwrap_or_default();
         let certificates: Vec<_> = entry.certificates().map(certificate).collect();
+        let theorems: Vec<_> = entry.theorems().map(theorem).collect();
         let (id, locator, printed) = (&entry.id, &entry.locator, entry.as_printed.words());
-        format!("| `{id}` | {locator} | {printed} | {amended} | {} |\n", certificates.join(", "))
+        let (certificates, theorems) = (certificates.join(", "), theorems.join(", "));
+        format!("| `{id}` | {locator} | {printed} | {amended} | {certificates} | {theorems} |\n")
     };
     let rows: String = baseline.claims.iter().map(row).collect();
     format!(
-        "{VERDICTS}\n\n| claim | where | as printed | as amended | certificates |\n|---|---|---|---|---|\n{rows}"
+        "{VERDICTS}\n\n| claim | where | as printed | as amended | certificates | theorems |\n|---|---|---|---|---|---|\n{rows}"
     )
 }
 
 const VERDICTS: &str = "# The verdicts\n\nWritten by `knotproof report --record` from `proofs/verdicts.json`, not by hand; a test \
-holds the two together, and `knotproof report` fails if a verdict is no longer what is recorded. The witnesses are in the report.";
+holds the two together, and `knotproof report` fails if a verdict is no longer what is recorded. The witnesses are in the report. \
+*degree* is said where a [theorem](../proofs/theory/README.md) that Coq has checked says so of every degree.";
 
 fn certificate(name: &str) -> String {
     let short = name.rsplit('.').next().unwrap_or(name);
     format!("[{short}](../proofs/certs/{name}.statement)")
+}
+
+fn theorem(of: &TheoremRecord) -> String {
+    let false_for = if of.status == "refuted" { format!(" ({})", of.says()) } else { String::new() };
+    format!("[`{}`](../{THEORY}/{}){false_for}", of.name, of.file)
 }
 
 /// Text without a character that Markdown would take for markup.
@@ -66,6 +74,7 @@ fn items((claim, form): (&str, Form), stated: &Stated, of: &Place<'_>) -> Vec<St
     );
     items.extend(finding.reason.iter().chain(&finding.remarks).map(|text| plain(text)));
     items.extend(finding.certificate.iter().map(|name| format!("certificate: `{}/{name}`", of.certificates)));
+    items.extend(finding.theorems.iter().map(|theorem| format!("theorem: {}", plain(&theorem.words()))));
     if !finding.checked_by.is_empty() {
         items.push(format!("found or checked by: {}", finding.checked_by.join(", ")));
     }
@@ -217,14 +226,14 @@ const CORNERS: &str = "At every knot inside the interval of every curve of the p
 turns, and by what factor the speed changes. A classical curve has a continuous tangent where the multiplicity is less than k. Every \
 digit is settled; exact numbers are in report.json. A dash: a one-sided derivative is 0.";
 
-const SCOPES: &str = "Every verdict comes out of a computation in exact arithmetic. *proved (knots)* means: for \
-every knot vector and every α, in the degrees k that are given; *proved (alpha)*: on the examples of the paper, for every α; \
+const SCOPES: &str = "Every verdict comes out of a computation in exact arithmetic. *proved (degree)* means: for every degree, \
+by a theorem that Coq has checked; *proved (knots)*: for every knot vector and every α, in the degrees k that are given; *proved (alpha)*: on the examples of the paper, for every α; \
 *proved (instance)*: decided for every x, on the instances of the paper and the small cases that are counted with each \
 claim. *refuted* comes with the smallest counterexample found, exact and small enough to be checked by hand, and with its severity: \
 *slip*, an end point or the range of an index; *hypothesis*, one is missing; *reading*, of a picture or a vague word; *serious*, the \
 idea fails. The *engine* \
 decides cases one by one; the *prover* proves formal statements, and the *checker*, a program by itself, reads the \
-certificates that it writes.";
+certificates that it writes; *coq* is said where a theorem says the same as they do. If two of them differ there is no report.";
 
 const FLOATS: &str = "Knots and α rounded to `f64`, and then exact arithmetic on the same floats: the largest error that was found in \
 units in the last place, which is not the largest there is, by the paper's formula and by `knotproof::float`, whose bound is proved in \

@@ -15,6 +15,7 @@ mod paper;
 mod picture;
 mod record;
 mod summary;
+mod theory;
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::ops::RangeInclusive;
@@ -43,8 +44,9 @@ pub use markdown::{markdown, verdicts_page};
 pub use opening::opening;
 pub use page::{PageError, PageSource, page};
 pub use picture::dependence_picture;
-pub use record::{DegreeFinding, Finding, Grounds, Record, Stated, by_severity};
+pub use record::{DegreeFinding, Finding, Grounds, Record, Stated, THEORY, TheoremRecord, by_severity};
 pub use summary::{Counts, Refutations, Summary};
+pub use theory::{examples_in_coq, stanzas_in_coq, theory_tables, with_theory_tables};
 
 /// All that one run found: the data of `report.json`.
 #[derive(Debug, Clone, Serialize, JsonSchema)]

@@ -18,7 +18,18 @@ pub fn opening(report: &Report<'_>) -> Vec<String> {
     let mut headlines = headlines(report).map(|(_, line)| line);
     let (first, corners) = (headlines.next(), corners(report));
     let before = report.dependence.sentence.clone().into_iter().chain(first).chain(corners);
-    before.chain(headlines).chain(errata(report)).collect()
+    before.chain(headlines).chain(every_degree(report)).chain(errata(report)).collect()
+}
+
+/// How many statements are theorems about every degree; nothing if none is.
+fn every_degree(report: &Report<'_>) -> Option<String> {
+    let counts = &report.summary.paper;
+    (counts.in_every_degree > 0).then(|| {
+        format!(
+            "{} of the paper's {} statements are true of every degree, as printed or as amended: Coq has checked a theorem for each.",
+            counts.in_every_degree, counts.statements,
+        )
+    })
 }
 
 /// The lines of the paper's own that are so, each with its claim.

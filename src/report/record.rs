@@ -4,9 +4,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::certificate::{Certificate, Statement, Weighted};
-use crate::judge::{Verdict, Witness};
+use crate::judge::{Scope, Verdict, Witness};
 use crate::language::{Cause, Claim, Form, Severity, Source};
-use crate::settle::{Outcome, Settled, grade};
+use crate::settle::{Decides, DegreeRange, Outcome, Settled, Theorem, Theory, grade};
 
 /// One status with all that belongs to it.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -18,10 +18,10 @@ pub struct Finding {
     #[serde(skip_serializing_if = "Option::is_none", default)]
     #[schemars(extend("enum" = ["points", "instance", "alpha", "knots", "degree"]))]
     pub scope: Option<String>,
-    /// The proof is for any weights at all, not only for those of the family.
+    /// The certificate is for any weights at all, not only for those of the family.
     #[serde(skip_serializing_if = "std::ops::Not::not", default)]
     pub any_weights: bool,
-    /// The degrees in which it was decided.
+    /// The degrees in which it was decided case by case or by a certificate. Scope `degree` is about more: see the theorems.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub degrees: Vec<usize>,
     /// The exact counterexample of a refutation.
@@ -36,9 +36,36 @@ pub struct Finding {
     /// The name of the certificate, for files in proofs/certs.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub certificate: Option<String>,
-    /// Which parts of the program came to this verdict, each by its own way: `engine`, `prover`, `checker`.
+    /// Which parts of the program came to this verdict, each by its own way: `engine`, `prover`, `checker`; and `coq`, where a
+    /// theorem says the same.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub checked_by: Vec<String>,
+    /// The theorems of proofs/theory that say it of all degrees, or of some.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub theorems: Vec<TheoremRecord>,
+}
+
+/// A theorem that Coq has checked.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct TheoremRecord {
+    /// Its name in Coq.
+    pub name: String,
+    /// The file in proofs/theory.
+    pub file: String,
+    /// Does it say that the statement is true, or, in each of the degrees, false on some knots?
+    #[schemars(extend("enum" = ["proved", "refuted"]))]
+    pub status: String,
+    /// In which degrees the statement is, according to it, true or false: `for every k`, `for k ≥ 3`; empty where no degree
+    /// occurs.
+    pub degrees: String,
+    /// It says so of every degree that the statement is about.
+    pub all_degrees: bool,
+    /// It is about any weights, as a certificate may be, not only those of the family.
+    #[serde(skip_serializing_if = "std::ops::Not::not", default)]
+    pub any_weights: bool,
+    /// What it says is printed from the stanza of the claim, so that nobody has to compare the two.
+    #[serde(skip_serializing_if = "std::ops::Not::not", default)]
+    pub from_stanza: bool,
 }
 
 /// The engine that judges cases, and the two that a certificate takes.
@@ -46,18 +73,32 @@ const PROVED: &str = "proved";
 const REFUTED: &str = "refuted";
 const ENGINE: &str = "engine";
 const CERTIFIED: [&str; 2] = ["prover", "checker"];
+const COQ: &str = "coq";
 
 impl Finding {
-    /// How far a proof reaches, with the degrees: `knots, for k ≤ 8`, and with `any weights` where it is for those.
+    /// How far a proof reaches, with the degrees: `knots, for k ≤ 8`, and with `any weights` where it is for those; `degree, for
+    /// every k`, and what else is known of some degrees.
     #[must_use]
     pub fn reach(&self) -> Option<String> {
-        let scope = self.scope.clone()?;
-        let mut reach = match degrees(&self.degrees) {
-            degrees if degrees.is_empty() => scope,
-            degrees => format!("{scope}, for {degrees}"),
+        let scope = self.scope.as_deref()?;
+        let proved = || self.theorems.iter().filter(|theorem| theorem.status == PROVED);
+        let by_certificate = degrees(&self.degrees);
+        let Some(every) = proved().filter(|theorem| theorem.all_degrees).max_by_key(|of| of.any_weights)
+        else {
+            let mut reach = joined(scope, &for_degrees(&by_certificate));
+            if self.any_weights {
+                reach.push_str(", any weights");
+            }
+            for some in proved() {
+                reach += &format!("; {}, {}", Scope::Degree, some.degrees);
+            }
+            return Some(reach);
         };
-        if self.any_weights {
-            reach.push_str(", any weights");
+        let mut reach = joined(scope, &every.degrees);
+        match (every.any_weights, self.any_weights) {
+            (true, _) => reach.push_str(", any weights"),
+            (false, true) => reach += &format!("; any weights {}", for_degrees(&by_certificate)),
+            (false, false) => {}
         }
         Some(reach)
     }
@@ -101,6 +142,15 @@ impl Finding {
         }
         self
     }
+}
+
+/// What is not empty, with a comma between.
+fn joined(one: &str, other: &str) -> String {
+    if other.is_empty() { one.to_owned() } else { format!("{one}, {other}") }
+}
+
+fn for_degrees(condition: &str) -> String {
+    if condition.is_empty() { String::new() } else { format!("for {condition}") }
 }
 
 /// A rising list of degrees as a condition on k: `k ≤ 8`, `2 ≤ k ≤ 8`, `k = 3`, `k = 0–3, 5`.
@@ -233,6 +283,7 @@ impl From<&Verdict> for Finding {
             remarks: Vec::new(),
             certificate: None,
             checked_by: Vec::new(),
+            theorems: Vec::new(),
         };
         if matches!(verdict, Verdict::Proved { .. } | Verdict::Refuted(_)) {
             finding.checked_by.push(ENGINE.to_owned());
@@ -251,16 +302,78 @@ impl From<&Verdict> for Finding {
     }
 }
 
-impl From<&Settled> for Finding {
-    fn from(settled: &Settled) -> Self {
-        let finding = Self::from(&settled.verdict).certified(settled.certificate.as_ref());
-        match settled.form {
-            // Its certificate may be one for other degrees, too.
-            Form::Degree(k) => {
-                Self { degrees: finding.degrees.iter().copied().filter(|of| *of == k).collect(), ..finding }
-            }
-            _ => finding,
+/// The folder of the theorems, in the project.
+pub const THEORY: &str = "proofs/theory";
+
+impl TheoremRecord {
+    /// What it says: `true for every k, any weights`, `false on some knots for k ≥ 3`.
+    #[must_use]
+    pub fn says(&self) -> String {
+        let says = match (self.status.as_str(), self.degrees.as_str()) {
+            (PROVED, "") => "true".to_owned(),
+            (PROVED, degrees) => format!("true {degrees}"),
+            (_, "") => "false".to_owned(),
+            (_, degrees) => format!("false on some knots {degrees}"),
+        };
+        if self.any_weights { says + ", any weights" } else { says }
+    }
+
+    /// The same with its name and its file: `true for every k: T3_5_2_printed in proofs/theory/StatementsBasis.v`.
+    #[must_use]
+    pub fn words(&self) -> String {
+        let printed = if self.from_stanza { ", printed from the stanza" } else { "" };
+        format!("{}: {} in {THEORY}/{}{printed}", self.says(), self.name, self.file)
+    }
+
+    /// A theorem about a sentence that is about these degrees.
+    fn of(theorem: &Theorem, sentence: DegreeRange) -> Self {
+        Self {
+            name: theorem.name.clone(),
+            file: theorem.file.clone(),
+            status: match theorem.verdict {
+                Decides::Proved => PROVED.to_owned(),
+                Decides::Refuted => REFUTED.to_owned(),
+            },
+            degrees: theorem.degrees.common(sentence).words(),
+            all_degrees: theorem.degrees.covers(sentence),
+            any_weights: theorem.is_for_any_weights(),
+            // The stanza is about the weights of the paper.
+            from_stanza: !theorem.is_for_any_weights()
+                && Theory::shipped().is_from_stanza(&theorem.claim, theorem.form),
         }
+    }
+}
+
+impl Finding {
+    /// What was found of a sentence of a claim, on cases, by a certificate and by theorems.
+    #[must_use]
+    pub fn of(claim: Claim<'_>, settled: &Settled) -> Self {
+        let finding = Self::from(&settled.verdict).certified(settled.certificate.as_ref());
+        match (settled.form, claim.sentence(settled.form)) {
+            (Form::Degree(k), _) => {
+                // Its certificate may be one for other degrees, too.
+                let degrees = finding.degrees.iter().copied().filter(|of| *of == k).collect();
+                Self { degrees, ..finding }.with_theorems(&settled.theorems, DegreeRange::one(k))
+            }
+            (_, Some(sentence)) => finding.with_theorems(&settled.theorems, DegreeRange::of(sentence)),
+            (_, None) => finding,
+        }
+    }
+
+    /// With what theorems say of the sentence, which is about these degrees. That it is true they may say where nothing else
+    /// does; that it is false is shown by a witness alone.
+    fn with_theorems(mut self, theorems: &[&Theorem], sentence: DegreeRange) -> Self {
+        self.theorems = theorems.iter().map(|theorem| TheoremRecord::of(theorem, sentence)).collect();
+        if self.theorems.iter().any(|theorem| theorem.status == PROVED && theorem.all_degrees) {
+            self.status = PROVED.to_owned();
+            self.reason = None;
+            let scope = if sentence.is_one() { Scope::Knots } else { Scope::Degree };
+            self.scope = Some(scope.name().to_owned());
+        }
+        if self.theorems.iter().any(|theorem| theorem.status == self.status) {
+            self.checked_by.push(COQ.to_owned());
+        }
+        self
     }
 }
 
@@ -269,7 +382,7 @@ impl Stated {
     fn new(claim: Claim<'_>, settled: &Settled) -> Self {
         Self {
             statement: claim.text(settled.form),
-            finding: settled.into(),
+            finding: Finding::of(claim, settled),
             rests_on: Grounds::of(&settled.verdict),
         }
     }
@@ -288,7 +401,7 @@ impl Record {
         let of_degree = |settled: &Settled| match settled.form {
             Form::Degree(degree) => Some(DegreeFinding {
                 degree,
-                finding: settled.into(),
+                finding: Finding::of(claim, settled),
                 rests_on: Grounds::of(&settled.verdict),
             }),
             _ => None,
@@ -348,6 +461,13 @@ impl Record {
     pub fn stands(&self) -> bool {
         let amended = self.amended.as_ref().is_some_and(|stated| stated.finding.is_proved());
         self.as_printed.finding.is_proved() || (amended && !self.is_serious())
+    }
+
+    /// Is the statement that stands, as printed or as amended, true of every degree?
+    #[must_use]
+    pub fn is_of_every_degree(&self) -> bool {
+        let standing = self.amended.as_ref().unwrap_or(&self.as_printed);
+        standing.finding.scope.as_deref() == Some(Scope::Degree.name())
     }
 
     /// For tables: the worst refutation first, then what is open, then what is proved.

@@ -35,6 +35,8 @@ pub struct Counts {
     /// Those whose hypotheses hold nowhere.
     #[serde(skip_serializing_if = "is_zero")]
     pub not_applicable: usize,
+    /// Those that are true of every degree, as printed or, where that is refuted, as amended.
+    pub in_every_degree: usize,
     /// Of the refuted ones.
     pub refutations: Refutations,
 }
@@ -85,6 +87,7 @@ impl Counts {
                 "not-formal" => &mut counts.not_formal,
                 _ => &mut counts.not_applicable,
             } += 1;
+            counts.in_every_degree += usize::from(record.is_of_every_degree());
             if record.as_printed.finding.is_refuted() {
                 let Refutations { by_severity, by_cause } = &mut counts.refutations;
                 *by_severity.entry(record.severity.map_or(UNASSIGNED, Severity::name)).or_default() += 1;

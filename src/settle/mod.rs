@@ -1,7 +1,8 @@
 //! Floor 6: the one order of things: judge as printed, as amended, and what holds where that does not apply; prove; check;
-//! say how bad a failure is. Reports and commands choose cases and how far to prove, and nothing of this order.
+//! ask which theorem for every degree says the same; say how bad a failure is. Reports and commands choose cases and how far to prove, and nothing of this order.
 
 mod grade;
+mod theory;
 
 use knotproof_checker::Checked;
 use thiserror::Error;
@@ -12,6 +13,9 @@ use crate::language::{Claim, Form, Said, text};
 use crate::meaning::MemberError;
 
 pub use grade::{Grade, grade};
+pub use theory::{
+    Computed, Covers, Decides, DegreeRange, Disagreement, Missing, StanzaPart, Theorem, Theory, TheoryError,
+};
 
 /// How far to prove.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -35,6 +39,8 @@ pub struct Settled {
     pub certificate: Option<Certificate>,
     /// What the checker says of it.
     pub checked: Option<Checked>,
+    /// What Coq has checked for every degree, or for some.
+    pub theorems: Vec<&'static Theorem>,
 }
 
 /// What a claim came to.
@@ -59,6 +65,9 @@ pub enum SettleError {
     /// The engine, the prover and the checker.
     #[error(transparent)]
     Certificate(#[from] CertificateError),
+    /// A computation and a theorem for every degree.
+    #[error(transparent)]
+    Theory(#[from] Disagreement),
     /// The family of the paper.
     #[error(transparent)]
     Member(#[from] MemberError),
@@ -151,7 +160,24 @@ impl Proofs<'_> {
             _ => None,
         };
         let (certificate, checked) = certified.unzip();
-        Ok(Settled { form, verdict, certificate, checked })
+        let computed = Computed { verdict: &verdict, certificate: certificate.as_ref() };
+        // Of what says nothing here a theorem says nothing either.
+        let theorems = if open { self.theorems(form, computed)? } else { Vec::new() };
+        Ok(Settled { form, verdict, certificate, checked, theorems })
+    }
+
+    /// The theorems about the sentence, each held against what was computed; of a case of the user's own those alone that say
+    /// that it is true.
+    fn theorems(&self, form: Form, computed: Computed<'_>) -> Result<Vec<&'static Theorem>, Disagreement> {
+        let is_wanted = |theorem: &&Theorem| match self.proving {
+            Proving::Nothing => false,
+            Proving::Everything => true,
+            Proving::ForDegree(k) => {
+                theorem.verdict == Decides::Proved && k.is_none_or(|k| theorem.degrees.contains(k))
+            }
+        };
+        let theorems = Theory::shipped().about(self.claim, form).into_iter().filter(is_wanted);
+        theorems.map(|theorem| theorem.agrees(form, computed).map(|()| theorem)).collect()
     }
 
     fn certified(

@@ -2,6 +2,7 @@
 
 mod alphabet;
 mod canonical;
+mod coq;
 mod form;
 mod said;
 mod term;
@@ -9,6 +10,7 @@ mod term;
 use super::syntax::{Binder, Definition, Formula, Function, Real, Sentence};
 
 pub use canonical::{Claimed, canonical, canonical_family};
+pub use coq::{NotInCoq, Proposition, coq};
 
 use alphabet::{html, latex_of, line_of};
 use form::Form;

@@ -80,9 +80,10 @@ pub fn conjecture_page(verdicts: &Baseline) -> Result<Vec<(String, String)>, Pic
 const INTRODUCTION: &str = "The paper leaves open whether every basis function has one and only one maximum. It is meant \
 here for functions that are continuous on (t_0, t_m); where a function jumps at a knot of multiplicity k + 1 it fails for \
 trivial reasons. *Strong*: there is exactly one local maximum. *Weak*: the largest value is taken at exactly one point. \
-Both are true in degrees 1 and 2, on every knot vector and for every α, and false in every degree from 3 to 8, for every \
-α but ∞. What is *proved (knots)*, for every knot vector and α, or *proved (alpha)*, for every α, and what is *refuted*, is so by \
-certificates in `proofs/certs` that the independent checker has read; the function with k − 1 local maxima has one too. \
+Both are true in degrees 1 and 2, on every knot vector and for every α, and false from degree 3 on, for every \
+α but ∞: of the strong reading [Coq](../proofs/theory/README.md) has checked that for every degree, of the weak one there are \
+certificates for the degrees up to 8. What is *proved (knots)*, for every knot vector and α, or *proved (alpha)*, for every α, and what is *refuted*, is so by \
+certificates in `proofs/certs` that the independent checker has read, or by that theory; the function with k − 1 local maxima has one too. \
 *Proved (instance)* in the last column means: in all cases that were decided.";
 
 const SMALLEST: &str = "The search goes through all functions of a degree in order of size: the sum of the gaps between \
@@ -101,8 +102,8 @@ k = 6 (`X.maxima.classical`).\n\n\
 On a fixed knot vector most α do no harm. For simple uniform knots 0, 1, …, k + 1 here is the complete answer: the number \
 of local maxima for every r = α/(α − 1) in (0, ∞), decided for every r, ends of intervals included.";
 
-const MOST: &str = "Inside a span a function rises, or falls, or rises and then falls: proved for every knot vector and α in \
-degrees 1 to 3, and true in every case that was decided in other degrees (`X.maxima.spans`). As far as that is so, local \
+const MOST: &str = "Inside a span a function rises, or falls, or rises and then falls: proved for every degree, knot vector and α \
+(`X.maxima.spans`, and [why that is so](theory.md)). So local \
 minima are at knots, and there are at most k − 1 local maxima. There can be so many: for every k from 2 to 8 a function with k − 1 local maxima is \
 certified (`X.maxima.most`; its knots lie so far apart that a picture would not show them). Smaller examples:";
 

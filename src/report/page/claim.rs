@@ -2,7 +2,7 @@
 
 use super::super::Report;
 use super::super::figures::all;
-use super::super::record::{Finding, Grounds, Record, Stated};
+use super::super::record::{Finding, Grounds, Record, Stated, TheoremRecord};
 use super::super::summary::UNASSIGNED;
 use super::example::{self, Example, example};
 use super::working::{Working, function, workings};
@@ -86,6 +86,7 @@ pub(super) struct Part<'a> {
     pub(super) witness: Option<Shown>,
     pub(super) remarks: &'a [String],
     pub(super) certificate: Option<Certificate<'a>>,
+    pub(super) theorems: &'a [TheoremRecord],
     pub(super) checked_by: String,
 }
 
@@ -107,6 +108,7 @@ pub(super) struct OfDegree<'a> {
     pub(super) witness: Option<Shown>,
     pub(super) grounds: Option<String>,
     pub(super) certificate: Option<Certificate<'a>>,
+    pub(super) theorems: &'a [TheoremRecord],
 }
 
 /// A certificate by its name.
@@ -223,6 +225,7 @@ impl<'a> Section<'a> {
                     .map(|witness| Shown::of((&record.id, form), witness, report.of, true)),
                 remarks: &finding.remarks,
                 certificate: certificate(finding),
+                theorems: &finding.theorems,
                 checked_by: finding.checked_by.join(", "),
             }
         };
@@ -256,6 +259,7 @@ impl<'a> Section<'a> {
                     .map(|witness| Shown::of((&record.id, Form::Printed), witness, report.of, false)),
                 grounds: of.rests_on.as_ref().map(decided),
                 certificate: certificate(&of.finding),
+                theorems: &of.finding.theorems,
             })
             .collect();
         Self {

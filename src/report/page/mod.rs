@@ -48,6 +48,8 @@ pub struct PageSource<'a> {
     pub instances: &'a [(String, String)],
     /// Where the folder of certificates is, seen from the page; without it, certificates are only named.
     pub certificates: Option<&'a str>,
+    /// Where the folder of the theorems is, seen from the page; without it, they are only named.
+    pub theory: Option<&'a str>,
     /// What there is beside the page: what it is, and the name of its file.
     pub beside: &'a [(&'a str, &'a str)],
 }
@@ -86,9 +88,10 @@ struct Page<'a> {
     compared: Option<(&'a str, &'a [Difference])>,
     beside: &'a [(&'a str, &'a str)],
     certificates: Option<&'a str>,
+    theory: Option<&'a str>,
 }
 
-/// The page: HTML with its style and its scripts, and no reference to anything outside but certificates.
+/// The page: HTML with its style and its scripts, and no reference to anything outside but certificates and theorems.
 ///
 /// The same report gives the same bytes.
 ///
@@ -130,6 +133,7 @@ pub fn page(report: &Report<'_>, source: &PageSource<'_>) -> Result<String, Page
         compared: source.compared,
         beside: source.beside,
         certificates: source.certificates,
+        theory: source.theory,
     };
     Ok(page.render()?)
 }
