@@ -91,11 +91,14 @@ fn every_settled_finding_has_a_certificate_if_it_is_stated_formally() {
             ("proved" | "refuted", None) => &["engine"],
             _ => &[],
         };
-        let by: Vec<_> = finding.checked_by.iter().map(String::as_str).collect();
+        let mut by: Vec<_> = finding.checked_by.iter().map(String::as_str).collect();
+        // A theorem adds to it, and takes nothing from it.
+        assert_eq!(by.pop_if(|by| *by == "coq").is_some(), !finding.theorems.is_empty(), "{claim} ({form})");
         assert!(by.ends_with(checked), "{claim} ({form}): {by:?}");
         assert!(by.iter().all(|by| ["engine", "prover", "checker"].contains(by)), "{claim} ({form}): {by:?}");
         let far = |scope: &str| finding.scope.as_deref() == Some(scope);
-        assert!(finding.certificate.is_some() || !far("knots") && !far("alpha"), "{claim} ({form})");
+        let said = finding.certificate.is_some() || !finding.theorems.is_empty();
+        assert!(said || !far("knots") && !far("alpha"), "{claim} ({form})");
     }
     assert!(RECORDED.len() > 130, "only {} certificates", RECORDED.len());
 }
@@ -157,7 +160,9 @@ fn the_recorded_scope_is_that_of_the_certificate() {
         let statement = Sexp::parse_all(&files.statement).unwrap().remove(0).to_string();
         match finding.scope {
             Some(scope) => {
-                assert!(statement.contains(&format!("(verdict proved) (scope {scope})")), "{name}")
+                // No certificate is about every degree: that a theorem says.
+                let far = if scope == "degree" { "knots" } else { &scope };
+                assert!(statement.contains(&format!("(verdict proved) (scope {far})")), "{name}");
             }
             None => {
                 assert_eq!(finding.status, "refuted", "{claim} ({form})");
@@ -379,9 +384,10 @@ fn statement_changes(tokens: &[String], at: usize) -> Vec<Change> {
     changes
 }
 
-/// Which tokens of a statement are changed: all of the first 600 tokens, fewer the longer the statement is.
+/// Which tokens of a statement are changed: all, if it has at most 200, else at an even stride, fewer the longer it is: each
+/// change is read in a time that grows with the length.
 fn statement_places(count: usize) -> Vec<usize> {
-    if count <= 600 { places(count, count) } else { places(count, (400_000 / count).clamp(12, 200)) }
+    if count <= 200 { places(count, count) } else { places(count, (100_000 / count).clamp(12, 200)) }
 }
 
 /// `verify` knows a statement by reading it.
@@ -448,7 +454,7 @@ fn checker_and_prover_agree_on_changed_statements() {
     });
     let (accepted, rejected) = counts.reduce(|| (0, 0), |a, b| (a.0 + b.0, a.1 + b.1));
     assert!(
-        chosen.len() > 30 && accepted > 500 && rejected > 5 * accepted,
+        chosen.len() > 20 && accepted > 400 && rejected > 5 * accepted,
         "{}: {accepted} accepted, {rejected} rejected",
         chosen.len()
     );

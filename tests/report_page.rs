@@ -281,7 +281,8 @@ fn the_status_says_for_which_degrees() {
     assert_eq!(words("T3.5.2"), "proved (degree, for every k, any weights)");
     assert_eq!(words("P3.1.2"), "proved (degree, for every k; any weights for 1 ≤ k ≤ 8)");
     assert_eq!(words("P2.1.1"), "proved (degree)");
-    assert_eq!(words("abstract.regularity"), "proved (knots, for 1 ≤ k ≤ 6)");
+    assert_eq!(words("abstract.regularity"), "proved (degree, for every k)");
+    assert_eq!(words("C6.larger"), "proved (knots, for 1 ≤ k ≤ 6)");
 }
 
 #[test]
