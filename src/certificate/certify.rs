@@ -352,13 +352,12 @@ pub fn certify_for_degree(
         (Form::Printed, Some(k)) if claim.stanza.each_degree => Form::Degree(k),
         (form, _) => form,
     };
-    let Some(mut stated) = statement(claim, form, None)? else { return Ok(None) };
-    if claim.is_about_knots() {
-        if let Shown::Derived(sections) = &mut stated.shown {
-            let kept = stated.degrees.iter().zip(std::mem::take(sections));
-            *sections = kept.filter(|(k, _)| degree == Some(**k)).map(|(_, sections)| sections).collect();
-        }
-        stated.degrees.retain(|k| degree == Some(*k));
-    }
+    let is_wanted = |k: &usize| !claim.is_about_knots() || degree == Some(*k);
+    let in_degree = |claim: Claim<'_>, form, sentence: &Sentence, degrees: &[usize]| {
+        derived(claim, form, sentence, &degrees.iter().copied().filter(is_wanted).collect::<Vec<_>>())
+    };
+    let Some(mut stated) = stated(claim, form, None, in_degree)? else { return Ok(None) };
+    // What is argued is said of all its degrees.
+    stated.degrees.retain(is_wanted);
     if stated.degrees.is_empty() { Ok(None) } else { Certificate::of(stated).map(Some) }
 }

@@ -1,5 +1,7 @@
 //! What a formula says at a place: decided by the place, or goals on the window, or not to be said there.
 
+use std::collections::BTreeMap;
+
 use crate::certificate::evaluate::sign;
 use crate::certificate::statement::{Gap, Window};
 use crate::certificate::term::{self, OfWeight, Term, Where};
@@ -174,12 +176,23 @@ pub(super) struct Parameters {
     free: usize,
     /// Those that goals speak of.
     pub(super) kept: Vec<(String, Class)>,
+    /// As long as the names that are met stay: what the gaps before a knot of the window come to, that knot, and x.
+    sums: BTreeMap<i64, Quotient>,
+    knots: BTreeMap<i64, Value>,
+    x: Option<Value>,
 }
 
 impl Parameters {
     /// All free reals are there.
     pub(super) fn begin(&mut self) {
         self.free = self.all.len();
+        self.forget();
+    }
+
+    fn forget(&mut self) {
+        self.sums.clear();
+        self.knots.clear();
+        self.x = None;
     }
 
     /// The end of a case: what its goals speak of is kept.
@@ -191,12 +204,14 @@ impl Parameters {
             }
         }
         self.all.truncate(self.free);
+        self.forget();
     }
 
     pub(super) fn value(&mut self, name: String, class: Class) -> Known<Value> {
         let known = self.all.iter().position(|(known, _)| *known == name);
-        let other = |(own, before): &(String, Class)| *own == name && *before != class;
-        if self.all.iter().chain(&self.kept).any(other) {
+        let before =
+            known.map_or_else(|| self.kept.iter().find(|kept| kept.0 == name), |at| self.all.get(at));
+        if before.is_some_and(|before| before.1 != class) {
             return undecided(format!("{name} has two signs"));
         }
         let at = match known {
@@ -426,6 +441,7 @@ impl<'a> Case<'a> {
                 let between = [Index::span(e).minus(a), b.minus(&Index::span(e + 1))];
                 if between.iter().all(|v| surely(self, v)) && !self.zero.contains(&e) {
                     self.zero.push(e);
+                    self.parameters.forget();
                 }
             }
         }
@@ -594,6 +610,9 @@ impl<'a> Case<'a> {
         let Some(at) = self.place.on_span() else {
             return self.parameters.value("outside".into(), Class::Real);
         };
+        if let Some(x) = &self.parameters.x {
+            return Ok(x.clone());
+        }
         let origin = self.parameters.value(ORIGIN.into(), Class::Real)?;
         let u = self.parameters.value("u".into(), Class::Positive)?;
         let (start, end) = (self.gaps(0)?, self.gaps(1)?);
@@ -607,7 +626,9 @@ impl<'a> Case<'a> {
             (Where::In, ..) => return undecided("u"),
         };
         let point = Value { term: Term::Point(self.on(0)), plain: Some(plain), knot: None };
-        Ok(origin.plus(point))
+        let x = origin.plus(point);
+        self.parameters.x = Some(x.clone());
+        Ok(x)
     }
 
     /// x's place on the span s + e.
@@ -619,16 +640,21 @@ impl<'a> Case<'a> {
     /// t_{s+e} − (first knot shown), as the window has it.
     fn gaps(&mut self, e: i64) -> Known<Quotient> {
         let (from, _) = self.place.shown(self.k);
-        let mut sum = Quotient::constant(&integer(0));
-        for gap in from..e {
-            if let Some(class) = self.gap(gap) {
-                let value = self.parameters.value(gap_name(gap), class)?;
-                sum = match value.plain {
-                    Some(gap) => sum.plus(&gap),
-                    None => return undecided("a gap"),
-                };
-            }
+        if e <= from {
+            return Ok(Quotient::constant(&integer(0)));
         }
+        if let Some(known) = self.parameters.sums.get(&e) {
+            return Ok(known.clone());
+        }
+        let before = self.gaps(e - 1)?;
+        let sum = match self.gap(e - 1) {
+            None => before,
+            Some(class) => match self.parameters.value(gap_name(e - 1), class)?.plain {
+                Some(gap) => before.plus(&gap),
+                None => return undecided("a gap"),
+            },
+        };
+        self.parameters.sums.insert(e, sum.clone());
         Ok(sum)
     }
 
@@ -643,10 +669,15 @@ impl<'a> Case<'a> {
     }
 
     fn shown(&mut self, e: i64) -> Known<Value> {
+        if let Some(known) = self.parameters.knots.get(&e) {
+            return Ok(known.clone());
+        }
         let origin = self.parameters.value(ORIGIN.into(), Class::Real)?;
         let plain = Some(self.gaps(e)?);
         let knot = Value { term: Term::Knot(WINDOW.into(), e), plain, knot: None };
-        Ok(Value { knot: Some(e), ..origin.plus(knot) })
+        let value = Value { knot: Some(e), ..origin.plus(knot) };
+        self.parameters.knots.insert(e, value.clone());
+        Ok(value)
     }
 
     pub(super) fn knot(&mut self, i: &Index) -> Known<Value> {

@@ -7,7 +7,8 @@ pub(super) struct Index {
     pub(super) c: i64,
     s: i64,
     n: i64,
-    z: Vec<i64>,
+    /// (j, e_j), by rising j, without those that are 0: of many z_j one or two occur.
+    z: Vec<(usize, i64)>,
 }
 
 /// From a least to a greatest value; `None` where there is none.
@@ -30,43 +31,58 @@ impl Index {
 
     /// z_j.
     pub(super) fn beyond(j: usize) -> Self {
-        let mut z = vec![0; j];
-        z.push(1);
-        Self { z, ..Self::default() }
+        Self { z: vec![(j, 1)], ..Self::default() }
     }
 
     pub(super) fn plus(&self, other: &Self) -> Self {
-        let at = |of: &Self, j: usize| of.z.get(j).copied().unwrap_or(0);
-        let mut z: Vec<i64> =
-            (0..self.z.len().max(other.z.len())).map(|j| at(self, j) + at(other, j)).collect();
-        while z.last() == Some(&0) {
-            z.pop();
+        let mut sum = self.clone();
+        sum.add(1, other);
+        sum
+    }
+
+    /// Adds a multiple of another.
+    fn add(&mut self, factor: i64, other: &Self) {
+        self.c += factor * other.c;
+        self.s += factor * other.s;
+        self.n += factor * other.n;
+        for (j, e) in &other.z {
+            match self.z.binary_search_by_key(j, |own| own.0) {
+                Ok(at) if self.z[at].1 + factor * e == 0 => drop(self.z.remove(at)),
+                Ok(at) => self.z[at].1 += factor * e,
+                Err(at) => self.z.insert(at, (*j, factor * e)),
+            }
         }
-        Self { c: self.c + other.c, s: self.s + other.s, n: self.n + other.n, z }
     }
 
     pub(super) fn times(&self, factor: i64) -> Self {
         if factor == 0 {
             return Self::default();
         }
-        let z = self.z.iter().map(|e| e * factor).collect();
+        let z = self.z.iter().map(|(j, e)| (*j, e * factor)).collect();
         Self { c: self.c * factor, s: self.s * factor, n: self.n * factor, z }
     }
 
     pub(super) fn minus(&self, other: &Self) -> Self {
-        self.plus(&other.times(-1))
+        let mut difference = self.clone();
+        difference.add(-1, other);
+        difference
     }
 
     /// The integers by which it is told from others: c, a, b, e_0, ….
     pub(super) fn key(&self) -> impl Iterator<Item = i64> + '_ {
-        [self.c, self.s, self.n].into_iter().chain(self.z.iter().copied())
+        let count = self.z.last().map_or(0, |(j, _)| j + 1);
+        [self.c, self.s, self.n].into_iter().chain((0..count).map(|j| self.beyonds(j)))
     }
 
-    /// The three ways to write a·s + b·n by two of s, n − s and n.
-    fn ways(&self) -> [[i64; 3]; 3] {
-        let (a, b) = (self.s, self.n);
-        [[a + b, b, 0], [a, 0, b], [0, -a, a + b]]
+    /// e_j.
+    fn beyonds(&self, j: usize) -> i64 {
+        self.z.binary_search_by_key(&j, |own| own.0).map_or(0, |at| self.z[at].1)
     }
+}
+
+/// The three ways to write a·s + b·n by two of s, n − s and n.
+fn ways(a: i64, b: i64) -> [[i64; 3]; 3] {
+    [[a + b, b, 0], [a, 0, b], [0, -a, a + b]]
 }
 
 /// What is known of s, n − s and n, and which integers are known not to be negative.
@@ -89,18 +105,27 @@ impl Facts {
 
     /// The bounds of an integer; where both are the same it is known.
     pub(super) fn of(&self, index: &Index) -> Bounds {
-        let z_low = if index.z.iter().any(|e| *e < 0) { None } else { Some(0) };
-        let z_high = if index.z.iter().any(|e| *e > 0) { None } else { Some(0) };
-        let way = |way: [i64; 3]| {
-            let parts = way.iter().zip(&self.bounds).map(|(e, bounds)| scaled(*e, *bounds));
-            parts.fold((Some(index.c), Some(index.c)), |sum, part| (both(sum.0, part.0), both(sum.1, part.1)))
-        };
-        let way = |one| {
-            let (low, high) = way(one);
-            (both(low, z_low), both(high, z_high))
-        };
-        let all = index.ways().map(way);
-        (all.iter().filter_map(|b| b.0).max(), all.iter().filter_map(|b| b.1).min())
+        let without = |sign: i64| index.z.iter().all(|(_, e)| e * sign >= 0);
+        let of = |one: i64| self.lowest(one * index.c, one * index.s, one * index.n);
+        (of(1).filter(|_| without(1)), of(-1).filter(|_| without(-1)).map(|most| -most))
+    }
+
+    /// The greatest known lower bound of c + a·s + b·n.
+    fn lowest(&self, c: i64, a: i64, b: i64) -> Option<i64> {
+        let ways = ways(a, b).into_iter();
+        ways.filter_map(|way| {
+            let mut parts = way.iter().zip(&self.bounds);
+            parts.try_fold(c, |sum, (e, bounds)| both(Some(sum), scaled(*e, *bounds).0))
+        })
+        .max()
+    }
+
+    /// Is v − Σ known ≥ 0 by the bounds alone?
+    fn is_surely(&self, v: &Index, known: &[&Index]) -> bool {
+        let left =
+            |part: &dyn Fn(&Index) -> i64| part(v) - known.iter().map(|known| part(known)).sum::<i64>();
+        self.lowest(left(&|i| i.c), left(&|i| i.s), left(&|i| i.n)).is_some_and(|lowest| lowest >= 0)
+            && known.iter().chain([&v]).flat_map(|i| &i.z).all(|(j, _)| left(&|i| i.beyonds(*j)) >= 0)
     }
 
     /// Its value, if it has only one.
@@ -113,13 +138,12 @@ impl Facts {
 
     /// Is it ≥ 0: yes, no, or not known?
     pub(super) fn at_least_zero(&self, index: &Index) -> Option<bool> {
+        let asserted = &self.asserted;
         let surely = |v: &Index| {
-            let low = |v: &Index| self.of(v).0.is_some_and(|low| low >= 0);
-            let after = |known: &Index| {
-                let rest = v.minus(known);
-                low(&rest) || self.asserted.iter().any(|known| low(&rest.minus(known)))
+            let after = |(at, one): (usize, &Index)| {
+                self.is_surely(v, &[one]) || asserted[at..].iter().any(|two| self.is_surely(v, &[one, two]))
             };
-            low(v) || self.asserted.iter().any(after)
+            self.is_surely(v, &[]) || asserted.iter().enumerate().any(after)
         };
         // −index − 1 ≥ 0.
         let opposite = index.times(-1).plus(&Index::number(-1));
@@ -139,8 +163,8 @@ impl Facts {
             Some(false) => return Err(Contradiction),
             None => self.asserted.push(index.clone()),
         }
-        let z_high = if index.z.iter().any(|e| *e > 0) { None } else { Some(0) };
-        for way in index.ways() {
+        let z_high = if index.z.iter().any(|(_, e)| *e > 0) { None } else { Some(0) };
+        for way in ways(index.s, index.n) {
             for at in 0..3 {
                 // way[at]·X ≥ −(all others), which is at least minus their greatest value.
                 let others = (0..3).filter(|other| *other != at);
