@@ -1,0 +1,237 @@
+(* k - 1 local maxima, for every degree k >= 2 and every r <> 1, which is as many as there can be. For k = N + 2 the knots are 0, 0, then N
+   knots 1 + h T_l close to 1, then 1 + r (1 - h X) and one r h Y further, with a small h > 0. At 1 + h z, between the knots j and j+1 of
+   the cluster, 8 G_0^k is a constant minus h^2 F_j(z) up to the third order in h, with rho = 1/r and
+     F_j = m^2 + mu^2 + 2 Q + Y (m + (1 - rho) z/2),  m = mu - X - (1 + rho) z,
+   where mu is the sum of the distances T_l - z, those to the right times rho, and Q that of their squares. F_j is quadratic, and at a knot
+   its slope drops by (1 - rho)(2 m + 2 mu + Y). The T_l are chosen so that it drops from one half of this to minus one half. *)
+From mathcomp Require Import all_ssreflect all_algebra.
+From mathcomp Require Import ring zify.
+From Bsplines Require Import Definitions Weight Basis Curves Pieces Values Tower ClusterRace ClusterExpansion MaximaBound MaximaSigns.
+Import Order.TTheory GRing.Theory Num.Theory.
+Set Implicit Arguments. Unset Strict Implicit. Unset Printing Implicit Defensive.
+Local Open Scope ring_scope.
+
+(* ---- the sums over the cluster, j of its knots to the left ---- *)
+Section Sums.
+Variable R : realFieldType.
+Variable rho : R.
+Variable N : nat.
+Variable T : nat -> R.
+Definition co j l : R := if (l < j)%N then 1 else rho.
+Definition sg j := \sum_(l < N) co j l.
+Definition sq j := \sum_(l < N) co j l ^+ 2.
+Definition mu j z := \sum_(l < N) co j l * (T l - z).
+Definition ka j z := \sum_(l < N) co j l ^+ 2 * (T l - z).
+Definition Q j z := \sum_(l < N) (co j l * (T l - z)) ^+ 2.
+Lemma mu_shift j z e : mu j (z + e) = mu j z - sg j * e.
+Proof. by rewrite /mu /sg mulr_suml -sumrB; apply: eq_bigr => l _; ring. Qed.
+Lemma ka_shift j z e : ka j (z + e) = ka j z - sq j * e.
+Proof. by rewrite /ka /sq mulr_suml -sumrB; apply: eq_bigr => l _; ring. Qed.
+Lemma Q_shift j z e : Q j (z + e) = Q j z - 2%:R * ka j z * e + sq j * e ^+ 2.
+Proof.
+rewrite /Q /ka /sq mulr_sumr !mulr_suml -sumrB -big_split; apply: eq_bigr => l _; rewrite /=; ring.
+Qed.
+(* at a knot of the cluster it does not matter on which side it is *)
+Lemma co_S j l : l <> j -> co j.+1 l = co j l.
+Proof. by move=> n; rewrite /co ltnS leq_eqVlt; case: eqP. Qed.
+Lemma mu_S j : mu j.+1 (T j) = mu j (T j).
+Proof.
+apply: eq_bigr => l _; case: (eqVneq (l : nat) j) => [->|/eqP n]; by rewrite ?subrr ?mulr0 // co_S.
+Qed.
+Lemma ka_S j : ka j.+1 (T j) = ka j (T j).
+Proof.
+apply: eq_bigr => l _; case: (eqVneq (l : nat) j) => [->|/eqP n]; by rewrite ?subrr ?mulr0 // co_S.
+Qed.
+Lemma Q_S j : Q j.+1 (T j) = Q j (T j).
+Proof.
+apply: eq_bigr => l _; case: (eqVneq (l : nat) j) => [->|/eqP n]; by rewrite ?subrr ?mulr0 // co_S.
+Qed.
+Lemma sg_S j : (j < N)%N -> sg j.+1 = sg j + (1 - rho).
+Proof.
+move=> jN; rewrite /sg (bigD1 (Ordinal jN)) //= [in RHS](bigD1 (Ordinal jN)) //=.
+rewrite (eq_bigr (fun l : 'I_N => co j l)); last by move=> l /eqP n; apply: co_S => e; apply: n; apply: val_inj.
+by move: (\sum_(_ < _ | _) _) => z; rewrite /co ltnSn ltnn; ring.
+Qed.
+(* F_j, minus its derivative, and its second derivative *)
+Variables X Y : R.
+Definition mm j z := mu j z - X - (1 + rho) * z.
+Definition FF j z := mm j z ^+ 2 + mu j z ^+ 2 + 2%:R * Q j z + Y * (mm j z + (1 - rho) * z / 2%:R).
+Definition gg j z := 2%:R * mm j z + 2%:R * mu j z + Y.
+Definition HH j z := sg j * gg j z + (1 + rho) * (2%:R * mm j z + Y) + 4%:R * ka j z - Y * (1 - rho) / 2%:R.
+Definition AA j := 4%:R * sg j ^+ 2 + 4%:R * sg j * (1 + rho) + 2%:R * (1 + rho) ^+ 2 + 4%:R * sq j.
+Definition BB j := 2%:R * (2%:R * sg j + 1 + rho).
+Lemma FF_shift j z e : FF j (z + e) = FF j z - e * (HH j z - e * AA j / 2%:R).
+Proof.
+have n2 : 2%:R != 0 :> R by rewrite pnatr_eq0.
+by rewrite /FF /HH /AA /gg /mm mu_shift Q_shift; field; rewrite ?n2.
+Qed.
+Lemma gg_shift j z e : gg j (z + e) = gg j z - BB j * e.
+Proof. by rewrite /gg /mm /BB mu_shift; ring. Qed.
+Lemma HH_shift j z e : HH j (z + e) = HH j z - AA j * e.
+Proof. by rewrite /HH /AA gg_shift /BB ka_shift /mm mu_shift; ring. Qed.
+Lemma FF_S j : FF j.+1 (T j) = FF j (T j).
+Proof. by rewrite /FF /mm mu_S Q_S. Qed.
+Lemma gg_S j : gg j.+1 (T j) = gg j (T j).
+Proof. by rewrite /gg /mm mu_S. Qed.
+Lemma HH_S j : (j < N)%N -> HH j.+1 (T j) = HH j (T j) + (1 - rho) * gg j (T j).
+Proof. by move=> jN; rewrite /HH gg_S /mm mu_S ka_S sg_S //; ring. Qed.
+Lemma HH_0 j z : HH j z = sg j * gg j z + (1 + rho) * (Y - 2%:R * X - 2%:R * (1 + rho) * z + 2%:R * mu j z) + 4%:R * ka j z - Y * (1 - rho) / 2%:R.
+Proof. by rewrite /HH /mm; congr (_ + _ * _ + _ - _); ring. Qed.
+Lemma gg_0 j z : gg j z = Y - 2%:R * X - 2%:R * (1 + rho) * z + 4%:R * mu j z.
+Proof. by rewrite /gg /mm; ring. Qed.
+Hypothesis rho0 : 0 < rho.
+Lemma co_gt0 j l : 0 < co j l. Proof. by rewrite /co; case: ifP => _; rewrite ?ltr01. Qed.
+Lemma sg_ge0 j : 0 <= sg j. Proof. by apply: sumr_ge0 => l _; rewrite ltW // co_gt0. Qed.
+Lemma sq_ge0 j : 0 <= sq j. Proof. by apply: sumr_ge0 => l _; exact: sqr_ge0. Qed.
+(* A is larger than what turns up below *)
+Lemma AA_large j : `|(1 - rho) * BB j / 2%:R| < AA j.
+Proof.
+have n2 : 2%:R != 0 :> R by rewrite pnatr_eq0.
+have s0 := sg_ge0 j; have q0 := sq_ge0 j; have o0 : 0 <= 1 + rho by rewrite addr_ge0 ?ler01 ?ltW.
+have -> : (1 - rho) * BB j / 2%:R = (1 - rho) * (2%:R * sg j + 1 + rho) by rewrite /BB; field; rewrite ?n2.
+have b0 : 0 <= 2%:R * sg j + 1 + rho by rewrite -addrA addr_ge0 // mulr_ge0 ?ler0n.
+rewrite normrM (ger0_norm b0); apply: (@le_lt_trans _ _ ((1 + rho) * (2%:R * sg j + 1 + rho))).
+  apply: ler_wpmul2r => //; rewrite (le_trans (ler_norm_sub _ _)) // normr1 (gtr0_norm rho0) //.
+rewrite -subr_gt0.
+have -> : AA j - (1 + rho) * (2%:R * sg j + 1 + rho) = (1 + rho) ^+ 2 + (4%:R * sg j ^+ 2 + 2%:R * sg j * (1 + rho) + 4%:R * sq j).
+  by rewrite /AA; ring.
+apply: ltr_paddr; last by rewrite exprn_gt0 // addr_gt0 ?ltr01.
+by rewrite !addr_ge0 // ?mulr_ge0 ?ler0n ?sqr_ge0.
+Qed.
+End Sums.
+
+(* ---- the choice of T, X and Y ---- *)
+Section Choice.
+Variable R : realFieldType.
+Variable rho : R.
+Hypothesis rho0 : 0 < rho.
+Hypothesis rho1 : rho != 1.
+Variable N : nat.
+Hypothesis N0 : (0 < N)%N.
+Local Notation A := (AA rho N). Local Notation B := (BB rho N).
+Definition gap j (g : R) := (1 - rho) * g / (A j + (1 - rho) * B j / 2%:R).
+Fixpoint state (l : nat) : R * R :=
+  if l is l'.+1 then let st := state l' in let d := gap l st.2 in (st.1 + d, st.2 - B l * d) else (0, (1 - rho)^-1).
+Definition T l := (state l).1.
+Definition gs l := (state l).2.
+Lemma T_S l : T l.+1 = T l + gap l.+1 (gs l). Proof. by []. Qed.
+Lemma gs_S l : gs l.+1 = gs l - B l.+1 * gap l.+1 (gs l). Proof. by []. Qed.
+Let n1 : 1 - rho != 0. Proof. by rewrite subr_eq0 eq_sym. Qed.
+Let n2 : 2%:R != 0 :> R. Proof. by rewrite pnatr_eq0. Qed.
+Lemma den_gt0 j : 0 < A j + (1 - rho) * B j / 2%:R /\ 0 < A j - (1 - rho) * B j / 2%:R.
+Proof.
+have := AA_large N rho0 j; rewrite ltr_norml => /andP[h1 h2].
+by rewrite subr_gt0 h2 -[X in 0 < X + _]opprK addrC subr_gt0.
+Qed.
+Lemma gs_gt0 l : 0 < (1 - rho) * gs l.
+Proof.
+elim: l => [|l IH]; first by rewrite /gs /= divff // ltr01.
+have [d1 d2] := den_gt0 l.+1; rewrite gs_S /gap.
+have -> : (1 - rho) * (gs l - B l.+1 * ((1 - rho) * gs l / (A l.+1 + (1 - rho) * B l.+1 / 2%:R))) =
+  (1 - rho) * gs l * ((A l.+1 - (1 - rho) * B l.+1 / 2%:R) / (A l.+1 + (1 - rho) * B l.+1 / 2%:R)).
+  have := gt_eqF d1; move: (A l.+1) (B l.+1) => a b /negbT d.
+  have d' : a * 2%:R + (1 - rho) * b != 0.
+    by have -> : a * 2%:R + (1 - rho) * b = (a + (1 - rho) * b / 2%:R) * 2%:R by [field; rewrite ?n2]; rewrite mulf_neq0.
+  by field; rewrite ?n2 ?d'.
+by rewrite mulr_gt0 ?divr_gt0.
+Qed.
+Lemma T_lt l : T l < T l.+1.
+Proof. by rewrite T_S ltr_addl divr_gt0 ?gs_gt0 //; case: (den_gt0 l.+1). Qed.
+Lemma T_le l l' : (l <= l')%N -> T l <= T l'.
+Proof. by apply: t_le => i; rewrite ltW // T_lt. Qed.
+Definition M0 := mu rho N T 0 (T 0%N).
+Definition K0 := ka rho N T 0 (T 0%N).
+Definition Y : R := 2%:R / (1 - rho) * ((sg rho N 0 + 1 + rho) * gs 0 + (1 - rho) * gs 0 / 2%:R - 2%:R * (1 + rho) * M0 + 4%:R * K0).
+Definition X : R := (4%:R * M0 + Y - gs 0) / 2%:R.
+Local Notation F := (FF rho N T X Y). Local Notation g := (gg rho N T X Y). Local Notation H := (HH rho N T X Y).
+(* the slopes at the knots of the cluster *)
+Lemma slopes l : (l < N)%N -> [/\ g l (T l) = gs l, H l (T l) = - ((1 - rho) * gs l / 2%:R) & H l.+1 (T l) = (1 - rho) * gs l / 2%:R].
+Proof.
+elim: l => [|l IH] lN.
+  have e0 : T 0%N = 0 by [].
+  have e1 : g 0 (T 0%N) = gs 0 by rewrite gg_0 /X -/M0 e0; field; rewrite ?n2.
+  have e2 : H 0 (T 0%N) = - ((1 - rho) * gs 0 / 2%:R).
+    rewrite HH_0 e1 -/M0 -/K0 e0 /X; have : Y * (1 - rho) / 2%:R = (sg rho N 0 + 1 + rho) * gs 0 + (1 - rho) * gs 0 / 2%:R - 2%:R * (1 + rho) * M0 + 4%:R * K0.
+      by rewrite /Y; field; rewrite ?n1 ?n2.
+    by move=> ->; field; rewrite ?n2.
+  by split=> //; rewrite HH_S // e1 e2; field; rewrite ?n2.
+have [e1 e2 e3] := IH (ltnW lN); have [d1 _] := den_gt0 l.+1.
+have e4 : g l.+1 (T l.+1) = gs l.+1 by rewrite T_S gg_shift gg_S e1.
+have e5 : H l.+1 (T l.+1) = - ((1 - rho) * gs l.+1 / 2%:R).
+  rewrite T_S HH_shift e3 gs_S.
+  have : gap l.+1 (gs l) * (A l.+1 + (1 - rho) * B l.+1 / 2%:R) = (1 - rho) * gs l by rewrite divfK // gt_eqF.
+  move: (gap _ _) (A _) (B _) => d a b e; apply/eqP; rewrite -subr_eq0; apply/eqP.
+  have -> : (1 - rho) * gs l / 2%:R - a * d - - ((1 - rho) * (gs l - b * d) / 2%:R) = (1 - rho) * gs l - d * (a + (1 - rho) * b / 2%:R).
+    by field; rewrite ?n2.
+  by rewrite e subrr.
+by split=> //; rewrite HH_S // e4 e5; field; rewrite ?n2.
+Qed.
+(* the last two knots are in order *)
+Lemma Y_gt0 : 0 < Y.
+Proof.
+have lN : (N.-1 < N)%N by rewrite prednK.
+have [a1 a2 _] := slopes N0; have [b1 _ b2] := slopes lN; rewrite prednK // in b2.
+have b1' : g N (T N.-1) = gs N.-1 by rewrite -b1 -{1}[N in g N]prednK // gg_S.
+have c0 := gs_gt0 0; have c1 := gs_gt0 N.-1.
+have sgn j (z : R) (hz : 0 <= z) : 0 <= sg rho N j * z by rewrite mulr_ge0 ?sg_ge0.
+have pos f : (forall l, (l < N)%N -> 0 <= f l) -> 0 <= \sum_(l < N) f l :> R by move=> h; apply: sumr_ge0 => l _; apply: h.
+have m0 : 0 <= mu rho N T 0 (T 0%N) by apply: (pos (fun l => co rho 0 l * (T l - T 0%N))) => l _; rewrite mulr_ge0 ?(ltW (co_gt0 rho0 _ _)) // subr_ge0 T_le.
+have k0 : 0 <= ka rho N T 0 (T 0%N) by apply: (pos (fun l => co rho 0 l ^+ 2 * (T l - T 0%N))) => l _; rewrite mulr_ge0 ?sqr_ge0 // subr_ge0 T_le.
+have m1 : 0 <= - mu rho N T N (T N.-1).
+  rewrite -sumrN; apply: (pos (fun l => - (co rho N l * (T l - T N.-1)))) => l h; rewrite -mulrN opprB mulr_ge0 ?(ltW (co_gt0 rho0 _ _)) // subr_ge0 T_le //.
+  by rewrite -ltnS prednK.
+have k1 : 0 <= - ka rho N T N (T N.-1).
+  rewrite -sumrN; apply: (pos (fun l => - (co rho N l ^+ 2 * (T l - T N.-1)))) => l h; rewrite -mulrN opprB mulr_ge0 ?sqr_ge0 // subr_ge0 T_le //.
+  by rewrite -ltnS prednK.
+have dT : 0 <= T N.-1 - T 0%N by rewrite subr_ge0 T_le.
+have o0 : 0 < 1 + rho by rewrite addr_gt0 ?ltr01.
+have half (z : R) : 0 < z -> 0 < z / 2%:R by move=> h; rewrite divr_gt0 ?ltr0n.
+rewrite HH_0 a1 in a2; rewrite HH_0 b1' in b2; rewrite gg_0 in a1; rewrite gg_0 in b1'.
+move: a1 a2 b1' b2 m0 k0 m1 k1 dT; move: (mu _ _ _ _ _) (ka _ _ _ _ _) (mu _ _ _ _ _) (ka _ _ _ _ _) => {b1} m' k' m k a1 a2 b1 b2 m0 k0 m1 k1 dT.
+set s0 := Y - 2%:R * X - _ in a1 a2; set s1 := Y - 2%:R * X - _ in b1 b2.
+have es : s0 = s1 + 2%:R * ((1 + rho) * (T N.-1 - T 0%N)) by rewrite /s0 /s1; ring.
+have et : 0 <= 2%:R * ((1 + rho) * (T N.-1 - T 0%N)) by rewrite mulr_ge0 ?ler0n // mulr_ge0 // ltW.
+clearbody s0 s1; move: (T N.-1 - T 0%N) dT es et => dT dT0 es et.
+case: (ltgtP rho 1) => hr; last by case/eqP: rho1.
+  have r1 : 0 < 1 - rho by rewrite subr_gt0.
+  have g0 : 0 <= gs 0 by rewrite ltW // -(pmulr_rgt0 _ r1).
+  have g1 : 0 <= gs N.-1 by rewrite ltW // -(pmulr_rgt0 _ r1).
+  have s1p : 0 <= s1 by have -> : s1 = gs N.-1 + 4%:R * - m' by [rewrite -b1; ring]; rewrite addr_ge0 // mulr_ge0 ?ler0n.
+  have s0p : 0 <= s0 by rewrite es addr_ge0.
+  rewrite -(pmulr_rgt0 _ r1).
+  have -> : (1 - rho) * Y = 2%:R * ((1 - rho) * gs 0 / 2%:R + (sg rho N 0 * gs 0 + (1 + rho) * (s0 + 2%:R * m) + 4%:R * k)).
+    move: a2 => /eqP; rewrite subr_eq => /eqP ->; field; rewrite ?n2 //.
+  rewrite mulr_gt0 ?ltr0n // ltr_paddr ?half // !addr_ge0 ?sgn // mulr_ge0 ?ler0n ?(ltW o0) // addr_ge0 // mulr_ge0 ?ler0n //.
+have r1 : 0 < rho - 1 by rewrite subr_gt0.
+have neg l : 0 <= - gs l by rewrite ltW // -(pmulr_rgt0 _ r1) mulrN -mulNr opprB gs_gt0.
+have s0n : 0 <= - s0 by have -> : - s0 = - gs 0 + 4%:R * m by [rewrite -a1; ring]; rewrite addr_ge0 // mulr_ge0 ?ler0n.
+have s1n : 0 <= - s1 by have -> : - s1 = - s0 + 2%:R * ((1 + rho) * dT) by [rewrite es; ring]; rewrite addr_ge0.
+rewrite -(pmulr_rgt0 _ r1).
+have -> : (rho - 1) * Y = 2%:R * ((1 - rho) * gs N.-1 / 2%:R + (sg rho N N * - gs N.-1 + (1 + rho) * (- s1 + 2%:R * - m') + 4%:R * - k')).
+  move: b2 => /eqP; rewrite subr_eq => /eqP e; have -> : sg rho N N * - gs N.-1 = - (sg rho N N * gs N.-1) by ring.
+  have -> : sg rho N N * gs N.-1 = (1 - rho) * gs N.-1 / 2%:R + Y * (1 - rho) / 2%:R - 4%:R * k' - (1 + rho) * (s1 + 2%:R * m') by rewrite -e; ring.
+  by field; rewrite ?n2.
+by rewrite mulr_gt0 ?ltr0n // ltr_paddr ?half // !addr_ge0 ?sgn // mulr_ge0 ?ler0n ?(ltW o0) // addr_ge0 // mulr_ge0 ?ler0n.
+Qed.
+(* F has a peak at each knot of the cluster: it is smaller on both sides near by *)
+Lemma peaks l : (l < N)%N -> exists e, [/\ 0 < e, l = 0%N \/ T l.-1 < T l - e, T l + e < T l.+1, F l (T l - e) < F l (T l) & F l.+1 (T l + e) < F l.+1 (T l)].
+Proof.
+move=> lN; have [_ h1 h2] := slopes lN; have c := gs_gt0 l; set c' := (1 - rho) * gs l in h1 h2 c.
+have c2 : 0 < c' / 2%:R by rewrite divr_gt0 ?ltr0n.
+have S1 := soon_lin (- (A l / 2%:R)) c2. have S2 := soon_lin (- (A l.+1 / 2%:R)) c2.
+have d1 : 0 < T l.+1 - T l by rewrite subr_gt0 T_lt.
+have S3 : soon (fun e => 0 < (T l.+1 - T l) + -1 * e) by apply: soon_lin.
+have [d2 d0 hd] : exists2 d, 0 < d & l = 0%N \/ d = T l - T l.-1.
+  by case: (l) => [|l']; [exists 1; [exact: ltr01|left]|exists (T l'.+1 - T l'); [rewrite subr_gt0 T_lt|right]].
+have S5 := soon_lin (-1) d0.
+have [d dp Hd] := soon_and (soon_and S1 S2) (soon_and S3 S5).
+have dd : 0 < d / 2%:R < d by rewrite divr_gt0 ?ltr0n //= ltr_pdivr_mulr ?ltr0n // ltr_pmulr // ltr1n.
+have [[p1 p2] [p3 p4]] := Hd _ dd; case/andP: dd => e0 _; set e := d / 2%:R in e0 p1 p2 p3 p4; exists e; split=> //.
+- case: hd => [->|hd]; [by left|right]; rewrite -subr_gt0; move: p4; rewrite hd; congr (0 < _); ring.
+- by rewrite -subr_gt0; move: p3; congr (0 < _); ring.
+- rewrite FF_shift h1; have -> : - e * (- (c' / 2%:R) - - e * A l / 2%:R) = e * (c' / 2%:R + - (A l / 2%:R) * e) by field; rewrite ?n2.
+  by rewrite ltr_subl_addr ltr_addl mulr_gt0.
+rewrite FF_shift h2; have -> : e * (c' / 2%:R - e * A l.+1 / 2%:R) = e * (c' / 2%:R + - (A l.+1 / 2%:R) * e) by field; rewrite ?n2.
+by rewrite ltr_subl_addr ltr_addl mulr_gt0.
+Qed.
+End Choice.
