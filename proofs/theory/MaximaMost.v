@@ -235,3 +235,141 @@ rewrite FF_shift h2; have -> : e * (c' / 2%:R - e * A l.+1 / 2%:R) = e * (c' / 2
 by rewrite ltr_subl_addr ltr_addl mulr_gt0.
 Qed.
 End Choice.
+
+(* ---- the knots, and G_0^k on them ---- *)
+Section Knots.
+Variable R : realFieldType.
+Variable r : R.
+Hypothesis r_gt0 : 0 < r.
+Local Notation rho := (r^-1).
+Variable N : nat.
+Hypothesis N0 : (0 < N)%N.
+Variable T : nat -> R.
+Hypothesis T_lt : forall l, T l < T l.+1.
+Variables X Y : R.
+Hypothesis Y0 : 0 < Y.
+Definition last_knot (h : R) := 1 + r * (1 - h * X).
+Definition knots (h : R) (i : nat) : R :=
+  if (i < 2)%N then 0 else if (i < N.+2)%N then 1 + h * T (i - 2) else if (i < N.+3)%N then last_knot h else last_knot h + r * (h * Y).
+Lemma knots01 h i : (i < 2)%N -> knots h i = 0. Proof. by rewrite /knots => ->. Qed.
+Lemma knots_in h l : (l < N)%N -> knots h l.+2 = 1 + h * T l.
+Proof. by move=> lN; rewrite /knots !ltnS ltn0 lN subSS subSS subn0. Qed.
+Lemma knots_last h : knots h N.+2 = last_knot h.
+Proof. by rewrite /knots !ltnS ltn0 ltnn leqnn. Qed.
+Lemma knots_end h i : (N.+3 <= i)%N -> knots h i = last_knot h + r * (h * Y).
+Proof.
+move=> hi; rewrite /knots; case: ifP => [h1|_]; first by move: hi h1; clear; lia.
+case: ifP => [h1|_]; first by move: hi h1; clear; lia.
+by case: ifP => // h1; move: hi h1; clear; lia.
+Qed.
+Let Tle l l' : (l <= l')%N -> T l <= T l'.
+Proof. by apply: t_le => i; rewrite ltW // T_lt. Qed.
+(* a point 1 + h z is before the last knots *)
+Lemma before_end (z : R) : soon (fun h => 1 + h * z < last_knot h).
+Proof.
+apply: soon_imp (soon_lin (- (r * X) - z) r_gt0) => h h0; rewrite /last_knot -[1 + h * z < _]subr_gt0; congr (0 < _); ring.
+Qed.
+Lemma after_start (z : R) : soon (fun h => 0 < 1 + h * z).
+Proof. by apply: soon_imp (soon_lin z ltr01) => h h0; rewrite mulrC. Qed.
+Lemma knots_ordered : soon (fun h => forall i, knots h i <= knots h i.+1).
+Proof.
+apply: soon_imp (soon_and (after_start (T 0%N)) (before_end (T N.-1))) => h h0 [s0 s1] i.
+case: (ltnP i.+1 2) => h1; first by rewrite !knots01 // ltnW.
+case: i h1 => [|[|l]] // _; first by rewrite knots01 // knots_in // ltW.
+case: (ltnP l.+1 N) => h2; first by rewrite !knots_in ?(ltnW h2) // ler_add2l ler_pmul2l // Tle.
+have e0 : 0 <= r * (h * Y) by rewrite mulr_ge0 ?mulr_ge0 // ltW.
+case: (ltnP l N) => h3.
+  have -> : l = N.-1 by move: h2 h3; clear; lia.
+  by rewrite knots_in ?prednK // knots_last ltW.
+by case: (ltngtP l N) h3 => // [h3|->] _; rewrite ?knots_last !knots_end // ?ler_addl // ltnW.
+Qed.
+(* z lies between the knots j and j+1 of the cluster *)
+Definition between j z := [/\ (j <= N)%N, forall l, (l < j)%N -> T l <= z & forall l, (j <= l)%N -> (l < N)%N -> z < T l].
+Lemma place_soon j z : between j z -> soon (fun h => knots h j.+1 <= 1 + h * z < knots h j.+2).
+Proof.
+move=> [jN left right]; apply: soon_imp (soon_and (after_start z) (before_end z)) => h h0 [s0 s1]; apply/andP; split.
+  case: j jN left {right} => [|l] jN left; first by rewrite knots01 // ltW.
+  by rewrite knots_in // ler_add2l ler_pmul2l // left.
+case: (ltnP j N) => hj; first by rewrite knots_in // ltr_add2l ltr_pmul2l // right.
+by have -> : j = N by [apply/eqP; rewrite eqn_leq jN]; rewrite knots_last.
+Qed.
+Definition al j z := [seq z - T l | l <- iota 0 j].
+Definition be j z := [seq (T l - z) / r | l <- rev (iota j (N - j))].
+Lemma left_knots j z h : (j <= N)%N -> left_of (knots h) j.+1 (1 + h * z) 0 = [:: 1 + h * z, 1 + h * z & scaled (al j z) h].
+Proof.
+move=> jN; rewrite /left_of subn0 [iota 0 _]/= /= !knots01 // subr0; congr [:: _, _ & _].
+rewrite (iotaDl 2 0) -map_comp /scaled -map_comp; apply/eq_in_map => l; rewrite mem_iota add0n => /andP[_ lj] /=.
+rewrite add2n knots_in ?(leq_trans lj) //; ring.
+Qed.
+Lemma right_knots j z h e : between j z -> (e <= 1)%N -> right_of r (knots h) j.+1 (1 + h * z) (N + 2 + e) =
+  [seq (last_knot h + (if i == 0%N then 0 else r * (h * Y)) - (1 + h * z)) / r | i <- rev (iota 0 e.+1)] ++ scaled (be j z) h.
+Proof.
+move=> [jN _ _] e1; rewrite /right_of; have -> : (N + 2 + e - j.+1 = N - j + e.+1)%N by move: jN; clear; lia.
+rewrite iotaD rev_cat map_cat; congr (_ ++ _).
+  have -> : (j.+2 + (N - j) = N.+2 + 0)%N by move: jN; clear; lia.
+  rewrite iotaDl -!map_rev -map_comp; apply/eq_in_map => i; rewrite mem_rev mem_iota /= add0n => ie.
+  case: eqP => [->|n]; first by rewrite addn0 knots_last addr0.
+  by rewrite knots_end //; move: n; clear; lia.
+have -> : j.+2 = (2 + j)%N by []. 
+rewrite iotaDl -!map_rev /be /scaled -!map_comp; apply/eq_in_map => l; rewrite mem_rev mem_iota => /andP[h1 h2] /=.
+rewrite add2n knots_in; last by move: jN h2; clear; lia.
+by rewrite mulrA; congr (_ / r); ring.
+Qed.
+Lemma sides_cluster j z : between j z -> sides (al j z) (be j z).
+Proof.
+move=> [jN left right].
+have a0 a : a \in al j z -> 0 <= a by move=> /mapP[l]; rewrite mem_iota add0n => /andP[_ lj] ->; rewrite subr_ge0 left.
+have b0 b : b \in be j z -> 0 < b.
+  move=> /mapP[l]; rewrite mem_rev mem_iota => /andP[h1 h2] ->; rewrite divr_gt0 // subr_gt0 right //.
+  by move: jN h2; clear; lia.
+apply/andP; split; first by apply/andP; split; apply/allP => x; [apply: a0|move=> /b0 /ltW].
+by apply/allP => a /a0 h1; apply/allP => b /b0 h2; rewrite ltr_paddl.
+Qed.
+Lemma cluster_sums j z : (j <= N)%N -> \sum_(b <- be j z) b - \sum_(a <- al j z) a = mu rho N T j z /\
+  \sum_(b <- be j z) b ^+ 2 + \sum_(a <- al j z) a ^+ 2 = Q rho N T j z.
+Proof.
+move=> jN; have pe : perm_eq (be j z) [seq (T l - z) / r | l <- iota j (N - j)].
+  by rewrite /be perm_map // perm_rev.
+have sp (F : nat -> R) : \sum_(l < N) F l = \sum_(l <- iota 0 j) F l + \sum_(l <- iota j (N - j)) F l.
+  by rewrite -(big_mkord xpredT) /index_iota subn0 -big_cat -[in RHS]iotaD subnKC.
+rewrite /mu /Q (sp (fun l => co rho j l * (T l - z))) (sp (fun l => (co rho j l * (T l - z)) ^+ 2)).
+rewrite !(perm_big _ pe) /= !big_map; split.
+  rewrite addrC -sumrN; congr (_ + _); apply: eq_big_seq => l; rewrite mem_iota => /andP[h1 h2]; rewrite /co.
+    by rewrite add0n in h2; rewrite h2 mul1r opprB.
+  by rewrite ltnNge h1 mulrC.
+rewrite addrC; congr (_ + _); apply: eq_big_seq => l; rewrite mem_iota => /andP[h1 h2]; rewrite /co.
+  by rewrite add0n in h2; rewrite h2 mul1r -sqrrN opprB.
+by rewrite ltnNge h1 [rho * _]mulrC.
+Qed.
+Local Notation f h := (G (wt r (knots h)) (knots h) N.+2 0).
+Local Notation F := (FF rho N T X Y).
+Definition const : R := Y ^+ 2 / 2%:R - Y * X / 2%:R.
+(* G_0^k at 1 + h z *)
+Lemma G_near j z : between j z -> O 3 (fun h => f h (1 + h * z) - (2%:R^-1 + Y / 8%:R * h - (F j z + const) / 8%:R * h ^+ 2)).
+Proof.
+move=> hb; have [jN _ _] := hb; have n2 : 2%:R != 0 :> R by rewrite pnatr_eq0. have n8 : 8%:R != 0 :> R by rewrite pnatr_eq0.
+have rn : r != 0 by rewrite gt_eqF.
+have H := chances_difference z (- X - rho * z) (- X - rho * z + Y) (sides_cluster hb).
+apply: O_ext H; apply: soon_imp (soon_and knots_ordered (place_soon hb)) => h h0 [mono hx].
+have [e1 e2] := cluster_sums z jN.
+rewrite (G_chances r_gt0 mono hx) left_knots //.
+have -> : left_of (knots h) j.+1 (1 + h * z) 1 = 1 + h * z :: scaled (al j z) h.
+  by have := left_knots z h jN; rewrite /left_of subn0 subSS subn0 /= => -[_ -> ->].
+have -> : N.+2 = (N + 2 + 0)%N by rewrite addn0 addn2. have -> : (N + 2 + 0).+1 = (N + 2 + 1)%N by rewrite addn0 addn1.
+rewrite !right_knots // e1 e2 /lin /=.
+have -> : (last_knot h + 0 - (1 + h * z)) / r = 1 + (- X - rho * z) * h by rewrite /last_knot; field; rewrite ?rn.
+have -> : (last_knot h + r * (h * Y) - (1 + h * z)) / r = 1 + (- X - rho * z + Y) * h by rewrite /last_knot; field; rewrite ?rn.
+rewrite [z * h]mulrC; congr (_ - _ - _); rewrite /const /FF /mm.
+by move: (mu _ _ _ _ _) (Q _ _ _ _ _) => m q; field; rewrite ?n2 ?n8 ?rn.
+Qed.
+(* the smaller F, the larger G_0^k *)
+Lemma G_compare j z j' z' : between j z -> between j' z' -> F j' z' < F j z -> soon (fun h => f h (1 + h * z) < f h (1 + h * z')).
+Proof.
+move=> b1 b2 lt; have n8 : 8%:R != 0 :> R by rewrite pnatr_eq0. have n2 : 2%:R != 0 :> R by rewrite pnatr_eq0.
+have c0 : 0 < (F j z - F j' z') / 8%:R by rewrite divr_gt0 ?subr_gt0 ?ltr0n.
+have H : O 3 (fun h => f h (1 + h * z') - f h (1 + h * z) - (F j z - F j' z') / 8%:R * h ^+ 2).
+  apply: O_ext (O_add (G_near b2) (O_opp (G_near b1))); exists 1; [exact: ltr01|move=> h _].
+  by move: (f h _) (f h _) (F _ _) (F _ _) => a b c d; field; rewrite ?n2 ?n8.
+by apply: soon_imp (O_pos c0 H) => h _; rewrite subr_gt0.
+Qed.
+End Knots.
