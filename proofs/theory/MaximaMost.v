@@ -373,3 +373,125 @@ have H : O 3 (fun h => f h (1 + h * z') - f h (1 + h * z) - (F j z - F j' z') / 
 by apply: soon_imp (O_pos c0 H) => h _; rewrite subr_gt0.
 Qed.
 End Knots.
+
+(* ---- from lower values at k - 2 knots to k - 1 maxima ---- *)
+Section Valleys.
+Variable R : rcfType.
+Variable r : R.
+Hypothesis r_gt0 : 0 < r.
+Variable t : nat -> R.
+Hypothesis t_mono : forall i, t i <= t i.+1.
+Variable N : nat.
+Local Notation k := N.+2.
+Local Notation f := (value r t k.+1 k 0).
+Local Notation M := (local_max f (t 0%N) (t k.+1)).
+Let tle := t_le t_mono.
+Hypothesis N0 : (0 < N)%N.
+Hypothesis spans : forall l, (l <= N)%N -> t l.+1 < t l.+2.
+Hypothesis low_left : forall l, (l < N)%N -> exists2 z, t l.+1 <= z <= t l.+2 & f (t l.+2) < f z.
+Hypothesis low_right : forall l, (l < N)%N -> exists2 z, t l.+2 <= z <= t l.+3 & f (t l.+2) < f z.
+Let U : t 0%N < t k.+1.
+Proof. by apply: (@le_lt_trans _ _ (t 1%N)) => //; apply: (lt_le_trans (spans (leq0n N))); apply: tle. Qed.
+Lemma valleys_maxima : exists xs : seq R, [/\ sorted <%R xs, size xs = N.+1 & forall x, x \in xs -> M x].
+Proof.
+have add xs x : sorted <%R xs -> (forall y, y \in xs -> y < x) -> sorted <%R (rcons xs x).
+  move=> s h; rewrite (sorted_pairwise lt_trans) pairwise_rcons -(sorted_pairwise lt_trans) s andbT.
+  by apply/allP => y; apply: h.
+have pk := @peak_values R r r_gt0 t t_mono k isT U.
+have step n : (0 < n <= N)%N -> exists xs : seq R, [/\ sorted <%R xs, size xs = n & forall x, x \in xs -> M x /\ x < t n.+1].
+  elim: n => // n IH; rewrite ltnS => /andP[_ nN]; case: (posnP n) => [n0|n0].
+    have [z /andP[z0 z1] lt] := low_left nN; rewrite n0 in z0 z1 lt nN *.
+    have t01 : t 0%N <= t 1%N by []. have t02 : t 0%N < t 2%N by apply: (le_lt_trans t01); apply: (spans (leq0n N)).
+    have [||x [h1 _ _ h2]] := pk 0%N 2%N isT t02; [by left|by right; exists z => //; rewrite z1 (le_trans t01)|].
+    by exists [:: x]; split=> // y; rewrite inE => /eqP ->; case: h2.
+  have [|xs [s1 s2 s3]] := IH; first by rewrite n0 ltnW.
+  have [m en] : exists m, n = m.+1 by exists n.-1; rewrite prednK.
+  have mN : (m < N)%N by rewrite -en ltnW.
+  have ab : (n.+1 <= n.+2 <= k.+1)%N by move: nN; clear; lia.
+  have [||x [h1 _ [//|h2] h3]] := pk n.+1 n.+2 ab (spans (ltnW nN)).
+  - by right; rewrite en; exact: low_right.
+  - by right; exact: low_left.
+  exists (rcons xs x); split; first by apply: add => // y /s3[_ h]; exact: lt_trans h2.
+    by rewrite size_rcons s2.
+  move=> y; rewrite mem_rcons inE => /orP[/eqP ->|/s3[hy1 hy2]]; last by split=> //; apply: lt_le_trans hy2 _; apply: tle.
+  by split=> //; case: h3 => // -[e]; move: nN; rewrite e; clear; lia.
+have [|xs [s1 s2 s3]] := step N; first by rewrite N0 leqnn.
+have [m en] : exists m, N = m.+1 by exists N.-1; rewrite prednK.
+have mN : (m < N)%N by rewrite en.
+have ab : (N.+1 <= k.+1 <= k.+1)%N by clear; lia.
+have lt : t N.+1 < t k.+1 by apply: (lt_le_trans (spans (leqnn N))); apply: tle.
+have [||x [h1 _ [//|h2] _]] := pk N.+1 k.+1 ab lt; [|by left|].
+  have [z /andP[z0 z1] hz] := low_right mN; right; rewrite -en in z0 z1 hz; exists z => //; rewrite z0 (le_trans z1) //; exact: tle.
+exists (rcons xs x); split; first by apply: add => // y /s3[_ h]; exact: lt_trans h2.
+  by rewrite size_rcons s2.
+by move=> y; rewrite mem_rcons inE => /orP[/eqP ->|/s3[]].
+Qed.
+End Valleys.
+
+(* k - 1 local maxima are all that there are *)
+Lemma all_maxima (R : rcfType) (r : R) (t : nat -> R) k (l : seq R) : 0 < r -> (forall i, t i <= t i.+1) -> (2 <= k)%N -> t 0%N < t k.+1 ->
+  sorted <%R l -> size l = k.-1 -> (forall x, x \in l -> local_max (value r t k.+1 k 0) (t 0%N) (t k.+1) x) ->
+  forall x, local_max (value r t k.+1 k 0) (t 0%N) (t k.+1) x <-> x \in l.
+Proof.
+move=> r0 tm k2 U sl zl H x; split; last exact: H.
+move=> Mx; case: (boolP (x \in l)) => // xl; have ul : uniq (x :: l) by rewrite /= xl (sorted_uniq lt_trans ltxx sl).
+have := @X_maxima_bound_printed R r t 0 k 0 (sort <=%R (x :: l)) r0 tm k2 (leqnn 0) U.
+rewrite sort_lt_sorted ul size_sort /= zl ltnn => h; apply: h => // y.
+by rewrite mem_sort inE => /orP[/eqP -> //|]; exact: H.
+Qed.
+
+(* X.maxima.most for every k >= 2 and every r <> 1: knots, of multiplicity at most k inside, on which G_0^k has exactly k - 1 local maxima
+   on the closure of its support; by X.maxima.bound no function of degree k has more *)
+Theorem X_maxima_most (R : rcfType) (r : R) k : 0 < r -> r != 1 -> (2 <= k)%N -> exists (t : nat -> R) (l : seq R),
+  [/\ forall i, t i <= t i.+1, t 0%N < t k.+1, forall y, t 0%N < y < t k.+1 -> (mult t k.+1 y <= k)%N &
+   [/\ sorted <%R l, size l = k.-1 & forall x, local_max (value r t k.+1 k 0) (t 0%N) (t k.+1) x <-> x \in l]].
+Proof.
+move=> r0 r1 k2; suff [t [l [tm U sl zl H]]] : exists (t : nat -> R) (l : seq R), [/\ forall i, t i <= t i.+1, t 0%N < t k.+1,
+    sorted <%R l, size l = k.-1 & forall x, x \in l -> local_max (value r t k.+1 k 0) (t 0%N) (t k.+1) x].
+  exists t, l; split=> // [y hy|]; last by split=> //; exact: all_maxima.
+  by have [p [_ _ _ h]] := @mult_span_eq R t 0 k tm y hy; apply: (leq_ltn_trans (leq_addl _ _) h).
+case: k k2 => [|[|N]] // _; case: (posnP N) => [->|N0].
+  pose t i : R := i%:R; have tm i : t i <= t i.+1 by rewrite ler_nat.
+  have U : t 0%N < t 3%N by rewrite ltr_nat.
+  have [x hx H] := @knots_max R r r0 t tm 2 isT U 0%N 3%N isT.
+  exists t, [:: x]; split=> // y; rewrite inE => /eqP ->; split=> //.
+  by exists 1; [exact: ltr01|move=> z hz _; apply: H].
+have rho0 : 0 < r^-1 by rewrite invr_gt0. have rho1 : r^-1 != 1 by rewrite invr_eq1.
+pose T := T r^-1 N; pose X := X r^-1 N; pose Y := Y r^-1 N; pose t := knots r N T X Y.
+have T_lt l : T l < T l.+1 by exact: T_lt. have Y0 : 0 < Y by exact: Y_gt0.
+have Tle l l' : (l <= l')%N -> T l <= T l' by apply: t_le => i; rewrite ltW.
+pose f h := G (wt r (t h)) (t h) N.+2 0.
+have V l : (l < N)%N -> soon (fun h =>
+    (exists2 z, t h l.+1 <= z < t h l.+2 & f h (t h l.+2) < f h z) /\ (exists2 z, t h l.+2 <= z < t h l.+3 & f h (t h l.+2) < f h z)).
+  move=> lN; have [e [e0 h1 h2 h3 h4]] := peaks rho0 rho1 lN; rewrite -/T -/X -/Y in h1 h2 h3 h4.
+  have b0 : between N T l.+1 (T l) by split=> // j; [rewrite ltnS; exact: Tle|move=> lj _; apply: lt_le_trans (T_lt l) _; exact: Tle].
+  have b1 : between N T l (T l - e).
+    split=> [|j jl|j lj _]; [exact: ltnW| |by apply: (@lt_le_trans _ _ (T l)); [rewrite ltr_subl_addr ltr_addl|exact: Tle]].
+    case: h1 => [l0|h1]; first by rewrite l0 in jl.
+    by apply: le_trans (ltW h1); apply: Tle; move: jl; clear; lia.
+  have b2 : between N T l.+1 (T l + e).
+    split=> // [j jl|j lj _]; last by apply: (lt_le_trans h2); exact: Tle.
+    by apply: (@le_trans _ _ (T l)); [exact: Tle|rewrite ler_addl ltW].
+  have e1 := FF_S r^-1 N T X Y l; rewrite -e1 in h3.
+  have c1 := G_compare r0 N0 T_lt Y0 b0 b1 h3. have c2 := G_compare r0 N0 T_lt Y0 b0 b2 h4.
+  have p1 := place_soon r0 X Y b1. have p2 := place_soon r0 X Y b2.
+  apply: soon_imp (soon_and (soon_and c1 c2) (soon_and p1 p2)) => h h0 [[q1 q2] [q3 q4]].
+  have e2 : t h l.+2 = 1 + h * T l by exact: knots_in.
+  by split; [exists (1 + h * (T l - e))|exists (1 + h * (T l + e))]; rewrite // e2.
+have [d d0 D] := soon_and (soon_all V) (knots_ordered r0 N0 T_lt X Y0).
+have hd : 0 < d / 2%:R < d by rewrite divr_gt0 ?ltr0n //= ltr_pdivr_mulr ?ltr0n // ltr_pmulr // ltr1n.
+have [W mono] := D _ hd; rewrite -/t in mono; move: (d / 2%:R) W mono {D d0 hd} => h W mono.
+have tle := t_le mono.
+have val x : x < t h N.+3 -> value r (t h) N.+3 N.+2 0 x = f h x by move=> hx; rewrite value_in.
+have fin l z : (l <= N)%N -> z < t h l.+2 -> z < t h N.+3 by move=> lN hz; apply: (lt_le_trans hz); apply: tle; move: lN; clear; lia.
+have sp l : (l <= N)%N -> t h l.+1 < t h l.+2.
+  rewrite leq_eqVlt => /orP[/eqP ->|lN]; last by have [[z /andP[z0 z1] _] _] := W l lN; apply: le_lt_trans z1.
+  have lN : (N.-1 < N)%N by rewrite prednK.
+  have [_ [z /andP[z0 z1] _]] := W _ lN; rewrite prednK // in z0 z1; exact: le_lt_trans z1.
+have [l lN|l lN|xs [s1 s2 s3]] := @valleys_maxima R r r0 (t h) mono N N0 sp.
+- have [[z /andP[z0 z1] lt] _] := W l lN; exists z; first by rewrite z0 ltW.
+  by rewrite !val ?(fin l z) ?(ltnW lN) // (fin l.+1) // sp.
+- have [_ [z /andP[z0 z1] lt]] := W l lN; exists z; first by rewrite z0 ltW.
+  by rewrite !val ?(fin l.+1 z) // (fin l.+1) // sp.
+exists (t h), xs; split=> //; apply: (le_lt_trans (mono 0%N)); apply: (lt_le_trans (sp 0%N (leq0n N))); exact: tle.
+Qed.
