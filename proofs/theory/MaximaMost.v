@@ -6,7 +6,7 @@
    its slope drops by (1 - rho)(2 m + 2 mu + Y). The T_l are chosen so that it drops from one half of this to minus one half. *)
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp Require Import ring zify.
-From Bsplines Require Import Definitions Weight Basis Curves Pieces Values Tower ClusterRace ClusterExpansion MaximaBound MaximaSigns.
+From Bsplines Require Import Definitions Weight Basis Curves Pieces Values Tower ClusterRace ClusterExpansion Theorem3 MaximaBound MaximaSigns.
 Import Order.TTheory GRing.Theory Num.Theory.
 Set Implicit Arguments. Unset Strict Implicit. Unset Printing Implicit Defensive.
 Local Open Scope ring_scope.
@@ -426,6 +426,49 @@ exists (rcons xs x); split; first by apply: add => // y /s3[_ h]; exact: lt_tran
   by rewrite size_rcons s2.
 by move=> y; rewrite mem_rcons inE => /orP[/eqP ->|/s3[]].
 Qed.
+(* inside of a span the function is above the lower one of two values around that differ, ends included *)
+Lemma span_above s a b d : (s <= k)%N -> t s <= a -> a < b -> b < d -> d <= t s.+1 -> f a != f d -> Num.min (f a) (f d) < f b.
+Proof.
+move=> sk sa ab bd ds ne; have ss : t s < t s.+1 := le_lt_trans sa (lt_trans ab (lt_le_trans bd ds)).
+have uni x y z : t s < x -> x < y -> y < z -> z < t s.+1 -> Num.min (f x) (f z) < f y.
+  move=> h1 h2 h3 h4; have tm : t s.+1 <= t k.+1 by apply: tle.
+  rewrite !value_in ?(lt_le_trans _ tm) ?(lt_trans h3 h4) ?(lt_trans h2 (lt_trans h3 h4)) //.
+  by apply: (paper_unimodal r_gt0 t_mono (k := k) (i := 0) (s := s)).
+have low x y z : t s <= x -> x < y -> y < z -> z <= t s.+1 -> Num.min (f x) (f z) <= f y.
+  move=> h1 h2 h3 h4; have h5 := lt_trans h2 h3.
+  rewrite !(value_piece r_gt0 t_mono U sk ss) ?h1 ?h4 ?(ltW (lt_le_trans h3 h4)) ?(ltW (lt_le_trans h5 h4)) ?(ltW (le_lt_trans h1 h2)) ?(ltW (le_lt_trans h1 h5)) //.
+  by apply: (@closed_low R r r_gt0 t t_mono k 0 _ s) => // s' x' y' z' hs; apply: (paper_unimodal r_gt0 t_mono).
+have flat x y : t s <= x -> x < y -> y <= t s.+1 -> (forall z, x < z -> z < y -> f z = f b) -> False.
+  move=> h1 h2 h3 H; have [p [q [w [q1 q2 q3 q4 _]]]] := between3 h2 (@ltr01 R).
+  have := uni p q w (le_lt_trans h1 q1) q2 q3 (lt_le_trans q4 h3).
+  have xq := lt_trans q1 q2; have qy := lt_trans q3 q4.
+  by rewrite !H ?minxx ?ltxx // ?(lt_trans xq q3) ?(lt_trans q2 qy).
+have lowb := low a b d sa ab bd ds; rewrite lt_neqAle lowb andbT; apply/negP => /eqP e.
+case: (ltgtP (f a) (f d)) ne => // lt _; [rewrite (min_idPl (ltW lt)) in e|rewrite (min_idPr (ltW lt)) in e].
+  apply: (flat a b) => // [|z z0 z1]; first exact: ltW (lt_le_trans bd ds).
+  have h1 := low a z b sa z0 z1 (ltW (lt_le_trans bd ds)); have h2 := low z b d (ltW (le_lt_trans sa z0)) z1 bd ds.
+  rewrite e minxx in h1; apply/eqP; rewrite eq_le h1 andbT; move: h2; rewrite le_minl => /orP[//|].
+  by rewrite -e leNgt lt.
+apply: (flat b d) => // [|z z0 z1]; first exact: ltW (le_lt_trans sa ab).
+have h1 := low b z d (ltW (le_lt_trans sa ab)) z0 z1 ds; have h2 := low a b z sa ab z0 (ltW (lt_le_trans z1 ds)).
+rewrite e minxx in h1; apply/eqP; rewrite eq_le h1 andbT; move: h2; rewrite le_minl => /orP[|//].
+by rewrite -e leNgt lt.
+Qed.
+(* so the knot is a strict local minimum *)
+Lemma valley_minimum l : (l < N)%N -> exists2 e, 0 < e & forall y, y != t l.+2 -> `|y - t l.+2| < e -> f (t l.+2) < f y.
+Proof.
+move=> lN; have [z /andP[z0 z1] hz] := low_left lN; have [z' /andP[z0' z1'] hz'] := low_right lN.
+have zt : z < t l.+2 by rewrite lt_neqAle z1 andbT; apply/negP => /eqP e; rewrite e ltxx in hz.
+have zt' : t l.+2 < z' by rewrite lt_neqAle z0' andbT; apply/negP => /eqP e; rewrite e ltxx in hz'.
+exists (Num.min (t l.+2 - z) (z' - t l.+2)); first by rewrite lt_minr !subr_gt0 zt.
+move=> y ny; rewrite lt_minr => /andP[c1 c2]; case: (ltgtP y (t l.+2)) ny => // yt _.
+  have zy : z < y by move: c1; rewrite ltr0_norm ?subr_lt0 // opprB ltr_add2l ltr_opp2.
+  have := @span_above l.+1 z y (t l.+2) _ z0 zy yt (lexx _); rewrite (min_idPr (ltW hz)) gt_eqF //; apply=> //.
+  by move: lN; clear; lia.
+have yz : y < z' by move: c2; rewrite gtr0_norm ?subr_gt0 // ltr_add2r.
+have := @span_above l.+2 (t l.+2) y z' _ (lexx _) yt yz z1'; rewrite (min_idPl (ltW hz')) lt_eqF //; apply=> //.
+by move: lN; clear; lia.
+Qed.
 End Valleys.
 
 (* k - 1 local maxima are all that there are *)
@@ -441,21 +484,25 @@ by rewrite mem_sort inE => /orP[/eqP -> //|]; exact: H.
 Qed.
 
 (* X.maxima.most for every k >= 2 and every r <> 1: knots, of multiplicity at most k inside, on which G_0^k has exactly k - 1 local maxima
-   on the closure of its support; by X.maxima.bound no function of degree k has more *)
+   on the closure of its support, and at each of t_2 < .. < t_(k-1) a strict local minimum; by X.maxima.bound no function of degree k has more *)
 Theorem X_maxima_most (R : rcfType) (r : R) k : 0 < r -> r != 1 -> (2 <= k)%N -> exists (t : nat -> R) (l : seq R),
-  [/\ forall i, t i <= t i.+1, t 0%N < t k.+1, forall y, t 0%N < y < t k.+1 -> (mult t k.+1 y <= k)%N &
-   [/\ sorted <%R l, size l = k.-1 & forall x, local_max (value r t k.+1 k 0) (t 0%N) (t k.+1) x <-> x \in l]].
+  [/\ forall i, t i <= t i.+1, t 0%N < t k.+1, forall y, t 0%N < y < t k.+1 -> (mult t k.+1 y <= k)%N,
+   [/\ sorted <%R l, size l = k.-1 & forall x, local_max (value r t k.+1 k 0) (t 0%N) (t k.+1) x <-> x \in l] &
+   forall j, (1 < j < k)%N -> t j.-1 < t j < t j.+1 /\
+     exists2 e, 0 < e & forall y, y != t j -> `|y - t j| < e -> value r t k.+1 k 0 (t j) < value r t k.+1 k 0 y].
 Proof.
-move=> r0 r1 k2; suff [t [l [tm U sl zl H]]] : exists (t : nat -> R) (l : seq R), [/\ forall i, t i <= t i.+1, t 0%N < t k.+1,
-    sorted <%R l, size l = k.-1 & forall x, x \in l -> local_max (value r t k.+1 k 0) (t 0%N) (t k.+1) x].
+move=> r0 r1 k2; suff [t [l [[tm U] [sl zl H] mins]]] : exists (t : nat -> R) (l : seq R), [/\ (forall i, t i <= t i.+1) /\ t 0%N < t k.+1,
+    [/\ sorted <%R l, size l = k.-1 & forall x, x \in l -> local_max (value r t k.+1 k 0) (t 0%N) (t k.+1) x] &
+    forall j, (1 < j < k)%N -> t j.-1 < t j < t j.+1 /\
+      exists2 e, 0 < e & forall y, y != t j -> `|y - t j| < e -> value r t k.+1 k 0 (t j) < value r t k.+1 k 0 y].
   exists t, l; split=> // [y hy|]; last by split=> //; exact: all_maxima.
   by have [p [_ _ _ h]] := @mult_span_eq R t 0 k tm y hy; apply: (leq_ltn_trans (leq_addl _ _) h).
 case: k k2 => [|[|N]] // _; case: (posnP N) => [->|N0].
   pose t i : R := i%:R; have tm i : t i <= t i.+1 by rewrite ler_nat.
   have U : t 0%N < t 3%N by rewrite ltr_nat.
   have [x hx H] := @knots_max R r r0 t tm 2 isT U 0%N 3%N isT.
-  exists t, [:: x]; split=> // y; rewrite inE => /eqP ->; split=> //.
-  by exists 1; [exact: ltr01|move=> z hz _; apply: H].
+  exists t, [:: x]; split=> // [|j /andP[j1 j2]]; last by move: j1 j2; clear; lia.
+  split=> // y; rewrite inE => /eqP ->; split=> //; by exists 1; [exact: ltr01|move=> z hz _; apply: H].
 have rho0 : 0 < r^-1 by rewrite invr_gt0. have rho1 : r^-1 != 1 by rewrite invr_eq1.
 pose T := T r^-1 N; pose X := X r^-1 N; pose Y := Y r^-1 N; pose t := knots r N T X Y.
 have T_lt l : T l < T l.+1 by exact: T_lt. have Y0 : 0 < Y by exact: Y_gt0.
@@ -488,10 +535,15 @@ have sp l : (l <= N)%N -> t h l.+1 < t h l.+2.
   rewrite leq_eqVlt => /orP[/eqP ->|lN]; last by have [[z /andP[z0 z1] _] _] := W l lN; apply: le_lt_trans z1.
   have lN : (N.-1 < N)%N by rewrite prednK.
   have [_ [z /andP[z0 z1] _]] := W _ lN; rewrite prednK // in z0 z1; exact: le_lt_trans z1.
-have [l lN|l lN|xs [s1 s2 s3]] := @valleys_maxima R r r0 (t h) mono N N0 sp.
-- have [[z /andP[z0 z1] lt] _] := W l lN; exists z; first by rewrite z0 ltW.
+have L l : (l < N)%N -> exists2 z, t h l.+1 <= z <= t h l.+2 & value r (t h) N.+3 N.+2 0 (t h l.+2) < value r (t h) N.+3 N.+2 0 z.
+  move=> lN; have [[z /andP[z0 z1] lt] _] := W l lN; exists z; first by rewrite z0 ltW.
   by rewrite !val ?(fin l z) ?(ltnW lN) // (fin l.+1) // sp.
-- have [_ [z /andP[z0 z1] lt]] := W l lN; exists z; first by rewrite z0 ltW.
+have L' l : (l < N)%N -> exists2 z, t h l.+2 <= z <= t h l.+3 & value r (t h) N.+3 N.+2 0 (t h l.+2) < value r (t h) N.+3 N.+2 0 z.
+  move=> lN; have [_ [z /andP[z0 z1] lt]] := W l lN; exists z; first by rewrite z0 ltW.
   by rewrite !val ?(fin l.+1 z) // (fin l.+1) // sp.
-exists (t h), xs; split=> //; apply: (le_lt_trans (mono 0%N)); apply: (lt_le_trans (sp 0%N (leq0n N))); exact: tle.
+have [xs [s1 s2 s3]] := valleys_maxima r0 mono N0 sp L L'.
+exists (t h), xs; split=> // [|j /andP[]].
+  by split=> //; apply: (le_lt_trans (mono 0%N)); apply: (lt_le_trans (sp 0%N (leq0n N))); exact: tle.
+case: j => [|[|l]] // _; rewrite !ltnS => lN; split; first by rewrite /= !sp // ltnW.
+exact: (valley_minimum r0 mono sp L L').
 Qed.
