@@ -25,6 +25,7 @@ elim: n => [|n IH] H; first by exists 1; first exact: ltr01.
 have H1 := IH (fun l hl => H l (leqW hl)); apply: soon_imp (soon_and H1 (H n (ltnSn n))) => h _ [a b] l.
 by rewrite ltnS leq_eqVlt => /orP[/eqP ->|]; [exact: b|exact: a].
 Qed.
+(* a linear function that begins positive is positive soon *)
 Lemma soon_lin c u : 0 < c -> soon (fun h => 0 < c + u * h).
 Proof.
 move=> c0; have n0 : 0 < `|u| + 1 by rewrite ltr_paddl ?ltr01.
@@ -122,6 +123,7 @@ have lo : 1 / 2%:R < 1 + c * h by rewrite e ltr_addl.
 have p : 0 < 1 + c * h := lt_trans h2 lo.
 by rewrite gtr0_norm ?invr_gt0 // -[2%:R]invrK lef_pinv ?posrE ?invr_gt0 ?ltr0n // -div1r ltW.
 Qed.
+(* what the products are made of *)
 Lemma T2_ratio u c : T2 (fun h => (1 + u * h) / (1 + c * h)) (u - c) (u ^+ 2 - c ^+ 2).
 Proof.
 have H := O_scale (c ^+ 2 * (u - c)) (O_mul (O_h 3) (O_inv c)).
@@ -230,6 +232,7 @@ Let sumN2 (l : seq R) : \sum_(b <- [seq - b | b <- l]) b ^+ 2 = \sum_(b <- l) b 
 Proof. by rewrite big_map; apply: eq_bigr => b _; rewrite sqrrN. Qed.
 Let prodN (l : seq R) c h : \prod_(b <- [seq - b | b <- l]) (c / (c + h * b)) = \prod_(m <- scaled l h) (c / (c - m)).
 Proof. by rewrite /scaled !big_map; apply: eq_bigr => b _; rewrite mulrN. Qed.
+(* the chance without the last knot, and the one without the first *)
 Lemma near_chance : O 3 (fun h => cl (lin [:: v; v] h ++ scaled al h) (1 + u * h :: scaled be h) -
   (1 - 4%:R^-1 * (1 + near_s * h + second near_s near_q * h ^+ 2))).
 Proof.

@@ -30,6 +30,7 @@ have [ab h1 h2] := sides_cons h; rewrite !clE IHB ?IHA //=; last by rewrite addn
 move: (cl (a :: A) B) (cl A (b :: B)) => X Y; have n1 : a + b != 0 by rewrite gt_eqF. have n2 : b + a != 0 by rewrite addrC.
 by field; rewrite ?n1 ?n2.
 Qed.
+(* the relation of the right side, where q may be 0 *)
 Lemma rightrel0 A p q B : all (fun a => (a + p != 0) && (a + q != 0)) A -> p != 0 ->
   (q - p) * cl A (p :: q :: B) = q * cl A (q :: B) - p * cl A (p :: B).
 Proof.
@@ -75,6 +76,7 @@ Qed.
 (* the product, and what the chance differs from it by; b is the last of the right ones *)
 Definition prod A B b := (\prod_(a <- A) (b / (b + a))) * (\prod_(m <- B) (b / (b - m))).
 Definition rest A B b := 1 - cl A (rcons B b) - prod A B b.
+(* the product obeys the recursion, and so does what is left out *)
 Lemma rest_step a A m B b : a + m != 0 -> b + a != 0 -> b - m != 0 ->
   rest (a :: A) (m :: B) b = a / (a + m) * rest (a :: A) B b + m / (a + m) * rest A (m :: B) b.
 Proof.
@@ -82,6 +84,7 @@ move=> n1 n2 n3; rewrite /rest /prod !rcons_cons clE !big_cons.
 move: (cl (a :: A) _) (cl A _) (\prod_(_ <- A) _) (\prod_(_ <- B) _) => u v X Y.
 by field; rewrite ?n1 ?n2 ?n3.
 Qed.
+(* nothing is left out if b is the only one on the right; the other end is rest_left *)
 Lemma rest_right A b : all (fun a => b + a != 0) A -> rest A [::] b = 0.
 Proof.
 rewrite /rest /prod big_nil mulr1 /=; elim: A => [|a A IH]; first by rewrite cl0 big_nil subr0 subrr.
@@ -116,6 +119,7 @@ Lemma left_ge l : (l <= s)%N -> 0 <= x - t l.
 Proof. by move=> h; rewrite subr_ge0 (le_trans (t_le t_mono h)) //; case/andP: hx. Qed.
 Lemma right_gt l : (s < l)%N -> 0 < (t l - x) / r.
 Proof. by move=> h; rewrite divr_gt0 // subr_gt0 (lt_le_trans _ (t_le t_mono h)) //; case/andP: hx. Qed.
+(* the recursion of the paper is that of the race, knots at x included *)
 Lemma chance_cl k i : chance k i = cl (left_of i) (right_of (i + k)).
 Proof.
 elim: k i => [|k IH] i.
@@ -145,7 +149,8 @@ have n1 : a + b != 0 by rewrite gt_eqF // ltr_paddl. have n2 : r != 0 by rewrite
 have n3 : r * a + r * b != 0 by rewrite -mulrDr mulf_neq0.
 by field; rewrite ?n1 ?n2 ?n3.
 Qed.
-Lemma G_chances k : G (wt r t) t k 0 x = cl (left_of 0) (right_of k) - cl (left_of 1) (right_of k.+1).
+(* G_0^k as the difference of the chances without the last knot and without the first *)
+Theorem G_chances k : G (wt r t) t k 0 x = cl (left_of 0) (right_of k) - cl (left_of 1) (right_of k.+1).
 Proof. by rewrite (G_P r t_mono k 0 hx) piece_chance !chance_cl add0n add1n. Qed.
 Lemma left_all i : all (fun a => 0 <= a) (left_of i).
 Proof. apply/allP => y /mapP[l]; rewrite mem_iota => h ->; apply: left_ge; move: h; clear; lia. Qed.

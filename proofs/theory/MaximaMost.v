@@ -123,6 +123,7 @@ Proof.
 have := AA_large N rho0 j; rewrite ltr_norml => /andP[h1 h2].
 by rewrite subr_gt0 h2 -[X in 0 < X + _]opprK addrC subr_gt0.
 Qed.
+(* the drops of the slopes are positive *)
 Lemma gs_gt0 l : 0 < (1 - rho) * gs l.
 Proof.
 elim: l => [|l IH]; first by rewrite /gs /= divff // ltr01.
@@ -325,6 +326,7 @@ have b0 b : b \in be j z -> 0 < b.
 apply/andP; split; first by apply/andP; split; apply/allP => x; [apply: a0|move=> /b0 /ltW].
 by apply/allP => a /a0 h1; apply/allP => b /b0 h2; rewrite ltr_paddl.
 Qed.
+(* the sums of the lengths in both orders *)
 Lemma cluster_sums j z : (j <= N)%N -> \sum_(b <- be j z) b - \sum_(a <- al j z) a = mu rho N T j z /\
   \sum_(b <- be j z) b ^+ 2 + \sum_(a <- al j z) a ^+ 2 = Q rho N T j z.
 Proof.
@@ -344,8 +346,8 @@ Qed.
 Local Notation f h := (G (wt r (knots h)) (knots h) N.+2 0).
 Local Notation F := (FF rho N T X Y).
 Definition const : R := Y ^+ 2 / 2%:R - Y * X / 2%:R.
-(* G_0^k at 1 + h z *)
-Lemma G_near j z : between j z -> O 3 (fun h => f h (1 + h * z) - (2%:R^-1 + Y / 8%:R * h - (F j z + const) / 8%:R * h ^+ 2)).
+(* G_0^k at 1 + h z, up to the third order in h *)
+Theorem G_near j z : between j z -> O 3 (fun h => f h (1 + h * z) - (2%:R^-1 + Y / 8%:R * h - (F j z + const) / 8%:R * h ^+ 2)).
 Proof.
 move=> hb; have [jN _ _] := hb; have n2 : 2%:R != 0 :> R by rewrite pnatr_eq0. have n8 : 8%:R != 0 :> R by rewrite pnatr_eq0.
 have rn : r != 0 by rewrite gt_eqF.
@@ -392,7 +394,8 @@ Hypothesis low_left : forall l, (l < N)%N -> exists2 z, t l.+1 <= z <= t l.+2 & 
 Hypothesis low_right : forall l, (l < N)%N -> exists2 z, t l.+2 <= z <= t l.+3 & f (t l.+2) < f z.
 Let U : t 0%N < t k.+1.
 Proof. by apply: (@le_lt_trans _ _ (t 1%N)) => //; apply: (lt_le_trans (spans (leq0n N))); apply: tle. Qed.
-Lemma valleys_maxima : exists xs : seq R, [/\ sorted <%R xs, size xs = N.+1 & forall x, x \in xs -> M x].
+(* N knots at which the function is lower than somewhere on both spans beside make N + 1 local maxima *)
+Theorem valleys_maxima : exists xs : seq R, [/\ sorted <%R xs, size xs = N.+1 & forall x, x \in xs -> M x].
 Proof.
 have add xs x : sorted <%R xs -> (forall y, y \in xs -> y < x) -> sorted <%R (rcons xs x).
   move=> s h; rewrite (sorted_pairwise lt_trans) pairwise_rcons -(sorted_pairwise lt_trans) s andbT.
