@@ -82,22 +82,19 @@ exists w; split=> //; [exact: lt_trans z2|by apply: (le_trans (tle (leq0n s))); 
 have [_ h] := H w ltac:(by rewrite w0 (lt_trans w1)).
 rewrite !(value_piece _ ss) //; by rewrite (ltW xw) (le_trans _ s1) // ler_subl_addr ler_addl ltW.
 Qed.
-(* between two knots, where the function rises after the first and falls before the second, there is a local maximum *)
-Lemma peak a b : (a <= b <= k.+1)%N -> t a < t b -> a = 0%N \/ 0 < Dr (t a) -> b = k.+1 \/ Dl (t b) < 0 ->
+(* between two knots, each of which has a lower value than some point between them, there is a local maximum *)
+Lemma peak_values a b : (a <= b <= k.+1)%N -> t a < t b ->
+  a = 0%N \/ (exists2 z, t a <= z <= t b & f (t a) < f z) -> b = k.+1 \/ (exists2 z, t a <= z <= t b & f (t b) < f z) ->
   exists x, [/\ M x, t a <= x <= t b, a = 0%N \/ t a < x & b = k.+1 \/ x < t b].
 Proof.
 move=> abk ab ha hb; have [x /andP[x0 x1] H] := knots_max abk; have /andP[_ bk] := abk.
 have t0a : t 0%N <= t a by apply: tle. have tbm : t b <= t k.+1 by apply: tle.
 have la : a = 0%N \/ t a < x.
-  case: ha => [->|dp]; [by left|right]; rewrite lt_neqAle x0 andbT; apply/negP => /eqP e.
-  have [|z [z0 z1 z2 lt]] := rise_after (x := t a) (e := t b - t a) _ dp ltac:(by rewrite subr_gt0); first by rewrite t0a (lt_le_trans ab).
-  move: lt; rewrite {1}e ltNge; case/negP; apply: H; rewrite ler_addl (ltW z0) /=.
-  by rewrite addrC -ler_subr_addr ltW.
+  case: ha => [->|[z hz lt]]; [by left|right]; rewrite lt_neqAle x0 andbT; apply/negP => /eqP e.
+  by have := H z hz; rewrite -e leNgt lt.
 have lb : b = k.+1 \/ x < t b.
-  case: hb => [->|dn]; [by left|right]; rewrite lt_neqAle x1 andbT; apply/negP => /eqP e.
-  have [|z [z0 z1 z2 lt]] := fall_before (x := t b) (e := t b - t a) _ dn ltac:(by rewrite subr_gt0); first by rewrite tbm (le_lt_trans t0a).
-  move: lt; rewrite -{1}e ltNge; case/negP; apply: H; rewrite ler_subr_addr addrC -ler_subr_addr (ltW z1) /=.
-  by rewrite ler_subl_addr ler_addl ltW.
+  case: hb => [->|[z hz lt]]; [by left|right]; rewrite lt_neqAle x1 andbT; apply/negP => /eqP e.
+  by have := H z hz; rewrite e leNgt lt.
 exists x; split=> //; last by rewrite x0.
 split; first by rewrite (le_trans t0a) // (le_trans x1).
 have [e1 e10 H1] : exists2 e, 0 < e & forall y, t 0%N <= y -> `|y - x| < e -> t a <= y.
@@ -110,6 +107,19 @@ have [e2 e20 H2] : exists2 e, 0 < e & forall y, y <= t k.+1 -> `|y - x| < e -> y
   by move=> y _; rewrite ltr_norml => /andP[_]; rewrite ltr_add2r => /ltW.
 exists (Num.min e1 e2); first by rewrite lt_minr e10.
 by move=> y /andP[y0 y1]; rewrite lt_minr => /andP[c1 c2]; apply: H; rewrite H1 ?H2.
+Qed.
+(* between two knots, where the function rises after the first and falls before the second, there is a local maximum *)
+Lemma peak a b : (a <= b <= k.+1)%N -> t a < t b -> a = 0%N \/ 0 < Dr (t a) -> b = k.+1 \/ Dl (t b) < 0 ->
+  exists x, [/\ M x, t a <= x <= t b, a = 0%N \/ t a < x & b = k.+1 \/ x < t b].
+Proof.
+move=> abk ab ha hb; have /andP[_ bk] := abk; have t0a : t 0%N <= t a by apply: tle. have tbm : t b <= t k.+1 by apply: tle.
+apply: (peak_values abk ab).
+  case: ha => [->|dp]; [by left|right].
+  have [|z [z0 z1 z2 lt]] := rise_after (x := t a) (e := t b - t a) _ dp ltac:(by rewrite subr_gt0); first by rewrite t0a (lt_le_trans ab).
+  exists (t a + z) => //; rewrite ler_addl (ltW z0) /= addrC -ler_subr_addr; exact: ltW.
+case: hb => [->|dn]; [by left|right].
+have [|z [z0 z1 z2 lt]] := fall_before (x := t b) (e := t b - t a) _ dn ltac:(by rewrite subr_gt0); first by rewrite tbm (le_lt_trans t0a).
+exists (t b - z) => //; rewrite ler_subr_addr addrC -ler_subr_addr (ltW z1) /= ler_subl_addr ler_addl; exact: ltW.
 Qed.
 (* X.maxima.most, the count: N knots at which the derivative is negative from the left and positive from the right make N + 1 local maxima *)
 Theorem signs_maxima l : path (fun a b => (a < b)%N && (t a < t b)) 0%N (rcons l k.+1) -> (forall a, a \in l -> Dl (t a) < 0 /\ 0 < Dr (t a)) ->
