@@ -4,10 +4,8 @@ use std::fs;
 use std::path::Path;
 use std::process::Output;
 
-use assert_cmd::Command;
-
 fn run(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_knotproof")).args(arguments).output().expect("it runs")
+    crate::process().args(arguments).output().expect("it runs")
 }
 
 fn said(arguments: &[&str]) -> (i32, String) {

@@ -5,7 +5,7 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
-use std::process::{Command as Process, Stdio};
+use std::process::Stdio;
 use std::thread::sleep;
 use std::time::Duration;
 
@@ -55,7 +55,7 @@ fn a_kill_leaves_the_old_folder_or_the_new_one() {
     for round in 0..60 {
         let round_place = place.path().join(format!("round-{round}"));
         let old = old_pages(&round_place.join("pages"), pages.keys().cloned());
-        let mut child = Process::new(env!("CARGO_BIN_EXE_knotproof"))
+        let mut child = crate::process()
             .args(["man", "--out", "pages"])
             .current_dir(&round_place)
             .stdout(Stdio::null())

@@ -3,13 +3,13 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
 use std::fs;
-use std::process::{Command, Output};
+use std::process::Output;
 
 use serde_json::Value;
 use tempfile::TempDir;
 
 fn run(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_knotproof")).args(arguments).output().unwrap()
+    crate::process().args(arguments).output().unwrap()
 }
 
 fn json(arguments: &[&str]) -> Value {

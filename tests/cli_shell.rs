@@ -10,8 +10,6 @@ use std::process::{Command, Output, Stdio};
 
 use tempfile::TempDir;
 
-const PROGRAM: &str = env!("CARGO_BIN_EXE_knotproof");
-
 /// A folder with a file for every command that reads one, by names that a terminal would obey.
 struct Files {
     folder: TempDir,
@@ -33,7 +31,7 @@ impl Files {
             "name = \"f\"\ntitle = \"\"\nsource = \"\"\n[weight]\nrise = \"x - a\"\nfall = \"2*(b - x)\"\n";
         write("family.toml", family);
         let search =
-            run(Command::new(PROGRAM).args(["search", "--degree", "3", "--limit", "7", "--format", "json"]));
+            run(crate::process().args(["search", "--degree", "3", "--limit", "7", "--format", "json"]));
         fs::write(files.path("search.jsonl"), search.stdout).unwrap();
         files
     }
@@ -89,7 +87,7 @@ fn calls(files: &Files) -> Vec<Vec<String>> {
 
 /// The commands, as an error names them.
 fn commands() -> Vec<String> {
-    let error = String::from_utf8(run(Command::new(PROGRAM).args(["help", "nonsense"])).stderr).unwrap();
+    let error = String::from_utf8(run(crate::process().args(["help", "nonsense"])).stderr).unwrap();
     let (_, list) = error.trim().split_once("there are ").unwrap();
     list.split(", ").map(str::to_owned).collect()
 }
@@ -125,7 +123,7 @@ fn a_lost_result_is_no_success() {
         for format in ["text", "json"] {
             // Where the folder is there already, the same is written again.
             let with_format = || {
-                let mut command = Command::new(PROGRAM);
+                let mut command = crate::process();
                 command.args(&call).args(["--format", format]).stdin(Stdio::null());
                 command
             };
@@ -141,7 +139,7 @@ fn a_lost_result_is_no_success() {
                 .wait_with_output()
                 .unwrap();
             let closed = Command::new("sh")
-                .args(["-c", "exec \"$0\" \"$@\" >&-", PROGRAM])
+                .args(["-c", "exec \"$0\" \"$@\" >&-", crate::PATH])
                 .args(&call)
                 .args(["--format", format])
                 .stdin(Stdio::null())
@@ -175,7 +173,7 @@ fn a_lost_result_is_no_success() {
 #[test]
 fn a_lost_report_is_no_success() {
     let full = File::options().write(true).open("/dev/full").unwrap();
-    let status = Command::new(PROGRAM).args(["report", "--claim", "P2.1.1"]).stdout(full).status().unwrap();
+    let status = crate::process().args(["report", "--claim", "P2.1.1"]).stdout(full).status().unwrap();
     assert_eq!(status.code(), Some(4));
 }
 
@@ -184,7 +182,7 @@ fn a_lost_report_is_no_success() {
 fn what_is_thrown_away_on_purpose_is_written() {
     let both = File::options().read(true).write(true).open("/dev/null").unwrap();
     for null in [Stdio::null(), both.into()] {
-        assert!(Command::new(PROGRAM).arg("schema").stdout(null).status().unwrap().success());
+        assert!(crate::process().arg("schema").stdout(null).status().unwrap().success());
     }
 }
 
@@ -262,7 +260,7 @@ fn nothing_supplied_reaches_the_terminal_as_it_is() {
     }
     for call in all {
         for format in ["text", "json"] {
-            let mut command = Command::new(PROGRAM);
+            let mut command = crate::process();
             // `new` makes a folder of that name.
             command.current_dir(files.folder.path());
             let output = run(command.args(&call).args(["--format", format]).env("CLICOLOR_FORCE", "1"));

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The commands that pages mark with `# takes a while`, with the release build; tests/pages.rs runs all others.
+# The commands that pages mark with `# takes a while`; tests/pages.rs runs all others.
 #
 # usage: tests/pages.sh [FOLDER OF knotproof]
 set -euo pipefail

@@ -17,7 +17,7 @@ const CLAIMS: [&str; 6] = ["P2.1.3", "C2.4", "T3.5.2", "T3.5.3", "T3.5.4", "Conj
 static REPORT: LazyLock<Report<'static>> = LazyLock::new(|| {
     let mut chosen = claims();
     chosen.retain(|claim| CLAIMS.contains(&claim.id()));
-    Report::of(paper(), &chosen, None, |_| {}).expect("the claims can be judged").with_float()
+    Report::of(paper(), &chosen, None, |_, _| {}).expect("the claims can be judged").with_float()
 });
 
 const SOURCE: PageSource<'_> = PageSource {

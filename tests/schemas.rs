@@ -4,7 +4,6 @@
 
 use std::fs;
 use std::path::Path;
-use std::process::Command;
 
 use jsonschema::Validator;
 use serde_json::{Map, Value, json};
@@ -16,7 +15,7 @@ struct Run {
 }
 
 fn run(arguments: &[&str], folder: &Path) -> Run {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_knotproof"));
+    let mut command = crate::process();
     let output = command.args(arguments).current_dir(folder).output().unwrap();
     let [stdout, stderr] = [output.stdout, output.stderr].map(|text| String::from_utf8(text).unwrap());
     Run { stdout, stderr }

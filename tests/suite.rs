@@ -65,10 +65,13 @@ mod variants;
 mod verdicts;
 mod windows;
 
+/// Where the program is, for a shell that runs it.
+const PATH: &str = env!("CARGO_BIN_EXE_knotproof");
+
 /// The program, silent about its progress: on a busy machine it would have something to say of that, and a test compares all
 /// that is said.
 fn process() -> std::process::Command {
-    let mut process = std::process::Command::new(assert_cmd::cargo::cargo_bin("knotproof"));
+    let mut process = std::process::Command::new(PATH);
     process.env("KNOTPROOF_PROGRESS", "never");
     process
 }
@@ -92,5 +95,17 @@ fn every_file_of_tests_is_part_of_the_suite() {
     for file in files {
         let name = file.file_stem().and_then(|name| name.to_str()).expect("a name");
         assert!(name == "suite" || suite.contains(&format!("\nmod {name};\n")), "{name} is not run");
+    }
+}
+
+/// A program that is run in another way says on a busy machine what no test expects.
+#[test]
+fn every_test_runs_the_program_that_is_silent() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests");
+    for file in std::fs::read_dir(folder).expect("the folder of tests") {
+        let file = file.expect("it can be read").path();
+        let text = std::fs::read_to_string(&file).unwrap_or_default();
+        let runs = text.contains("CARGO_BIN_EXE") || text.contains("cargo_bin");
+        assert!(!runs || file.ends_with("suite.rs"), "{}: crate::process() runs it", file.display());
     }
 }

@@ -12,7 +12,7 @@ use knotproof::report::{Baseline, Entry, Finding, Record, Report, markdown, verd
 
 /// Judging everything takes most of a minute: the tests here share one run.
 static REPORT: LazyLock<Report<'static>> = LazyLock::new(|| {
-    let report = Report::of(paper(), &claims(), None, |_| ()).expect("no two computations disagree");
+    let report = Report::of(paper(), &claims(), None, |_, _| ()).expect("no two computations disagree");
     report.with_float()
 });
 

@@ -91,7 +91,8 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         Folder::try_out("--out", folder)?;
     }
     let progress = Progress::new(chosen.len());
-    let report = Report::of(&paper, &chosen, degrees.as_ref(), |name| progress.step(name));
+    let report =
+        Report::of(&paper, &chosen, degrees.as_ref(), |done, name| progress.reach(done as u64, name));
     let report = report.map_err(|error| settle_error("FOLDER", &paper, &args.paper, error))?;
     drop(progress);
     let mut judged = Judged { schema: "knotproof.judge/1", report, written: Vec::new(), undrawn: Vec::new() };

@@ -71,7 +71,8 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     Folder::try_out("--out", &args.out)?;
     let progress = Progress::new(chosen.len());
     let cases = Cases::of_paper(&paper).map_err(|error| CliError::Member { argument: "--paper", error })?;
-    let settled = settle_all(&chosen, &cases, Proving::Everything, |name| progress.step(name));
+    let settled =
+        settle_all(&chosen, &cases, Proving::Everything, |done, name| progress.reach(done as u64, name));
     let settled = settled.map_err(|error| match &args.paper {
         Some(name) => settle_error("--paper", &paper, name, error),
         None => error.into(),

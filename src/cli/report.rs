@@ -107,7 +107,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     }
 
     let progress = Progress::new(chosen.len() + 1);
-    let report = Report::of(paper(), &chosen, None, |name| progress.step(name))?;
+    let report = Report::of(paper(), &chosen, None, |done, name| progress.reach(done as u64, name))?;
     progress.step("f64 against exact");
     let report = report.with_float();
     drop(progress);

@@ -101,8 +101,8 @@ pub struct Drift {
 const EFFORT: Effort = Effort { seed: 0, count: 60, steps: 200 };
 
 impl<'a> Report<'a> {
-    /// Settles claims of a paper one after the other; `progress` hears the name of what comes next. Only in these `degrees`, if
-    /// some are given: then nothing is proved beyond the cases, as certificates are about others, too.
+    /// Settles claims of a paper; `progress` hears how many are done, and the name of the one that begins. Only in these `degrees`,
+    /// if some are given: then nothing is proved beyond the cases, as certificates are about others, too.
     ///
     /// # Errors
     /// [`SettleError`], if two computations of the same thing disagree: then there is no report.
@@ -110,7 +110,7 @@ impl<'a> Report<'a> {
         paper: &'a Paper,
         claims: &[Claim<'a>],
         degrees: Option<&RangeInclusive<usize>>,
-        progress: impl FnMut(&str),
+        progress: impl Fn(usize, &str) + Sync,
     ) -> Result<Self, SettleError> {
         let cases = Cases::of_paper(paper)?;
         let (cases, proving) = match degrees {

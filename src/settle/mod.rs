@@ -4,7 +4,10 @@
 mod grade;
 mod theory;
 
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use knotproof_checker::Checked;
+use rayon::prelude::*;
 use thiserror::Error;
 
 use crate::certificate::{Certificate, CertificateError, certify, certify_for_degree, stated_form};
@@ -211,19 +214,23 @@ impl Outcome {
     }
 }
 
-/// Settles claims one after the other, each with its own work in parallel; `progress` hears the name of what comes next.
+/// Settles claims in parallel, and each with its own work in parallel; `progress` hears how many are done, and the name of the one
+/// that begins.
 ///
 /// # Errors
-/// [`SettleError`]: there is no verdict.
+/// [`SettleError`]: there is no verdict; of the first claim in their order that has none.
 pub fn settle_all<'a>(
     claims: &[Claim<'a>],
     cases: &Cases,
     proving: Proving,
-    mut progress: impl FnMut(&str),
+    progress: impl Fn(usize, &str) + Sync,
 ) -> Result<Vec<(Claim<'a>, Outcome)>, SettleError> {
-    let settled = claims.iter().map(|claim| {
-        progress(claim.id());
-        Ok((*claim, settle(*claim, cases, proving)?))
+    let done = AtomicUsize::new(0);
+    let settled = claims.par_iter().map(|claim| {
+        progress(done.load(Ordering::Relaxed), claim.id());
+        let outcome = settle(*claim, cases, proving);
+        done.fetch_add(1, Ordering::Relaxed);
+        Ok((*claim, outcome?))
     });
-    settled.collect()
+    settled.collect::<Vec<_>>().into_iter().collect()
 }

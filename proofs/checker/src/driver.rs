@@ -1,10 +1,11 @@
 //! The way through a certificate: every section for every degree, every goal with its rule, nothing left over.
 
+use std::borrow::Cow;
 use std::cell::RefCell;
 use std::fmt;
 use std::rc::Rc;
 
-use crate::derive::sections;
+use crate::derive;
 use crate::env::Env;
 use crate::error::{Reason, Rejected, Result};
 use crate::family::Family;
@@ -74,30 +75,50 @@ pub fn check(statement: &str, proof: &str) -> std::result::Result<Checked, Rejec
 /// # Errors
 /// As [`check`].
 pub fn check_within(work: usize, statement: &str, proof: &str) -> std::result::Result<Checked, Rejected> {
-    work::begin(work);
-    let mut place = "statement".to_owned();
-    run(statement, proof, &mut place).map_err(|reason| Rejected { place, reason })
+    check_each(work, statement, [proof])?.swap_remove(0)
 }
 
-/// `place` is where the run has come to.
-fn run(statement: &str, proof: &str, place: &mut String) -> Result<Checked> {
-    let statement = tree(statement)?;
-    let (mut checked, family, body) = header(&statement)?;
-    *place = "proof".to_owned();
+/// Several proofs of one statement, which is read once: each of them with as much work as is left after that.
+///
+/// # Errors
+/// As [`check`], if it is the statement that is rejected.
+pub fn check_each<'p>(
+    work: usize,
+    statement: &str,
+    proofs: impl IntoIterator<Item = &'p str>,
+) -> std::result::Result<Vec<std::result::Result<Checked, Rejected>>, Rejected> {
+    work::begin(work);
+    let stated = |reason| Rejected { place: "statement".to_owned(), reason };
+    let node = tree(statement).map_err(stated)?;
+    let (header, family, body) = header(&node).map_err(stated)?;
+    let asked = body.sections(&header.degrees, &family).map_err(stated)?;
+    let is_given = matches!(body, Body::Sections(_));
+    let left = work::left();
+    let check = |proof| {
+        work::begin(left);
+        let mut place = "proof".to_owned();
+        run(header.clone(), &family, &asked, is_given, proof, &mut place)
+            .map_err(|reason| Rejected { place, reason })
+    };
+    Ok(proofs.into_iter().map(check).collect())
+}
+
+/// `asked` has the sections of each degree; `place` is where the run has come to.
+fn run<'n>(
+    mut checked: Checked,
+    family: &Rc<Family<'n>>,
+    asked: &[Cow<'n, [Node<'n>]>],
+    is_given: bool,
+    proof: &str,
+    place: &mut String,
+) -> Result<Checked> {
     let proof = tree(proof)?;
     let [version, proofs @ ..] = proof.fields("proof")? else { return proof.wrong("a version") };
     is_number(version, "format", 1)?;
     let mut proofs = proofs.iter();
-    for degree in checked.degrees.clone() {
-        let before = checked.goals;
-        let k = i64::try_from(degree).map_err(|_| Reason::Limits("a degree"))?;
-        *place = "statement".to_owned();
-        let derived = match body {
-            Body::Sections(_) | Body::Refuted => Vec::new(),
-            Body::Derived(definitions, sentence) => sections(&family, definitions, sentence, k)?,
-        };
-        let sections = if let Body::Sections(sections) = body { sections } else { &derived };
-        for section in sections {
+    for (degree, sections) in checked.degrees.clone().into_iter().zip(asked) {
+        let (before, k) = (checked.goals, as_integer(degree)?);
+        for section in &**sections {
             *place = "statement".to_owned();
             let [ranges, declarations, goals] = parts(section)?;
             for env in expanded(ranges, Env::new(family.clone()).with("k", k)?)? {
@@ -109,7 +130,7 @@ fn run(statement: &str, proof: &str, place: &mut String) -> Result<Checked> {
             }
         }
         // A sentence may be true by the order of knots alone.
-        if checked.goals == before && matches!(body, Body::Sections(_)) {
+        if checked.goals == before && is_given {
             *place = "statement".to_owned();
             return Err(Reason::NoGoal(degree));
         }
@@ -127,6 +148,20 @@ enum Body<'n> {
     Derived(&'n [Node<'n>], &'n Node<'n>),
     /// A point that refutes the sentence: nothing.
     Refuted,
+}
+
+impl<'n> Body<'n> {
+    /// The sections of each degree.
+    fn sections(self, degrees: &[usize], family: &Rc<Family<'n>>) -> Result<Vec<Cow<'n, [Node<'n>]>>> {
+        let of = |degree: &usize| match self {
+            Body::Refuted => Ok(Cow::Owned(Vec::new())),
+            Body::Sections(given) => Ok(Cow::Borrowed(given)),
+            Body::Derived(definitions, sentence) => {
+                derive::sections(family, definitions, sentence, as_integer(*degree)?).map(Cow::Owned)
+            }
+        };
+        degrees.iter().map(of).collect()
+    }
 }
 
 /// What a statement says of itself, and what there is to prove.
@@ -254,6 +289,10 @@ fn prove<'t>(
         None => Ok(()),
         Some(proof) => proof.fields("goal").and(Err(Reason::NoStatement("goal"))),
     }
+}
+
+fn as_integer(degree: usize) -> Result<i64> {
+    i64::try_from(degree).map_err(|_| Reason::Limits("a degree"))
 }
 
 /// Whether something has the number that it must have.

@@ -59,6 +59,6 @@ mod value;
 mod words;
 mod work;
 
-pub use driver::{Checked, WORK, check, check_within};
+pub use driver::{Checked, WORK, check, check_each, check_within};
 pub use error::{Reason, Rejected};
 pub use file::read;

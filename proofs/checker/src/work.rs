@@ -17,6 +17,11 @@ pub(crate) fn begin(limit: usize) {
     LEFT.set(limit);
 }
 
+/// What is left.
+pub(crate) fn left() -> usize {
+    LEFT.get()
+}
+
 /// So many products of two terms, or as much of something else that is done term by term.
 pub(crate) fn spend(products: usize) -> Result<()> {
     LEFT.set(LEFT.get().checked_sub(products).ok_or(Reason::Limits("the work"))?);

@@ -104,8 +104,9 @@ of local maxima for every r = α/(α − 1) in (0, ∞), decided for every r, en
 
 const MOST: &str = "Inside a span a function rises, or falls, or rises and then falls: proved for every degree, knot vector and α \
 (`X.maxima.spans`, and [why that is so](theory.md)). So local \
-minima are at knots, and there are at most k − 1 local maxima. There can be so many: for every k from 2 to 8 a function with k − 1 local maxima is \
-certified (`X.maxima.most`; its knots lie so far apart that a picture would not show them). Smaller examples:";
+minima are at knots, and there are at most k − 1 local maxima. There can be so many, for every k ≥ 2 and every α ≠ ∞ \
+(`X_maxima_most`, a theorem checked by Coq: [theory](theory.md)); for every k from 2 to 8 one such function is \
+certified with its numbers (`X.maxima.most`; its knots lie so far apart that a picture would not show them). Smaller examples:";
 
 const CONSEQUENCES: &str = "A function with two local maxima crosses some horizontal line four times, while the polygon of its control \
 values (one 1, all others 0) crosses it twice: so each of these examples, on a full knot vector, is also one against \
