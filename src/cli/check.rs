@@ -212,17 +212,20 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
             all.push((Some(k), Some(alpha), Cases::only(on)));
         }
     }
-    let progress = Progress::new(chosen.len() * all.len());
-    for (degree, alpha, cases) in &all {
-        for claim in &chosen {
-            progress.step(claim.id());
-            // What is proved is about the weights of an index.
-            let proves = library.is_none() && check.of.is_none();
+    // What is proved is about the weights of an index.
+    let proves = library.is_none() && check.of.is_none();
+    let each: Vec<_> = all.iter().flat_map(|on| chosen.iter().map(move |claim| (on, *claim))).collect();
+    let progress = Progress::new(each.len());
+    let properties = progress.each(
+        &each,
+        |(_, claim)| claim.id().to_owned(),
+        |((degree, alpha, cases), claim)| {
             let on = On { degree: *degree, cases, proves, scope: args.scope };
             let property = on.property(*claim, args.amended, recorded.as_ref())?;
-            check.properties.push(Property { alpha: alpha.clone(), ..property });
-        }
-    }
+            Ok(Property { alpha: alpha.clone(), ..property })
+        },
+    );
+    check.properties = properties.into_iter().collect::<Result<_, CliError>>()?;
     drop(progress);
     let unexpected = check.properties.iter().filter(|property| property.as_recorded != Some(true));
     let counted: Tally = unexpected.map(|property| &property.finding).collect();

@@ -377,21 +377,27 @@ fn table(args: &Args, output: &Output) -> Result<Exit, CliError> {
     };
     let properties = Paper { files: vec![classical().clone()], ..paper().clone() };
     let claims: Vec<Claim<'_>> = Claim::of(&properties).collect();
-    let progress = Progress::new(chosen.len() * claims.len());
-    let mut rows = Vec::new();
-    for family in &chosen {
+    let on = |family: &Arc<Family>| {
         let cases = Cases::of_family(family, &[]);
-        let cases = cases.map_err(|error| CliError::Member { argument: "--family", error })?.up_to(HIGHEST);
-        let mut row = Vec::new();
-        for claim in &claims {
-            progress.step(&format!("{}, {}", family.name, claim.id()));
-            let Some(sentence) = claim.sentence(Form::Printed) else { continue };
-            let verdict =
-                judge(sentence, (*claim).into(), &cases.of(sentence, None)).map_err(SettleError::Fault)?;
-            row.push(judged(family, claim.id(), &verdict));
-        }
-        rows.push((family, row));
-    }
+        let error = |error| CliError::Member { argument: "--family", error };
+        Ok((Arc::clone(family), cases.map_err(error)?.up_to(HIGHEST)))
+    };
+    let on = chosen.iter().map(on).collect::<Result<Vec<_>, CliError>>()?;
+    let said: Vec<_> =
+        claims.iter().filter_map(|claim| Some((*claim, claim.sentence(Form::Printed)?))).collect();
+    let each: Vec<_> = on.iter().flat_map(|on| said.iter().map(move |said| (on, said))).collect();
+    let progress = Progress::new(each.len());
+    let name = |((family, _), (claim, _)): &(&(Arc<Family>, _), &(Claim<'_>, _))| {
+        format!("{}, {}", family.name, claim.id())
+    };
+    let found = progress.each(&each, name, |((family, cases), (claim, sentence))| {
+        let verdict =
+            judge(sentence, (*claim).into(), &cases.of(sentence, None)).map_err(SettleError::Fault)?;
+        Ok(judged(family, claim.id(), &verdict))
+    });
+    let mut found = found.into_iter().collect::<Result<Vec<_>, CliError>>()?.into_iter();
+    let rows: Vec<_> =
+        chosen.iter().map(|family| (family, found.by_ref().take(said.len()).collect())).collect();
     drop(progress);
     output.result(&Page { schema: "knotproof.families-table/1", markdown: markdown(&rows, &claims) })?;
     Ok(Exit::Holds)

@@ -2,11 +2,13 @@
 
 use std::fmt::Write as _;
 use std::io::{IsTerminal, Write as _};
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
+use rayon::prelude::*;
 
 use crate::scalar::effort;
 
@@ -87,6 +89,23 @@ impl Progress {
         let mut state = self.shared.state();
         state.done += u64::from(!state.name.is_empty());
         state.next(name);
+    }
+
+    /// A step for each, in parallel, with what comes of them in their order; the name shown is that of the last one that began.
+    pub(super) fn each<T: Sync, R: Send>(
+        &self,
+        all: &[T],
+        name: impl Fn(&T) -> String + Sync,
+        step: impl Fn(&T) -> R + Sync,
+    ) -> Vec<R> {
+        let done = AtomicU64::new(0);
+        let one = |of: &T| {
+            self.reach(done.load(Ordering::Relaxed), &name(of));
+            let result = step(of);
+            done.fetch_add(1, Ordering::Relaxed);
+            result
+        };
+        all.par_iter().map(one).collect()
     }
 
     /// So many steps are done, and this is what there is to say of them.
