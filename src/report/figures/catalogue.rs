@@ -169,7 +169,7 @@ const fn symmetric(name: &'static [&'static str]) -> Subject {
     Subject::Curves(name, Panels::Together, false)
 }
 
-const FIGURES: &[Figure] = &[
+static FIGURES: &[Figure] = &[
     paper(1, "fig1", "Fig. 1: weights on [0, 1], α < 0", PHI, Subject::Weights(&UNIT)),
     paper(2, "fig2", "Fig. 2: weights on [0, 1], the conjugates", PHI, Subject::Weights(&UNIT_ABOVE)),
     paper(
