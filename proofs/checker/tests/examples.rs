@@ -809,9 +809,10 @@ fn a_member_of_a_member_has_a_name() {
         "(alpha infinity)",
     ];
     let table = [
-        ("of gamma", said(gamma, gamma), &*by(1), "accepted"),
+        // Indices that a sentence binds are none of a definition's names.
+        ("of gamma", said(gamma, gamma), &*by(1), "unknown name gamma"),
         ("of infinity", said(infinity, infinity), &*by(1), "accepted"),
-        ("of the first one", said(gamma, beta), &*by(1), "rule by"),
+        ("of the first one", said(infinity, beta), &*by(1), "rule by"),
         ("of 1 - α", said(dual, dual), &*by(1), "not decided"),
         ("of r", said("(ratio ratio)", "(ratio ratio)"), &*by(1), "not decided"),
         ("of a number", said("(ratio 2)", "(ratio 2)"), &*by(1), "not decided"),
@@ -824,7 +825,7 @@ fn a_member_of_a_member_has_a_name() {
 fn knots_between_none_are_not_few() {
     let said = |adjectives: &str| {
         on_knots(
-            &format!("(knots {adjectives}) (real x)"),
+            &format!("(knots {adjectives}) (point x (closed (t 0) closed (t m)))"),
             "(chain (var x) (= (t 0)))",
             "(chain (t 0) (< (t (+ k 1))))",
         )
