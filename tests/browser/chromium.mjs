@@ -66,7 +66,8 @@ export async function open(url) {
     const ended = new Promise((resolve) => child.once("exit", resolve));
     child.kill("SIGKILL");
     await ended;
-    rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
+    // Its children write on for a moment, a longer one on a busy machine.
+    rmSync(profile, { recursive: true, force: true, maxRetries: 20, retryDelay: 200 });
   };
   try {
     const { targetInfos } = await send("Target.getTargets");
