@@ -66,8 +66,14 @@ export async function open(url) {
     const ended = new Promise((resolve) => child.once("exit", resolve));
     child.kill("SIGKILL");
     await ended;
-    // Its children write on for a moment, a longer one on a busy machine.
-    rmSync(profile, { recursive: true, force: true, maxRetries: 20, retryDelay: 200 });
+    // Its children write on for a moment. What they leave is in the folder for temporary files, and no result.
+    for (let tries = 0; tries < 20; tries++) {
+      try {
+        return rmSync(profile, { recursive: true, force: true });
+      } catch {
+        await new Promise((resolve) => setTimeout(resolve, 200));
+      }
+    }
   };
   try {
     const { targetInfos } = await send("Target.getTargets");
