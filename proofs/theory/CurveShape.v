@@ -1,10 +1,10 @@
 (* The shape of curves: their total variation and length are at most those of the polygon, their derivative is a combination of the legs
-   with factors that are not negative; they rise with r where the control values do; G_j/G_i does not fall for i < j; a level is
-   crossed once where the control values cross it once. *)
+   with factors that are not negative, so that T_j = G_j + .. + G_n rises strictly inside of a span; curves rise with r where the control values
+   do; G_j/G_i does not fall for i < j; a level is crossed once where the control values cross it once. *)
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp Require Import ring zify.
 From Bsplines Require Import Definitions Weight Basis Curves Pieces Derivatives Values StatementsBasis StatementsDerivatives StatementsCurves.
-From Bsplines Require Import Cumulative Minors.
+From Bsplines Require Import Cumulative Minors Terms.
 Import Order.TTheory GRing.Theory Num.Theory.
 Set Implicit Arguments. Unset Strict Implicit. Unset Printing Implicit Defensive.
 Local Open Scope ring_scope.
@@ -230,6 +230,16 @@ split=> [hx|hx|hx i|hx i hi]; [| |exact: A_ge0|exact: A_gt0].
 have /andP[x1 x2] := hx; have hx' : t 0%N < x <= t m by rewrite (le_lt_trans (tle (leq0n s)) x1) (le_trans x2) ?tle.
 have := C_left r_gt0 t_mono d hx'; congr left_taylor; rewrite -[RHS]H; apply: eq_bigr => i _.
 by rewrite /Values.Dleft (left_span_uniq t_mono sm hx) mulrC.
+Qed.
+(* X.monotone: inside of a span T_j = G_j + .. + G_n rises strictly, l-k < j <= l *)
+Theorem X_monotone_printed l j x : (k <= l <= n)%N -> (l - k < j <= l)%N -> t l < x < t l.+1 ->
+  0 < \sum_(j <= i < n.+1) DGright r t m k i x.
+Proof.
+move=> /andP[_ ln] hj hx; have /andP[x1 x2] := hx; have /andP[_ jl] := hj.
+have lm : (l < m)%N by rewrite addnS ltnS (leq_trans ln) ?leq_addr.
+have hx' : t l <= x < t l.+1 by rewrite ltW.
+rewrite (eq_bigr (fun i => dP r t l k i x)) => [|i _]; last exact: DGright_span.
+rewrite /dP dT_sum ?ltnS // ?(leqW (leq_trans jl ln)) //; apply: A_gt0 => //; exact: lt_trans x2.
 Qed.
 End Shape.
 

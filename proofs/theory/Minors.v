@@ -1,9 +1,9 @@
 (* Neighbouring functions: G_(i+1)/G_i does not fall, so that every minor of two rows and two columns of (G_i(x_j)) is non-negative,
    for every degree, every r and all knots with inner multiplicities at most k. The proof compares two points of a span, without
-   derivatives; f << g means that g/f does not fall from x to y. *)
+   derivatives; f << g means that g/f does not fall from x to y. In the limit it is about the derivatives at one point. *)
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp Require Import ring zify.
-From Bsplines Require Import Definitions Weight Basis Curves Pieces Derivatives Values StatementsBasis StatementsCurves Cumulative TwoMaxima.
+From Bsplines Require Import Definitions Weight Basis Curves Pieces Derivatives Values StatementsBasis StatementsCurves Cumulative TwoMaxima Terms.
 Import Order.TTheory GRing.Theory Num.Theory.
 Set Implicit Arguments. Unset Strict Implicit. Unset Printing Implicit Defensive.
 Local Open Scope ring_scope.
@@ -273,7 +273,38 @@ rewrite !F; apply: open_minor => //.
 have -> : t s.+1 = (1 - h) * t s.+1 + h * t s.+1 by ring.
 by rewrite ler_lt_add ?ler_pmul2l ?ltr_pmul2l.
 Qed.
+(* where the points meet: the derivative of P_j/P_i, times P_i^2, is not negative inside of the span *)
+Theorem span_ratio d i j x : (i <= j)%N -> t s < x < t s.+1 -> dP r t s d i x * P r t s d j x <= P r t s d i x * dP r t s d j x.
+Proof.
+move=> ij /andP[sx xs]; have hx : t s <= x <= t s.+1 by rewrite !ltW.
+have T l : taylor (fun h => P r t s d l (x + 1 * h)) 0 (P r t s d l x) (1 * dP r t s d l x).
+  by apply: taylor_shift; apply: P_taylor => //; apply: lt_trans xs.
+rewrite leNgt -subr_gt0; apply/negP => lt.
+(* the minor of x and x+h, negated, begins with this term *)
+have D := taylor_add (taylor_scale (P r t s d j x) (T i)) (taylor_scale (- P r t s d i x) (T j)).
+have [|e e0 H] := taylor_pos D; first by right; rewrite !mul1r; split; [ring|rewrite mulNr mulrC].
+have m0 : 0 < Num.min e (t s.+1 - x) by rewrite lt_minr e0 subr_gt0.
+have := H (Num.min e (t s.+1 - x) / 2%:R); set h := _ / _.
+have /andP[h0] : 0 < h < Num.min e (t s.+1 - x) by rewrite divr_gt0 ?ltr0n //= ltr_pdivr_mulr ?ltr0n // ltr_pmulr // ltr1n.
+rewrite lt_minr => /andP[h1 h2]; rewrite h0 h1 mul1r => /(_ isT); rewrite mulNr subr_gt0 ltNge.
+by rewrite mulrC open_minor // ?ler_addl ?(ltW h0) // addrC -ltr_subr_addr.
+Qed.
+(* on a span the functions and their derivatives from the right are those of its piece *)
+Lemma value_span m k i x : (s < m)%N -> t s <= x < t s.+1 -> value r t m k i x = P r t s k i x.
+Proof. by move=> sm hx; rewrite value_in; [exact: G_P|case/andP: hx => _ h; apply: lt_le_trans h (tle sm)]. Qed.
+Lemma DGright_span m k i x : (s < m)%N -> t s <= x < t s.+1 -> DGright r t m k i x = dP r t s k i x.
+Proof.
+move=> sm hx; have /andP[s1 s2] := hx; rewrite DGright_in; first by rewrite /Dright (right_span_uniq t_mono sm hx).
+by rewrite (le_trans (tle (leq0n s)) s1) (lt_le_trans s2 (tle sm)).
+Qed.
 End Span.
+(* X.minors: inside of a span G_(i+1)/G_i does not fall, all knots: G_i' G_(i+1) <= G_i G_(i+1)' *)
+Theorem X_minors_printed n k l i x : (l < n + k.+1)%N -> (i < n)%N -> t l < x < t l.+1 ->
+  DGright r t (n + k.+1)%N k i x * value r t (n + k.+1)%N k i.+1 x <= value r t (n + k.+1)%N k i x * DGright r t (n + k.+1)%N k i.+1 x.
+Proof.
+move=> lm _ hx; have hx' : t l <= x < t l.+1 by case/andP: hx => /ltW -> ->.
+by rewrite !(value_span _ _ lm hx') !(DGright_span _ _ lm hx'); apply: span_ratio.
+Qed.
 (* across the spans *)
 Section Global.
 Variables n k : nat.
