@@ -4,7 +4,7 @@ From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp Require Import ring zify.
 From Bsplines Require Import Definitions Weight Basis Curves Pieces Symmetry Derivatives RationalDerivative Values.
 From Bsplines Require Import StatementsWeight StatementsBasis StatementsDerivatives StatementsCurves StatementsProofs StatementsBernstein.
-From Bsplines Require Import Cumulative Limits Terms.
+From Bsplines Require Import Cumulative Limits Minors CurveShape Terms.
 From Bsplines Require Stanzas.
 Import Order.TTheory GRing.Theory Num.Theory.
 Set Implicit Arguments. Unset Strict Implicit. Unset Printing Implicit Defensive.
@@ -475,6 +475,17 @@ by split=> [x|c z i]; [apply: h1|apply: (h2 c z)].
 Qed.
 
 (* ---- our questions ---- *)
+Theorem stanza_X_monotone_printed : Stanzas.X_monotone_printed R.
+Proof.
+move=> r r0 k k1 n m t -> [mo U] l l1 l2 j j1 j2 x hx.
+by apply: (X_monotone_printed r0 mo _ _ hx); rewrite ?l1 //; naturals; lia.
+Qed.
+Theorem stanza_X_monotone_printed_defined : Stanzas.X_monotone_printed_defined R.
+Proof. exist. Qed.
+Theorem stanza_X_minors_printed : Stanzas.X_minors_printed R.
+Proof. by move=> r r0 k k1 n m t -> [mo U] l lm i i_n x hx; apply: (X_minors_printed r0 mo lm i_n hx). Qed.
+Theorem stanza_X_minors_printed_defined : Stanzas.X_minors_printed_defined R.
+Proof. exist. Qed.
 Theorem stanza_X_order_printed : Stanzas.X_order_printed R.
 Proof.
 move=> r r0 k k1 n m t -> [mo U] s s0 l l1 l2 j j1 j2 x hx.

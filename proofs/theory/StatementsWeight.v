@@ -71,9 +71,9 @@ by rewrite -M //; congr (mob r _ a b); ring.
 Qed.
 End Statements.
 
-(* L2.1: the increasing homographic functions with f(a) = 0, f(b) = 1 and their pole c outside of [a,b] are the f_alpha, alpha = (b-c)/(b-a),
-   each of them for one alpha only *)
-Theorem L2_1_printed (R : realFieldType) (a b c : R) : a < b -> ~~ (a <= c <= b) -> let al := (b - c) / (b - a) in
+(* The homographic functions with f(a) = 0, f(b) = 1 and their pole c outside of [a,b] are the f_alpha, alpha = (b-c)/(b-a), each of them
+   for one alpha only *)
+Theorem L2_1_homographic (R : realFieldType) (a b c : R) : a < b -> ~~ (a <= c <= b) -> let al := (b - c) / (b - a) in
   [/\ al < 0 \/ 1 < al, forall x, a <= x <= b -> f_alpha al x a b = (b - c) * (x - a) / ((b - a) * (x - c)) &
       forall al', al' < 0 \/ 1 < al' -> (forall x, a <= x <= b -> f_alpha al' x a b = (b - c) * (x - a) / ((b - a) * (x - c))) -> al' = al].
 Proof.
@@ -112,6 +112,15 @@ rewrite subr_eq0 in e1; rewrite subr_eq0 in e1'; rewrite (S _ e1) (S _ e1') in E
 move/eqP: E; rewrite eqr_div ?d // => /eqP E.
 apply/eqP; rewrite -subr_eq0; have : al' * (2%:R * al - 1) - al * (2%:R * al' - 1) = 0 by rewrite E subrr.
 by have -> : al' * (2%:R * al - 1) - al * (2%:R * al' - 1) = - (al' - al) by [ring]; move/eqP; rewrite oppr_eq0.
+Qed.
+(* L2.1: and every f_alpha increases, from f(a) = 0 to f(b) = 1 *)
+Theorem L2_1_printed (R : realFieldType) (r a b c : R) : 0 < r -> a < b -> ~~ (a <= c <= b) -> let al := (b - c) / (b - a) in
+  [/\ [/\ mob r a a b = 0, mob r b a b = 1 & forall x, a <= x <= b -> taylor (fun y => mob r y a b) x (mob r x a b) (dmob r x a b) /\ 0 < dmob r x a b],
+      al < 0 \/ 1 < al, forall x, a <= x <= b -> f_alpha al x a b = (b - c) * (x - a) / ((b - a) * (x - c)) &
+      forall al', al' < 0 \/ 1 < al' -> (forall x, a <= x <= b -> f_alpha al' x a b = (b - c) * (x - a) / ((b - a) * (x - c))) -> al' = al].
+Proof.
+move=> r0 ab hc al; have [h1 h2 h3] := L2_1_homographic ab hc; split=> //; split=> [||x hx]; rewrite ?mob_a ?mob_b //.
+by have [] := R2_2_2a_printed r0 ab hx.
 Qed.
 (* Ill2.1: the second derivative of the weight on (a,b) is positive for alpha < 0, negative for alpha > 1 *)
 Theorem Ill2_1_printed (R : realFieldType) (al a b : R) : al < 0 \/ 1 < al -> a < b -> exists F1 F2,

@@ -205,11 +205,7 @@ fn in_order(map: &BTreeMap<Text, Text>) -> Vec<(&Text, &Text)> {
 /// The one with an index α.
 impl Default for Family {
     fn default() -> Self {
-        let usual = families().iter().find(|family| matches!(family.moebius(), Some(Some(_))));
-        match usual {
-            Some(family) => Self::clone(family),
-            None => unreachable!("the family of an index comes with the program"),
-        }
+        Self::clone(Self::of_index())
     }
 }
 
@@ -222,6 +218,18 @@ impl Known {
 }
 
 impl Family {
+    /// The one with an index α, as it comes with the program.
+    ///
+    /// # Panics
+    /// If the program was built without it, which a test rules out.
+    #[must_use]
+    pub fn of_index() -> &'static Arc<Self> {
+        match families().iter().find(|family| matches!(family.moebius(), Some(Some(_)))) {
+            Some(family) => family,
+            None => unreachable!("the family of an index comes with the program"),
+        }
+    }
+
     /// Reads the file of a family.
     ///
     /// # Errors
@@ -469,23 +477,34 @@ impl Family {
         })
     }
 
-    /// Is it the one of Möbius weights, rise : fall = r(x − a) : (b − x)? With the parameter that is r; `Some(None)`, if r = 1.
+    /// ρ and σ of weights ρ·(x − a) : σ·(b − x) that are written so.
+    fn slopes(&self) -> Option<(Real, Real)> {
+        let (x, a, b) = (Real::Bound("x".into()), Real::Bound("a".into()), Real::Bound("b".into()));
+        let slope = |term: &Real, linear: &Real| match term {
+            term if term == linear => Some(Real::Whole(Int::Number(1))),
+            Real::Times(scale, other) if **other == *linear => Some((**scale).clone()),
+            Real::Times(other, scale) if **other == *linear => Some((**scale).clone()),
+            _ => None,
+        };
+        let slopes = (slope(&self.rise, &x.clone().minus(a))?, slope(&self.fall, &b.minus(x))?);
+        self.over.is_none().then_some(slopes)
+    }
+
+    /// Are its members those of an index, with slopes r and 1 for r > 0? With the parameter that is r; `Some(None)`, if r = 1.
     #[must_use]
     pub fn moebius(&self) -> Option<Option<&Name>> {
-        let x = |end: &str, rises: bool| {
-            let (x, end) = (Real::Bound("x".into()), Real::Bound(end.into()));
-            if rises { x.minus(end) } else { end.minus(x) }
-        };
-        if self.over.is_some() || self.fall != x("b", false) || !self.knots.is_empty() {
+        let one = Real::Whole(Int::Number(1));
+        let (rho, sigma) = self.slopes()?;
+        if sigma != one || !self.knots.is_empty() {
             return None;
         }
-        match (self.parameters.as_slice(), &self.rise) {
-            ([], rise) if *rise == x("a", true) => Some(None),
+        match self.parameters.as_slice() {
+            [] => (rho == one).then_some(None),
             // Sentences speak of r where there is an index.
-            ([own], Real::Times(r, rise)) if **rise == x("a", true) && &*own.name == "r" => {
+            [own] if &*own.name == "r" => {
                 let positive = own.bounds == [(Relation::Greater, BigRational::from_integer(0.into()))];
-                (**r == Real::Parameter(Arc::clone(&own.name), Vec::new()) && positive)
-                    .then_some(Some(&own.name))
+                let is_it = rho == Real::Parameter(Arc::clone(&own.name), Vec::new());
+                (is_it && positive).then_some(Some(&own.name))
             }
             _ => None,
         }
@@ -504,17 +523,9 @@ impl Family {
     /// ρ/σ as it is written, of weights ρ·(x − a) : σ·(b − x) that are written so.
     #[must_use]
     pub fn slope_ratio(&self) -> Option<String> {
-        let (x, a, b) = (Real::Bound("x".into()), Real::Bound("a".into()), Real::Bound("b".into()));
-        let one = || Real::Whole(Int::Number(1));
-        let factor = |term: &Real, linear: &Real| match term {
-            term if term == linear => Some(one()),
-            Real::Times(scale, other) if **other == *linear => Some((**scale).clone()),
-            Real::Times(other, scale) if **other == *linear => Some((**scale).clone()),
-            _ => None,
-        };
-        let rho = factor(&self.rise, &x.clone().minus(a))?;
-        let sigma = factor(&self.fall, &b.minus(x))?;
-        Some(source(&if sigma == one() { rho } else { rho.over(sigma) }))
+        let (rho, sigma) = self.slopes()?;
+        let plain = sigma == Real::Whole(Int::Number(1));
+        Some(source(&if plain { rho } else { rho.over(sigma) }))
     }
 
     /// What texts may say of it.

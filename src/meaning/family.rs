@@ -310,12 +310,8 @@ impl Weighting {
         match self {
             Self::Family(member) => member.table(knots, degree),
             Self::Index(index) => {
-                let rise = || vec![integer(0), index.ratio().clone()];
-                let forms = || Forms::new(rise(), vec![integer(1), integer(0)], None);
-                FormTable::new(knots, degree, |j, i, d| {
-                    let (family, why) = ("mobius".to_owned(), "its forms have no common degree".to_owned());
-                    forms().ok_or(MemberError::Weight { family, i, d, j, why })
-                })
+                let ratio = Values::One(index.ratio().clone());
+                FamilyMember::new(Family::of_index(), vec![ratio]).table(knots, degree)
             }
         }
     }

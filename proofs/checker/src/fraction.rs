@@ -2,14 +2,15 @@
 //! positive: common denominators stay small although nothing is ever cancelled.
 
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 use crate::error::{Reason, Result};
 use crate::poly::{Poly, Sign};
 use crate::token::Node;
 use crate::work::spend;
 
-/// How often each factor occurs.
-pub(crate) type Factors = BTreeMap<Poly, u16>;
+/// How often each factor occurs. Many fractions share them.
+pub(crate) type Factors = BTreeMap<Rc<Poly>, u16>;
 
 #[derive(Clone)]
 pub(crate) struct Fraction {
@@ -38,15 +39,15 @@ impl Fraction {
         let negated = den.negated();
         match (den.sign(signs), negated.sign(signs)) {
             (Sign::Positive, _) if den == Poly::constant(1) => Ok(num.into()),
-            (Sign::Positive, _) => Ok(Fraction { num, den: [(den, 1)].into() }),
-            (_, Sign::Positive) => Ok(Fraction { num: num.negated(), den: [(negated, 1)].into() }),
+            (Sign::Positive, _) => Ok(Fraction { num, den: [(den.into(), 1)].into() }),
+            (_, Sign::Positive) => Ok(Fraction { num: num.negated(), den: [(negated.into(), 1)].into() }),
             _ => Err(Reason::Divisor),
         }
     }
 
     /// The number of terms above and below the line, a factor counted once.
     pub(crate) fn size(&self) -> usize {
-        self.num.size() + self.den.keys().map(Poly::size).sum::<usize>()
+        self.num.size() + self.den.keys().map(|factor| factor.size()).sum::<usize>()
     }
 
     pub(crate) fn is_zero(&self) -> bool {
@@ -65,7 +66,7 @@ impl Fraction {
 
     /// Whether only such variables occur.
     pub(crate) fn is_only_in(&self, allowed: impl Fn(usize) -> bool) -> bool {
-        self.den.keys().chain([&self.num]).all(|poly| poly.is_only_in(&allowed))
+        self.num.is_only_in(&allowed) && self.den.keys().all(|factor| factor.is_only_in(&allowed))
     }
 
     /// The denominator, multiplied out.

@@ -210,14 +210,20 @@ impl Facts {
 
     /// The best bounds of the three ways to write a form by two of s, n − s and n.
     pub(crate) fn bounds(&self, form: &Form) -> Bounds {
-        let far = form.far.values().map(|factor| scaled(*factor, (Some(0), None)));
+        let negated = |bound: i64| -bound;
+        (self.least(1, form), self.least(-1, form).map(negated))
+    }
+
+    /// The greatest lower bound of factor·form, for a factor 1 or −1.
+    fn least(&self, factor: i64, form: &Form) -> Option<i64> {
+        if form.far.values().any(|far| factor * far < 0) {
+            return None;
+        }
         let way = |way: [i64; 3]| {
-            let parts = way.into_iter().zip(self.bounds).map(|(factor, bounds)| scaled(factor, bounds));
-            let all = parts.chain(far.clone());
-            all.fold((Some(form.c), Some(form.c)), |all, part| (sum(all.0, part.0), sum(all.1, part.1)))
+            let mut parts = way.into_iter().zip(self.bounds);
+            parts.try_fold(factor * form.c, |all, (own, bounds)| Some(all + scaled(factor * own, bounds).0?))
         };
-        let [a, b, c] = form.ways().map(way);
-        (a.0.max(b.0).max(c.0), smaller(a.1, smaller(b.1, c.1)))
+        form.ways().into_iter().filter_map(way).max()
     }
 
     /// The value, if the bounds leave one.
@@ -239,7 +245,7 @@ impl Facts {
     }
 
     fn surely(&self, form: &Form) -> Result<bool> {
-        let low = |form: &Form| self.bounds(form).0.is_some_and(|least| least >= 0);
+        let low = |form: &Form| self.least(1, form).is_some_and(|least| least >= 0);
         if low(form) {
             return Ok(true);
         }

@@ -1,11 +1,11 @@
 //! Polynomials with whole coefficients in parameters and unknowns: added, multiplied and compared, never divided.
 
-use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, HashMap};
 use std::hash::{BuildHasherDefault, Hasher};
 
 use dashu_int::IBig;
 use dashu_int::ops::BitTest;
+use smallvec::SmallVec;
 
 use crate::error::{Reason, Result};
 use crate::work::{keep, spend};
@@ -23,13 +23,14 @@ pub(crate) enum Sign {
     Positive,
 }
 
-/// Exponents by variable, without zeros at the end: every monomial has one key.
-type Monomial = Vec<u16>;
+/// Exponents by variable, without zeros at the end: every monomial has one key, and the order of keys is that of the products with
+/// any other one. Up to so many variables they lie in place: a product has thousands of them.
+type Monomial = SmallVec<[u16; 12]>;
 
-/// Coefficients by monomial, none of them 0: equal polynomials are equal as data.
+/// Coefficients by monomial in the order of these, none of them 0: equal polynomials are equal as data.
 #[derive(Clone, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Poly {
-    terms: BTreeMap<Monomial, IBig>,
+    terms: Vec<(Monomial, IBig)>,
 }
 
 /// The exponents of the monomials of a product in one word: as many bits for each variable as the largest one needs, so that words add as
@@ -43,7 +44,7 @@ impl Packing {
     fn of(left: &Poly, right: &Poly) -> Result<Option<Self>> {
         let largest = |poly: &Poly| {
             let mut all = Vec::new();
-            for monomial in poly.terms.keys() {
+            for (monomial, _) in &poly.terms {
                 all.resize(all.len().max(monomial.len()), 0);
                 all.iter_mut().zip(monomial).for_each(|(most, e)| *most = u32::from(*e).max(*most));
             }
@@ -70,7 +71,7 @@ impl Packing {
     }
 
     fn unpacked(&self, mut word: u64) -> Monomial {
-        let mut monomial = vec![0; self.widths.len()];
+        let mut monomial: Monomial = SmallVec::from_elem(0, self.widths.len());
         for (e, width) in monomial.iter_mut().zip(&self.widths).rev() {
             let rest = word.checked_shr(*width).unwrap_or(0);
             *e = u16::try_from(word - rest.checked_shl(*width).unwrap_or(0)).unwrap_or(0);
@@ -125,13 +126,13 @@ impl Hasher for Spread {
 
 impl Poly {
     pub(crate) fn constant(value: impl Into<IBig>) -> Self {
-        Poly { terms: [(Monomial::new(), value.into())].into() }.clean()
+        Poly::of(vec![(Monomial::new(), value.into())])
     }
 
     pub(crate) fn variable(index: usize) -> Self {
-        let mut monomial = vec![0; index];
+        let mut monomial: Monomial = SmallVec::from_elem(0, index);
         monomial.push(1);
-        Poly { terms: [(monomial, IBig::ONE)].into() }
+        Poly { terms: vec![(monomial, IBig::ONE)] }
     }
 
     /// The number of terms.
@@ -143,26 +144,38 @@ impl Poly {
         self.terms.is_empty()
     }
 
-    fn clean(mut self) -> Self {
-        self.terms.retain(|_, value| *value != IBig::ZERO);
-        self
+    /// Of terms in any order, several of one monomial added up.
+    fn of(mut terms: Vec<(Monomial, IBig)>) -> Self {
+        // Rows of a product are in order each: a sort that sees that only merges them.
+        terms.sort_by(|(a, _), (b, _)| a.cmp(b));
+        terms.dedup_by(|(next, value), (monomial, sum)| {
+            let same = next == monomial;
+            if same {
+                *sum += &*value;
+            }
+            same
+        });
+        terms.retain(|(_, value)| *value != IBig::ZERO);
+        Poly { terms }
     }
 
-    pub(crate) fn plus(mut self, other: &Self) -> Self {
-        for (monomial, value) in &other.terms {
-            match self.terms.entry(monomial.clone()) {
-                Entry::Vacant(place) => {
-                    place.insert(value.clone());
-                }
-                Entry::Occupied(mut sum) => {
-                    *sum.get_mut() += value;
-                    if *sum.get() == IBig::ZERO {
-                        sum.remove();
-                    }
-                }
+    pub(crate) fn plus(self, other: &Self) -> Self {
+        let mut terms = Vec::with_capacity(self.terms.len() + other.terms.len());
+        let mut right = other.terms.iter().peekable();
+        for (monomial, value) in self.terms {
+            while let Some(term) = right.next_if(|(other, _)| *other < monomial) {
+                terms.push(term.clone());
+            }
+            let sum = match right.next_if(|(other, _)| *other == monomial) {
+                Some((_, other)) => value + other,
+                None => value,
+            };
+            if sum != IBig::ZERO {
+                terms.push((monomial, sum));
             }
         }
-        self
+        terms.extend(right.cloned());
+        Poly { terms }
     }
 
     pub(crate) fn minus(self, other: &Self) -> Self {
@@ -174,7 +187,7 @@ impl Poly {
     }
 
     pub(crate) fn times(&self, other: &Self) -> Result<Self> {
-        let bits = |poly: &Self| poly.terms.values().map(BitTest::bit_len).max().unwrap_or(0);
+        let bits = |poly: &Self| poly.terms.iter().map(|(_, value)| value.bit_len()).max().unwrap_or(0);
         let bits = bits(self) + bits(other);
         if bits > BITS {
             return Err(Reason::Limits("a number"));
@@ -189,18 +202,27 @@ impl Poly {
     }
 
     fn times_by_terms(&self, other: &Self, bits: usize) -> Result<Self> {
+        // In the order of the longer one, so that a product with one term is in order.
+        let (short, long) = if self.size() < other.size() { (self, other) } else { (other, self) };
         let mut product = Poly::default();
-        for (a, left) in &self.terms {
+        let mut terms = Vec::with_capacity(long.size());
+        for (a, left) in &short.terms {
             // A long number is as much work as many short ones; in a long polynomial a term takes longer to find.
-            spend(other.terms.len() * (1 + bits / 64 + product.terms.len() / 8_192))?;
-            for (b, right) in &other.terms {
-                *product.terms.entry(monomial_product(a, b)?).or_default() += left * right;
+            spend(long.terms.len() * (1 + bits / 64 + product.terms.len() / 8_192))?;
+            for (b, right) in &long.terms {
+                terms.push((monomial_product(a, b)?, left * right));
+            }
+            if terms.len() > 2 * product.size().max(long.size()) {
+                terms.append(&mut product.terms);
+                product = Poly::of(std::mem::take(&mut terms));
             }
             if product.terms.len() > TERMS {
                 return Err(Reason::Limits("a polynomial"));
             }
         }
-        Ok(product.clean())
+        terms.append(&mut product.terms);
+        let product = Poly::of(terms);
+        if product.size() > TERMS { Err(Reason::Limits("a polynomial")) } else { Ok(product) }
     }
 
     pub(crate) fn to_power(&self, exponent: u16) -> Result<Self> {
@@ -221,14 +243,14 @@ impl Poly {
         if self.terms.iter().any(|(monomial, value)| *value < IBig::ZERO || sign(monomial) == Sign::Real) {
             return Sign::Real;
         }
-        self.terms.keys().map(sign).max().unwrap_or(Sign::Nonnegative)
+        self.terms.iter().map(|(monomial, _)| sign(monomial)).max().unwrap_or(Sign::Nonnegative)
     }
 
     /// Whether only such variables occur.
     pub(crate) fn is_only_in(&self, allowed: impl Fn(usize) -> bool) -> bool {
         let only =
             |monomial: &Monomial| monomial.iter().enumerate().all(|(index, e)| *e == 0 || allowed(index));
-        self.terms.keys().all(only)
+        self.terms.iter().all(|(monomial, _)| only(monomial))
     }
 
     /// The coefficients of the powers of one variable, the lowest first, none of them 0.
@@ -240,13 +262,14 @@ impl Poly {
             while rest.last() == Some(&0) {
                 rest.pop();
             }
-            powers.entry(exponent).or_default().terms.insert(rest, value.clone());
+            // Among those with the same power the order is that of the rest.
+            powers.entry(exponent).or_default().terms.push((rest, value.clone()));
         }
         powers
     }
 
     pub(crate) fn degree(&self, variable: usize) -> u16 {
-        self.terms.keys().filter_map(|monomial| monomial.get(variable)).max().copied().unwrap_or(0)
+        self.terms.iter().filter_map(|(monomial, _)| monomial.get(variable)).max().copied().unwrap_or(0)
     }
 
     /// With up/down in the place of one variable, times down^n; n is the degree in it, or `least` if that is more.

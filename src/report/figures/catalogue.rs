@@ -7,6 +7,7 @@ use crate::spline::{Basis, KnotVector};
 use super::super::conjecture;
 use super::canvas::{PictureError, failed};
 use super::curve::Panels;
+use super::rising::{self, Rising};
 use super::weight::Weights;
 use super::{basis, curve, limit, slopes, weight};
 
@@ -35,6 +36,8 @@ enum Subject {
     Slopes(&'static str),
     /// The traces of an instance as α → 0⁻ and α → 1⁺.
     Limit(&'static str),
+    /// Sums or shares of the functions of an instance.
+    Rises(&'static str, Rising),
     /// One function: degree, knots, α, i.
     Function(usize, &'static str, &'static str, usize),
 }
@@ -84,6 +87,7 @@ impl Figure {
             }
             Subject::Slopes(name) => slopes::svg(self.title, name),
             Subject::Limit(name) => limit::svg(self.title, name),
+            Subject::Rises(name, rising) => rising::svg(self.title, name, rising),
             Subject::Function(degree, knots, alpha, i) => {
                 let knots: Vec<_> =
                     knots.split(' ').map(parse_rational).collect::<Result<_, _>>().map_err(failed)?;
@@ -238,5 +242,17 @@ static FIGURES: &[Figure] = &[
         "C5 as α → 0 and as α → 1: the trace tends to a polygon and an arc",
         &["X.limit", "X.limit.trace", "X.limit.arc"],
         Subject::Limit("C5"),
+    ),
+    ours(
+        "rising",
+        "Sums of the functions from one on rise, whatever α",
+        &["X.monotone"],
+        Subject::Rises("U9", Rising::Sums),
+    ),
+    ours(
+        "shares",
+        "The share of the second of two neighbours rises, whatever α",
+        &["X.minors"],
+        Subject::Rises("U9", Rising::Shares),
     ),
 ];

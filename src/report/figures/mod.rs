@@ -17,6 +17,7 @@ mod notation;
 mod pen;
 mod png;
 mod reflection;
+mod rising;
 pub(super) mod sample;
 mod slopes;
 mod weight;
