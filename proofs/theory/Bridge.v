@@ -483,7 +483,9 @@ Qed.
 Theorem stanza_X_monotone_printed_defined : Stanzas.X_monotone_printed_defined R.
 Proof. exist. Qed.
 Theorem stanza_X_minors_printed : Stanzas.X_minors_printed R.
-Proof. by move=> r r0 k k1 n m t -> [mo U] l lm i i_n x hx; apply: (X_minors_printed r0 mo lm i_n hx). Qed.
+Proof.
+by move=> r r0 k k1 n m t -> [mo U] l lm i i_n x hx; apply: (X_minors_printed r0 mo _ i_n hx); rewrite addnS ltnS.
+Qed.
 Theorem stanza_X_minors_printed_defined : Stanzas.X_minors_printed_defined R.
 Proof. exist. Qed.
 Theorem stanza_X_order_printed : Stanzas.X_order_printed R.

@@ -2306,6 +2306,72 @@ Definition X_G1_amended_defined : Prop :=
 
 (* X.totalpositivity printed: no term of the theory says the word totally_positive *)
 
+(* X.monotone printed: k >= 1; U; l in k..n; j in l-k+1..l; x in (t[l], t[l+1]) : sum(i in j..n: G'[i](x+)) > 0 *)
+Definition X_monotone_printed : Prop :=
+  forall r : R,
+  0 < r ->
+  forall k : nat,
+  (1 <= k)%N ->
+  forall (n m : nat) (t : nat -> R),
+  m = (n + k.+1)%N ->
+  knots t m ->
+  forall l : nat,
+  (k <= l)%N ->
+  (l <= n)%N ->
+  forall j : nat,
+  (l.+1 <= j + k)%N ->
+  (j <= l)%N ->
+  forall x : R,
+  t l < x < t l.+1 ->
+  0 < \sum_(j <= i < n.+1) DGright r t m k i x.
+Definition X_monotone_printed_defined : Prop :=
+  forall r : R,
+  0 < r ->
+  forall k : nat,
+  (1 <= k)%N ->
+  forall (n m : nat) (t : nat -> R),
+  m = (n + k.+1)%N ->
+  knots t m ->
+  forall l : nat,
+  (k <= l)%N ->
+  (l <= n)%N ->
+  (k <= l.+1)%N /\ (forall j : nat,
+  (l.+1 <= j + k)%N ->
+  (j <= l)%N ->
+  (l <= m)%N /\ (l <= n + k)%N).
+
+(* X.minors printed: k >= 1; U; l in 0..m-1; i in 0..n-1; x in (t[l], t[l+1]) : G[i](x)*G'[i+1](x+) >= G'[i](x+)*G[i+1](x) *)
+Definition X_minors_printed : Prop :=
+  forall r : R,
+  0 < r ->
+  forall k : nat,
+  (1 <= k)%N ->
+  forall (n m : nat) (t : nat -> R),
+  m = (n + k.+1)%N ->
+  knots t m ->
+  forall l : nat,
+  (l <= n + k)%N ->
+  forall i : nat,
+  (i.+1 <= n)%N ->
+  forall x : R,
+  t l < x < t l.+1 ->
+  DGright r t m k i x * value r t m k i.+1 x <= value r t m k i x * DGright r t m k i.+1 x.
+Definition X_minors_printed_defined : Prop :=
+  forall r : R,
+  0 < r ->
+  forall k : nat,
+  (1 <= k)%N ->
+  forall (n m : nat) (t : nat -> R),
+  m = (n + k.+1)%N ->
+  knots t m ->
+  forall l : nat,
+  (l <= n + k)%N ->
+  forall i : nat,
+  (i.+1 <= n)%N ->
+  (l <= m)%N /\ (forall x : R,
+  t l < x < t l.+1 ->
+  (i <= n)%N).
+
 (* X.linear printed: no term of the theory says the word combination *)
 
 (* X.linear amended: no term of the theory says the word combination *)
