@@ -4,10 +4,13 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests: a failure is a failed test")]
 
 use knotproof::analysis::{
-    ExtremumKind, Location, Pieces, Shape, Sign, count_positive_roots, positive_roots, sign_pattern,
+    ExtremumKind, Location, Pieces, Shape, Sign, count_positive_roots, count_roots_between, positive_roots,
+    sign_pattern,
 };
 use knotproof::scalar::{BigRational, Polynomial, RationalFunction, Ring, integer, rational};
 use knotproof::spline::{Basis, Index, KnotVector, Side, by_definition};
+use num_bigint::BigInt;
+use num_integer::Integer;
 use num_traits::Signed;
 use proptest::prelude::*;
 
@@ -156,6 +159,19 @@ proptest! {
             prop_assert!(*u <= root.interval().0 && *sign != Sign::Zero);
             below = root.interval().1;
         }
+    }
+
+    #[test]
+    fn roots_between_agree_with_sturm(p in trouble(), a in -3_i64..=9, width in 1_i64..=9, d in 1_i64..=4) {
+        prop_assume!(!p.is_zero());
+        let ends = [rational(a, d), rational(a + width, d)];
+        let sturm = Sturm::new(&p, &ends.each_ref());
+        // In X = d·x, and with integer coefficients.
+        let scaled = p.scaled_argument(&rational(1, d));
+        let common = scaled.coefficients().iter().fold(BigInt::from(1), |common, c| common.lcm(c.denom()));
+        let integers: Vec<BigInt> = scaled.coefficients().iter().map(|c| c.numer() * (&common / c.denom())).collect();
+        let count = count_roots_between(&integers, &a.into(), &(a + width).into());
+        prop_assert_eq!(count, sturm.count(&ends[0], Some(&ends[1])));
     }
 
     #[test]

@@ -4,6 +4,7 @@ mod algebraic;
 mod contenders;
 mod crossing;
 mod decision;
+mod descartes;
 mod extremum;
 mod formal;
 mod greatest;
@@ -27,6 +28,7 @@ pub use algebraic::{Algebraic, Enclosed, decimals_around, settled, settled_apart
 pub use contenders::Attained;
 pub use crossing::{Crossing, Flank, Tie};
 pub use decision::{Decision, PositivePoint, SignPattern, always_nonnegative, always_positive, sign_pattern};
+pub use descartes::{RootInterval, isolate_between};
 pub use extremum::{Extremum, ExtremumKind, Jump, Location};
 pub use formal::{Factored, FormalBasis, FormalFunction, FormalPiece, Whose};
 pub use greatest::{Greatest, compare};
@@ -39,7 +41,7 @@ pub use partition::{FreeKnotError, Partition, PartitionEnd, PartitionEvent, Rati
 pub use piece::{Piece, constant};
 pub use pieces::{Pieces, SpanPieces, coordinate_between, coordinate_of, positive_coordinate};
 pub use rational_bezier::{RationalBezier, RationalBezierError};
-pub use roots::{IsolatedRoot, count_positive_roots, positive_roots};
+pub use roots::{IsolatedRoot, count_positive_roots, count_roots_between, positive_roots};
 pub use shape::Shape;
 pub use sign::Sign;
 pub use slopes::{KnotSlopes, knot_slopes};

@@ -9,6 +9,7 @@ use num_traits::{One, Signed, Zero};
 
 use crate::scalar::{Polynomial, spend};
 
+use super::descartes;
 use super::integer_polynomial::IntegerPolynomial;
 use super::sign::{Sign, sign_changes};
 
@@ -241,11 +242,52 @@ pub fn positive_roots(p: &Polynomial<BigRational>) -> Vec<IsolatedRoot> {
 /// The number of distinct roots of p in (0, ∞); 0 for the polynomial 0, which has no isolated one.
 #[must_use]
 pub fn count_positive_roots(p: &Polynomial<BigRational>) -> usize {
+    count_of(IntegerPolynomial::from_rational(p))
+}
+
+/// The number of distinct roots of Σ c_i x^i in the open interval (a, b), whatever their multiplicities; 0 for the
+/// polynomial 0, which has no isolated one.
+///
+/// With fractions, multiply: x = X/d makes integers of the ends, and c_i·d^(n−i) of the coefficients.
+///
+/// ```
+/// use knotproof::analysis::count_roots_between;
+/// use num_bigint::BigInt;
+///
+/// // (x − 1)²(x − 3): the ends do not count.
+/// let p = [-3, 7, -5, 1].map(BigInt::from);
+/// let count = |a: i64, b: i64| count_roots_between(&p, &a.into(), &b.into());
+/// assert_eq!([count(0, 4), count(0, 3), count(1, 3)], [2, 1, 0]);
+/// ```
+#[must_use]
+pub fn count_roots_between(coefficients: &[BigInt], a: &BigInt, b: &BigInt) -> usize {
+    descartes::count_between(coefficients, a, b)
+        .unwrap_or_else(|| if a < b { count_of(moved_to_positive(coefficients, a, b)) } else { 0 })
+}
+
+/// Σ c_i (a + bu)^i (1 + u)^(n−i) up to a positive factor: the roots in (a, b) become positive ones, by
+/// x = (a + bu)/(1 + u).
+fn moved_to_positive(coefficients: &[BigInt], a: &BigInt, b: &BigInt) -> IntegerPolynomial {
+    let mut c = coefficients.to_vec();
+    shift(&mut c, |lower, upper| *lower += upper * a);
+    let (width, mut power) = (b - a, BigInt::one());
+    for c in &mut c {
+        *c *= &power;
+        power *= &width;
+    }
+    c.reverse();
+    shift(&mut c, |lower, upper| *lower += upper);
+    c.reverse();
+    IntegerPolynomial::primitive(c)
+}
+
+/// The number of distinct roots in (0, ∞).
+fn count_of(p: IntegerPolynomial) -> usize {
     // Without variations, or with one, Descartes' rule is exact, and multiplicities do not matter.
-    let polynomial = IntegerPolynomial::from_rational(p);
-    match sign_changes(polynomial.coefficients()) {
+    match sign_changes(p.coefficients()) {
         few @ (0 | 1) => few,
-        _ => isolate(&polynomial.without_root_at_zero().square_free()).len(),
+        _ => descartes::count_positive(p.coefficients())
+            .unwrap_or_else(|| isolate(&p.without_root_at_zero().square_free()).len()),
     }
 }
 
@@ -298,7 +340,14 @@ fn isolate(polynomial: &IntegerPolynomial) -> Vec<(BigRational, BigRational)> {
             vec![(y.clone(), y)]
         };
     }
-    let coefficients = polynomial.coefficients().to_vec();
+    match descartes::isolate_positive(polynomial.coefficients()) {
+        Some(found) => found.iter().map(|root| (root.lo(), root.hi())).collect(),
+        None => bisect(polynomial.coefficients().to_vec()),
+    }
+}
+
+/// [`isolate`] in integers of any length.
+fn bisect(coefficients: Vec<BigInt>) -> Vec<(BigRational, BigRational)> {
     let mut tasks = vec![Task::Search { coefficients, place: BigInt::zero(), depth: 0 }];
     let mut found = Vec::new();
     while let Some(task) = tasks.pop() {
@@ -348,14 +397,19 @@ fn halves(coefficients: Vec<BigInt>) -> (Vec<BigInt>, Vec<BigInt>, bool) {
 
 /// p(1 + 2v): the Taylor shift by 1, then c_i·2^i.
 fn shift_and_double(c: &mut [BigInt]) {
+    shift(c, |lower, upper| *lower += upper);
+    for (i, c) in c.iter_mut().enumerate() {
+        *c <<= i;
+    }
+}
+
+/// Horner's rule: with `add` c_i += m·c_{i+1}, the Taylor shift by m.
+fn shift(c: &mut [BigInt], add: impl Fn(&mut BigInt, &BigInt)) {
     for start in 0..c.len() {
         for i in (start..c.len() - 1).rev() {
             let (low, high) = c.split_at_mut(i + 1);
-            low[i] += &high[0];
+            add(&mut low[i], &high[0]);
         }
-    }
-    for (i, c) in c.iter_mut().enumerate() {
-        *c <<= i;
     }
 }
 
@@ -370,8 +424,10 @@ fn remove_powers_of_two(coefficients: &mut [BigInt]) {
 
 #[cfg(test)]
 mod tests {
+    use super::descartes::isolate_between;
     use super::*;
     use crate::scalar::{Ring, integer, rational};
+    use proptest::prelude::*;
 
     fn polynomial(coefficients: &[i64]) -> Polynomial<BigRational> {
         let mut coefficients = coefficients.iter().map(|&c| rational(c, 1));
@@ -451,6 +507,125 @@ mod tests {
         for p in [polynomial(&[0]), polynomial(&[3]), polynomial(&[0, 5]), polynomial(&[0, 0, -1])] {
             assert!(positive_roots(&p).is_empty());
             assert_eq!(count_positive_roots(&p), 0);
+        }
+    }
+
+    /// The number of roots in (a, b), all in integers of any length.
+    fn slowly(coefficients: &[BigInt], a: &BigInt, b: &BigInt) -> usize {
+        let p = moved_to_positive(coefficients, a, b).without_root_at_zero();
+        if p.is_zero() { 0 } else { bisect(p.square_free().into_coefficients()).len() }
+    }
+
+    /// (a, b) and a polynomial with roots in it, at its ends, in dyadic places, close together, or multiple.
+    fn troubled() -> impl Strategy<Value = (BigInt, BigInt, Vec<BigInt>)> {
+        let far = prop::sample::select(vec![0_i64, 0, -4, -20, 1 << 15, -(1 << 33), 1 << 61]);
+        let long = prop::sample::select(vec![1_u32, 1, 1, 30, 400]);
+        let factors = prop::collection::vec((0_u8..8, any::<u32>(), any::<u32>(), 1_usize..=2), 1..=9);
+        (far, 1_i64..=12, long, factors).prop_map(|(a, width, long, factors)| {
+            // Factors in x − a.
+            let factor = |&(kind, m, e, power): &(u8, u32, u32, usize)| {
+                let (m, e) = (i64::from(m), i64::from(e));
+                let (p, power) = match kind {
+                    0 => (vec![0, 1], power),
+                    1 => (vec![-width, 1], power),
+                    2 => (vec![-(m % (8 * width + 1)), 8], 1),
+                    3 => (vec![m % 2001 - 1000, e % 99 + 1], power),
+                    4 => (vec![m % 201 - 100, e % 41 - 20, m % 20 + 1], 1),
+                    5 => (vec![m % 9 - 4], 1),
+                    // Two roots about 2^(−12)·√e apart, or one double root, around m/4096.
+                    6 => {
+                        let (m, e) = (m % (4096 * width), e % 7);
+                        (vec![m * m - e, -2 * 4096 * m, 4096 * 4096], 1)
+                    }
+                    // Around a dyadic place, as close as there are roots of 2^e·(x − m/8)² − 1.
+                    _ => {
+                        let (m, e) = (m % (8 * width + 1), 1_i64 << (e % 24));
+                        (vec![m * m * e - 1, -16 * m * e, 64 * e], 1)
+                    }
+                };
+                let mut p = p.into_iter().map(BigInt::from);
+                Polynomial::new(p.next().unwrap(), p).power(power)
+            };
+            let product =
+                factors.iter().map(factor).reduce(|product, factor| product.times(&factor)).unwrap();
+            let a = BigInt::from(a);
+            let mut c = product.scaled(&BigInt::from(10).pow(long)).coefficients().to_vec();
+            shift(&mut c, |lower, upper| *lower -= upper * &a);
+            (a.clone(), a + width, c)
+        })
+    }
+
+    #[test]
+    fn long_numbers_long_polynomials_and_far_ends_are_counted_too() {
+        let linear = |root: BigInt, slope: BigInt| Polynomial::new(-root, [slope]);
+        let one = BigInt::from(1);
+        let count = |p: &Polynomial<BigInt>, a: &BigInt, b: &BigInt| {
+            assert!(isolate_between(p.coefficients(), a, b).is_none());
+            count_roots_between(p.coefficients(), a, b)
+        };
+        // Roots at 1 + 10^(−10,000) and 2, and a double one at 3.
+        let long = BigInt::from(10).pow(10_000);
+        let p = linear(&long + 1, long).times(&linear(2.into(), one.clone()));
+        let p = p.times(&linear(3.into(), one.clone()).power(2));
+        assert_eq!(count(&p, &1.into(), &3.into()), 2);
+        assert_eq!(count(&p, &1.into(), &4.into()), 3);
+        let all = (1..=70).map(|root| linear(root.into(), one.clone()));
+        let p = all.reduce(|product, factor| product.times(&factor)).unwrap();
+        assert_eq!(count(&p, &1.into(), &70.into()), 68);
+        let far: BigInt = BigInt::from(1) << 70;
+        let p = linear(&far + 1, one.clone())
+            .times(&linear(&far + 2, one.clone()))
+            .times(&linear(far.clone(), one));
+        assert_eq!(count(&p, &far, &(&far + 3)), 2);
+        assert_eq!(count(&p, &-&far, &(&far + 2)), 2);
+        assert_eq!(count(&p, &(&far + 3), &far), 0);
+        assert_eq!(count_roots_between(&[BigInt::from(0)], &-&far, &far), 0);
+        assert_eq!(count_roots_between(&[], &-&far, &far), 0);
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(600))]
+
+        #[test]
+        fn roots_between_are_those_of_the_slow_path((a, b, c) in troubled()) {
+            let expected = slowly(&c, &a, &b);
+            prop_assert_eq!(count_roots_between(&c, &a, &b), expected);
+            let Some(roots) = isolate_between(&c, &a, &b) else { return Ok(()) };
+            prop_assert_eq!(roots.len(), expected);
+            for pair in roots.windows(2) {
+                prop_assert!(pair[0].hi() <= pair[1].lo());
+            }
+            for root in roots {
+                let (width, start) = (BigRational::from(&b - &a), BigRational::from(a.clone()));
+                let [lo, hi] = [root.lo(), root.hi()].map(|y| y * &width + &start);
+                prop_assert!(start <= lo && lo <= hi && hi <= BigRational::from(b.clone()));
+                prop_assert_eq!(root.is_exact(), lo == hi);
+                // In X = 2^60·x the ends are integers.
+                let scale: BigInt = BigInt::from(1) << 60;
+                let n = c.len() - 1;
+                let scaled: Vec<BigInt> = c.iter().enumerate().map(|(i, c)| c << (60 * (n - i))).collect();
+                let [lo, hi] = [lo, hi].map(|x| (x * &scale).to_integer());
+                if root.is_exact() {
+                    let value = scaled.iter().rev().fold(BigInt::ZERO, |value, c| value * &lo + c);
+                    prop_assert_eq!(value, BigInt::ZERO);
+                } else {
+                    prop_assert_eq!(slowly(&scaled, &lo, &hi), 1);
+                }
+            }
+        }
+
+        #[test]
+        fn both_ways_end_with_the_same_intervals((_, _, c) in troubled()) {
+            let p = IntegerPolynomial::primitive(c).without_root_at_zero();
+            if p.is_zero() {
+                return Ok(());
+            }
+            prop_assert_eq!(count_of(p.clone()), bisect(p.clone().square_free().into_coefficients()).len());
+            let p = p.square_free();
+            // A linear polynomial has its root exactly, without a search.
+            if p.coefficients().len() != 2 {
+                prop_assert_eq!(isolate(&p), bisect(p.coefficients().to_vec()));
+            }
         }
     }
 }
