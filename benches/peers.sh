@@ -2,6 +2,9 @@
 # knotproof beside FLINT (in C and in Python) and PARI/GP on the same jobs, in one run and on one core: compares all
 # results, then times the systems in turn, and writes benches/peers.md. About three minutes.
 #
+# FLINT in C is that of the distribution, which has headers; for job C also FLINT 3, which is much faster there: the one
+# that python-flint brings with it.
+#
 #   benches/peers.sh setup            installs what is missing, on Debian or Ubuntu, as root
 #   benches/peers.sh [REPETITIONS]    runs; 5 repetitions unless given
 #
@@ -27,8 +30,10 @@ rm -rf "$out/cases"
 mkdir -p "$out/cases"
 cargo build --locked --release --quiet --example peers
 gcc -O3 benches/peers/flint.c -lflint -lgmp -o "$out/flint"
+libraries=$("$venv/bin/python" -c 'import flint, pathlib; print(pathlib.Path(flint.__file__).parents[1] / "python_flint.libs")')
+gcc -O3 benches/peers/flint3.c "$libraries"/libflint-*.so* "$libraries"/libgmp-*.so* "-Wl,-rpath,$libraries" -o "$out/flint3"
 one_core=()
 command -v taskset >/dev/null && one_core=(taskset -c "$(taskset -cp $$ | sed 's/.*[ ,-]//')")
 "${one_core[@]}" "$venv/bin/python" benches/peers/compare.py \
-    "$out/cases" benches/peers.md target/release/examples/peers "$out/flint" "$repetitions"
+    "$out/cases" benches/peers.md target/release/examples/peers "$out/flint" "$out/flint3" "$repetitions"
 echo "Written: benches/peers.md"

@@ -1,8 +1,9 @@
 """Runs knotproof and its peers on the same cases: compares all results, then times them in turn.
 
-    compare.py FOLDER REPORT PEERS FLINT [REPETITIONS]
+    compare.py FOLDER REPORT PEERS FLINT FLINT3 [REPETITIONS]
 
-FOLDER takes the cases and results, REPORT the table; PEERS is the program from ours.rs, FLINT that from flint.c.
+FOLDER takes the cases and results, REPORT the table; PEERS is the program from ours.rs, FLINT that from flint.c, FLINT3 that
+from flint3.c.
 Exit code 1: two results differ, and nothing is timed. README.md describes the files.
 """
 
@@ -37,7 +38,8 @@ NOTES = {
     "those of the peers in x.",
     "C": "Uniform: one function, r = 1/3. Non-uniform: eight functions with random gaps from 1 to 9, r = 3. The peers "
     "get the numerators of the derivatives ready made; so does `from polynomials`, and `from the knots` computes "
-    "them, or does without. A count from the knots is that of the sign changes: in these cases all roots are simple.",
+    "them, or does without. A count from the knots is that of the sign changes: in these cases all roots are simple. "
+    "FLINT 3 isolates the roots by Vincent, Collins and Akritas.",
     "E": "The knots of B. The result of knotproof is not reduced, as that in the last column of PARI; all others are.",
     "growth": "r = 1/3, open uniform knots.",
 }
@@ -47,7 +49,7 @@ NOTES = {
 RESULTS = {
     "A": {"knotproof-reduced", "knotproof-unreduced", "flint-c", "flint-py", "pari"},
     "B": {"knotproof", "flint-c", "flint-py", "pari", "pari-quotients"},
-    "C": {"knotproof-from-the-knots", "knotproof-from-polynomials", "flint-c", "pari"},
+    "C": {"knotproof-from-the-knots", "knotproof-from-polynomials", "flint-c", "flint-3", "pari"},
     "E": {"knotproof", "flint-py", "pari", "pari-quotients"},
 }
 
@@ -63,8 +65,8 @@ def gp(call):
 class Peers:
     """The systems, each with the jobs that it does."""
 
-    def __init__(self, folder, ours, flint):
-        self.folder, self.ours, self.flint = folder, ours, flint
+    def __init__(self, folder, ours, flint, flint3):
+        self.folder, self.ours, self.flint, self.flint3 = folder, ours, flint, flint3
         self.python = (sys.executable, HERE / "python_flint.py")
 
     def prepare(self):
@@ -72,13 +74,18 @@ class Peers:
         run(*self.python, "slopes", self.folder)
 
     def check(self):
-        for program in ((self.ours,), (self.flint,), self.python):
+        for program in ((self.ours,), (self.flint,), (self.flint3,), self.python):
             run(*program, "check", self.folder)
         gp(f'check("{self.folder}")')
 
     def time(self, job):
         """The lines of all systems, in turn."""
-        commands = [((self.ours,), "ABCE growth"), ((self.flint,), "ABC"), (self.python, "ABE")]
+        commands = [
+            ((self.ours,), "ABCE growth"),
+            ((self.flint,), "ABC"),
+            ((self.flint3,), "C"),
+            (self.python, "ABE"),
+        ]
         for program, jobs in commands:
             if job in jobs:
                 yield from run(*program, "time", job, self.folder, stdout=subprocess.PIPE).stdout.splitlines()
@@ -177,6 +184,7 @@ def versions(peers):
     return [
         f"knotproof {first('git', '-C', HERE, 'describe', '--always', '--dirty')}, {first('rustc', '--version')}",
         first(peers.flint, "version"),
+        first(peers.flint3, "version"),
         f"python-flint {importlib.metadata.version('python-flint')}, Python {platform.python_version()}",
         f"PARI/GP {first('gp', '--version-short')}",
     ]
@@ -199,9 +207,9 @@ def report(figures, repetitions, peers):
         yield from table(figures[job])
 
 
-def main(folder, target, ours, flint, repetitions=5):
+def main(folder, target, ours, flint, flint3, repetitions=5):
     folder, repetitions = Path(folder), int(repetitions)
-    peers = Peers(folder, ours, flint)
+    peers = Peers(folder, ours, flint, flint3)
     peers.prepare()
     peers.check()
     if differing := list(differences(folder)):

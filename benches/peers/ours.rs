@@ -16,7 +16,7 @@ use std::fs;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-use knotproof::analysis::{SpanQuotient, count_positive_roots};
+use knotproof::analysis::{SpanQuotient, count_roots_between};
 use knotproof::scalar::{Polynomial, RationalAlgebra, RationalFunction, integer, rational};
 use knotproof::spline::{Active, Basis, Evaluator};
 use num_bigint::BigInt;
@@ -133,7 +133,7 @@ fn write_results(folder: &str) -> Outcome {
                 .concat();
             write(format!("C.{degree}-{family}.knotproof-from-the-knots"), joined(turns) + "\n")?;
             let roots = slopes(folder, degree, family)?;
-            let roots = roots.iter().map(|(p, a, b)| roots_between(p, a, b));
+            let roots = roots.iter().map(Slope::roots);
             write(format!("C.{degree}-{family}.knotproof-from-polynomials"), joined(roots) + "\n")?;
         }
     }
@@ -181,33 +181,30 @@ fn terms(p: &Polynomial<Polynomial<BigInt>>) -> String {
 }
 
 /// The numerators of the derivatives with the ends of their spans, as `python_flint.py` has written them.
-fn slopes(
-    folder: &str,
-    degree: usize,
-    family: &str,
-) -> Outcome<Vec<(Polynomial<BigRational>, BigRational, BigRational)>> {
+struct Slope {
+    ends: [BigInt; 2],
+    coefficients: Vec<BigInt>,
+}
+
+impl Slope {
+    /// Job C from a polynomial: its roots between the ends.
+    fn roots(&self) -> usize {
+        count_roots_between(&self.coefficients, &self.ends[0], &self.ends[1])
+    }
+}
+
+fn slopes(folder: &str, degree: usize, family: &str) -> Outcome<Vec<Slope>> {
     let text = fs::read_to_string(format!("{folder}/C.{degree}-{family}.slopes"))?;
     let slope = |line: &str| {
-        let numbers = line.split(' ').map(|word| word.parse::<BigRational>());
-        match &numbers.collect::<Result<Vec<_>, _>>()?[..] {
-            [a, b, first, rest @ ..] => {
-                Ok((Polynomial::new(first.clone(), rest.iter().cloned()), a.clone(), b.clone()))
+        let numbers = line.split(' ').map(str::parse).collect::<Result<Vec<BigInt>, _>>()?;
+        match &numbers[..] {
+            [a, b, coefficients @ ..] => {
+                Ok(Slope { ends: [a.clone(), b.clone()], coefficients: coefficients.to_vec() })
             }
             _ => Err(format!("no slope: {line}").into()),
         }
     };
     text.lines().map(slope).collect()
-}
-
-/// Job C from a polynomial: its roots in (a, b), where it does not vanish in a and b.
-fn roots_between(polynomial: &Polynomial<BigRational>, a: &BigRational, b: &BigRational) -> usize {
-    // With x = a + (b − a)/(1 + w) it is about w in (0, ∞).
-    let from_a = match a == &integer(0) {
-        true => polynomial.clone(),
-        false => polynomial.scaled_argument(a).shifted_by_one().scaled_argument(&a.recip()),
-    };
-    let scaled = from_a.scaled_argument(&(b - a));
-    count_positive_roots(&scaled.reversed(scaled.degree()).shifted_by_one())
 }
 
 /// Runs the job until the time is over, and prints the seconds for each of its `units`.
@@ -250,7 +247,7 @@ fn time_critical_points(folder: &str) -> Outcome {
         for (family, functions) in families(degree) {
             let (case, count) = (format!("k = {degree}, {family}"), functions.len());
             let slopes = slopes(folder, degree, family)?;
-            let run = || slopes.iter().map(|(p, a, b)| roots_between(p, a, b)).sum::<usize>();
+            let run = || slopes.iter().map(Slope::roots).sum::<usize>();
             time("C", &case, "knotproof, from polynomials", count, run);
             let run = || -> Outcome<Vec<Vec<usize>>> {
                 functions.iter().map(|f| Ok(jobs::turns(&jobs::local_knots(f)?))).collect()
