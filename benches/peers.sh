@@ -7,6 +7,9 @@
 #
 #   benches/peers.sh setup            installs what is missing, on Debian or Ubuntu, as root
 #   benches/peers.sh [REPETITIONS]    runs; 5 repetitions unless given
+#   benches/peers.sh rows REPETITIONS JOB...
+#                                     runs these of the jobs A, B, C, E and writes to standard output, in place of benches/peers.md,
+#                                     the rows that benches/table.rs reads
 #
 # The virtual environment of python-flint is target/peers/venv, or $PEERS_VENV.
 set -euo pipefail
@@ -19,6 +22,11 @@ if [[ ${1:-} == setup ]]; then
     python3 -m venv "$venv"
     "$venv/bin/pip" install --quiet python-flint==0.9.0 numpy scipy
     exit
+fi
+rows=()
+if [[ ${1:-} == rows ]]; then
+    rows=("${@:3}")
+    shift
 fi
 repetitions=${1:-5}
 [[ $repetitions =~ ^[1-9][0-9]?$ ]] || { echo "peers.sh: the number of repetitions is '$repetitions': write 1 to 99" >&2; exit 2; }
@@ -35,5 +43,5 @@ gcc -O3 benches/peers/flint3.c "$libraries"/libflint-*.so* "$libraries"/libgmp-*
 one_core=()
 command -v taskset >/dev/null && one_core=(taskset -c "$(taskset -cp $$ | sed 's/.*[ ,-]//')")
 "${one_core[@]}" "$venv/bin/python" benches/peers/compare.py \
-    "$out/cases" benches/peers.md target/release/examples/peers "$out/flint" "$out/flint3" "$repetitions"
-echo "Written: benches/peers.md"
+    "$out/cases" benches/peers.md target/release/examples/peers "$out/flint" "$out/flint3" "$repetitions" "${rows[@]}"
+((${#rows[@]})) || echo "Written: benches/peers.md"

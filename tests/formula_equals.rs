@@ -3,7 +3,6 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
 
 use std::fs;
-use std::time::{Duration, Instant};
 
 use serde_json::{Value, json};
 
@@ -209,10 +208,8 @@ fn nothing_is_too_deep_or_too_long() {
         many("/* */") + "x",
     ];
     for text in texts {
-        let started = Instant::now();
         let (code, _, _) = run(&text, &hat("0"));
         assert!(code == 1 || code == 2, "{}: {code}", &text[..20]);
-        assert!(started.elapsed() < Duration::from_secs(60), "{}: {:?}", &text[..20], started.elapsed());
     }
     // Another basis that is equal has the same formulas in a longer way: that is no reason to give up.
     let sum = "if 0 <= x and x < 1 then (".to_owned()

@@ -3,9 +3,11 @@
 # Prints million points a second and the ratios.
 #
 #   benches/float/compare.sh [PYTHON]        a Python with numpy and scipy, python3 unless given
+#   benches/float/compare.sh PYTHON rows     prints the rows that benches/table.rs reads, milliseconds for a million points
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 python=${1:-python3}
+rows=${2:-}
 "$python" -c 'import scipy' 2>/dev/null || { echo "compare.sh: $python has no SciPy: name one that has" >&2; exit 2; }
 
 cargo build --locked --release --quiet --example float-throughput
@@ -13,16 +15,20 @@ one_core=()
 command -v taskset >/dev/null && one_core=(taskset -c "$(taskset -cp $$ | sed 's/.*[ ,-]//')")
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
+figures() { if [[ $rows ]]; then cat > "$1"; else tee "$1"; fi; }
 
 # SciPy writes its points and its values for α = ∞, which are compared before anything is timed here.
-"${one_core[@]}" "$python" benches/float/scipy_side.py "$folder" | tee "$folder/scipy"
-"${one_core[@]}" target/release/examples/float-throughput "$folder" | tee "$folder/ours"
+"${one_core[@]}" "$python" benches/float/scipy_side.py "$folder" | figures "$folder/scipy"
+"${one_core[@]}" target/release/examples/float-throughput "$folder" | figures "$folder/ours"
 
-awk -F'  +' '
+awk -F'  +' -v rows="$rows" '
     { rate[$1] = $2 }
-    function ratio(a, b) { printf "%-40s %6.1f times %s\n", a, rate[a] / rate[b], b }
+    function ratio(a, b) {
+        if (rows) printf "F\tk = 3, a million points\t%s\t%.6g\t%s\t%.6g\n", a, 1000 / rate[a], b, 1000 / rate[b]
+        else printf "%-40s %6.1f times %s\n", a, rate[a] / rate[b], b
+    }
     END {
-        print ""
+        if (!rows) print ""
         ratio("fast, scattered", "SciPy design_matrix")
         ratio("accurate, scattered", "SciPy design_matrix")
         ratio("fast curve, scattered", "SciPy BSpline.__call__")

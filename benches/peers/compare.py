@@ -1,9 +1,10 @@
 """Runs knotproof and its peers on the same cases: compares all results, then times them in turn.
 
-    compare.py FOLDER REPORT PEERS FLINT FLINT3 [REPETITIONS]
+    compare.py FOLDER REPORT PEERS FLINT FLINT3 [REPETITIONS [JOB ...]]
 
 FOLDER takes the cases and results, REPORT the table; PEERS is the program from ours.rs, FLINT that from flint.c, FLINT3 that
-from flint3.c.
+from flint3.c. Of jobs that are named there is no report: standard output takes a line for each of our figures and each peer,
+`JOB<tab>SIZE<tab>OURS<tab>MILLISECONDS<tab>PEER<tab>MILLISECONDS`.
 Exit code 1: two results differ, and nothing is timed. README.md describes the files.
 """
 
@@ -207,24 +208,40 @@ def report(figures, repetitions, peers):
         yield from table(figures[job])
 
 
-def main(folder, target, ours, flint, flint3, repetitions=5):
+def rows(job, figures):
+    """One line for each of ours and each of theirs."""
+    for (case, ours), seconds in figures.items():
+        if ours.startswith("knotproof"):
+            for (other, peer), theirs in figures.items():
+                if other == case and not peer.startswith("knotproof"):
+                    own = ours.removeprefix("knotproof").removeprefix(", ")
+                    yield f"{job}\t{case}\t{own}\t{seconds * 1e3}\t{peer}\t{theirs * 1e3}"
+
+
+def main(folder, target, ours, flint, flint3, repetitions=5, *jobs):
     folder, repetitions = Path(folder), int(repetitions)
     peers = Peers(folder, ours, flint, flint3)
     peers.prepare()
     peers.check()
     if differing := list(differences(folder)):
         sys.exit("\n".join(differing))
-    print("All results are equal.", flush=True)
+    tell = lambda text: print(text, file=sys.stderr if jobs else sys.stdout, flush=True)
+    tell("All results are equal.")
     figures = {}
     for job, heading, _ in JOBS:
-        print(f"{job}: {heading}", flush=True)
+        if jobs and job not in jobs:
+            continue
+        tell(f"{job}: {heading}")
         seconds = defaultdict(list)
         for _ in range(repetitions):
             for line in peers.time(job):
                 _, case, variant, figure = line.split("\t")
                 seconds[case, variant].append(float(figure))
         figures[job] = {key: median(values) for key, values in seconds.items()}
-    Path(target).write_text("\n".join(report(figures, repetitions, peers)) + "\n")
+    if jobs:
+        print("\n".join(row for job in figures for row in rows(job, figures[job])))
+    else:
+        Path(target).write_text("\n".join(report(figures, repetitions, peers)) + "\n")
 
 
 if __name__ == "__main__":

@@ -3,11 +3,13 @@
 # polsturm, in one run and on one core; checks that all counts agree; prints functions a second and the ratio.
 #
 #   benches/unimodality/compare.sh [COUNT]        COUNT functions of each degree, 2000 unless given
+#   benches/unimodality/compare.sh COUNT rows     prints the rows that benches/table.rs reads, milliseconds for a function
 #
 # PARI/GP is the package pari-gp of Debian and Ubuntu: apt-get install pari-gp.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 count=${1:-2000}
+rows=${2:-}
 [[ $count =~ ^[1-9][0-9]{0,6}$ ]] || { echo "compare.sh: the number of functions is '$count': write 1 to 9999999" >&2; exit 2; }
 command -v gp >/dev/null || { echo "compare.sh: gp is missing: install PARI/GP, on Debian: apt-get install pari-gp" >&2; exit 2; }
 
@@ -17,7 +19,7 @@ command -v taskset >/dev/null && one_core=(taskset -c "$(taskset -cp $$ | sed 's
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
-echo "degree  route                 functions/s   knotproof is"
+[[ $rows ]] || echo "degree  route                 functions/s   knotproof is"
 for degree in 3 4 5; do
     # Twice each in turn, the better run counts: other work on the machine disturbs neither side alone.
     declare -A best=()
@@ -36,6 +38,13 @@ for degree in 3 4 5; do
         done
     done
     own=${best[knotproof]}
+    if [[ $rows ]]; then
+        for route in by_numerators by_quotients by_quotients_in_u; do
+            awk -v d="$degree" -v n="$count" -v own="$own" -v r="PARI, polsturm, ${route//_/ }" -v t="${best[$route]}" \
+                'BEGIN { printf "S\tk = %d\tnumber of maxima\t%.6g\t%s\t%.6g\n", d, 1000 * own / n, r, 1000 * t / n }'
+        done
+        continue
+    fi
     awk -v d="$degree" -v n="$count" -v t="$own" -v s="$share" \
         'BEGIN { printf "%-7s %-20s %12.0f   (%s %% of the spans by intervals)\n", d, "knotproof", n / t, s }'
     for route in by_numerators by_quotients by_quotients_in_u; do
@@ -43,4 +52,4 @@ for degree in 3 4 5; do
             'BEGIN { printf "        %-20s %10.0f   %.1f times as fast\n", r, n / t, t / own }'
     done
 done
-echo "All counts agree: $count functions of each degree, by four routes."
+[[ $rows ]] || echo "All counts agree: $count functions of each degree, by four routes."

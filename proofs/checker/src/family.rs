@@ -238,8 +238,10 @@ impl<'t> Family<'t> {
 
     /// Whether these are the weights of D2.3.
     pub(crate) fn is_mobius(&self) -> Result<bool> {
-        let own = [tree("(* (parameter r) (- (var x) (var a)))")?, tree("(- (var b) (var x))")?];
-        Ok(self.weight.is_some_and(|weight| weight.into_iter().eq(&own)))
+        let Some([rise, fall]) = self.weight else { return Ok(false) };
+        let product = tree("(* (parameter r) (- (var x) (var a)))")?;
+        let turned = tree("(* (- (var x) (var a)) (parameter r))")?;
+        Ok((*rise == product || *rise == turned) && *fall == tree("(- (var b) (var x))")?)
     }
 
     /// What the rest rests on, for the weights of degree d: as polynomials in x − a and b − x neither has a coefficient below 0; rise is

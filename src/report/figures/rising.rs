@@ -32,7 +32,7 @@ impl Rising {
                 "T_j is the sum of the functions from G_j on. Where it is neither 0 nor 1 it rises."
             }
             Self::Shares => {
-                "The line i is G_{i+1}/(G_i + G_{i+1}), where one of both is not 0. It rises where G_{i+1}/G_i does."
+                "S_i is G_{i+1}/(G_i + G_{i+1}), where one of both is not 0. It rises where G_{i+1}/G_i does."
             }
         }
     }
@@ -48,7 +48,7 @@ impl Rising {
     fn called(self, line: usize) -> String {
         match self {
             Self::Sums => indexed("T", line),
-            Self::Shares => indexed("", line),
+            Self::Shares => indexed("S", line),
         }
     }
 
