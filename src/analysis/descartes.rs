@@ -18,6 +18,8 @@
 //!   Σ |c_i| 3^i or Σ |c_i| 3^(n−i), which is less than 2^B·(1 + 3 + … + 3^n) < 2^B·3^(n+1)/2 if all |c_i| < 2^B; and
 //!   3^5 < 2^8. [`growth`] is that.
 
+use std::cell::Cell;
+
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, ToPrimitive, Zero};
@@ -148,7 +150,6 @@ fn search<R: Default>(
     if length > MOST {
         return None;
     }
-    spend();
     let bits = match span {
         Some((a, b)) => bits_of_moved(coefficients, a, b),
         None => coefficients.iter().map(BigInt::bits).max().unwrap_or(0) + 1,
@@ -190,14 +191,15 @@ fn search_in<const L: usize>(
 /// How many bits hold each coefficient of Q with its sign.
 fn bits_of_moved(coefficients: &[BigInt], a: i64, b: i64) -> u64 {
     let n = coefficients.len() as u64 - 1;
-    // |a| + |b| ≤ top·2^low with top ≤ 2^15, and so (|a| + |b|)^8 ≤ 2^eight.
-    let sum = u128::from(a.unsigned_abs()) + u128::from(b.unsigned_abs());
-    let low = length(sum).saturating_sub(15);
-    let top = (sum >> low) + u128::from(low > 0);
-    let eight = 8 * low + length(top.pow(8) - 1);
+    // |a| + |b| < 2^64, since a < b; it is ≤ top·2^low with top ≤ 2^15, and so (|a| + |b|)^8 ≤ 2^eight.
+    let sum = a.unsigned_abs() + b.unsigned_abs();
+    let low = length(sum.into()).saturating_sub(15);
+    let top = (sum >> low) + u64::from(low > 0);
+    let fourth = u128::from(top * top * top * top);
+    let eight = 8 * low + length(fourth * fourth - 1);
     // |c_i| (|a| + |b|)^i 2^(n−i) < 2^(length of c_i + i·eight/8 + n − i), where an eighth is the unit.
     let terms = coefficients.iter().zip(0..).map(|(c, i)| 8 * (c.bits() + n - i) + i * eight);
-    let most = terms.max().unwrap_or(0).div_ceil(8);
+    let most = terms.fold(0, u64::max).div_ceil(8);
     // There are n + 1 of them, and n + 1 ≤ 2^(length of n); one bit is the sign's.
     most + length(n.into()) + 1
 }
@@ -265,27 +267,67 @@ fn shift_by_one<const L: usize>(c: &mut [Limbs<L>]) {
     horner(c, Limbs::plus);
 }
 
-/// For each k from 0 up, c_i ← step(c_i, c_{i+1}) for i from n − 1 down to k; two k in one pass, so that each number is
-/// fetched and put back half as often.
+/// Horner's rule on polynomials: from the top coefficient on, what has been read is multiplied by x + m and the next one is
+/// added. That is c_i ← step(c_i, c_{i+1}) for i from k to n − 1, for each k from n − 1 down.
+///
+/// In this order no step waits for the one before it. Several k are done in one pass, so that each number is fetched and put
+/// back less often: as many as there are registers for.
 #[inline(always)]
 fn horner<const L: usize>(c: &mut [Limbs<L>], step: impl Fn(Limbs<L>, Limbs<L>) -> Limbs<L>) {
-    let n = c.len() - 1;
-    let mut k = 0;
-    while k + 1 < n {
-        // Of pass k at i, and of pass k + 1 at i + 1.
-        let mut first = step(c[n - 1], c[n]);
-        let mut second = c[n];
-        for i in (k + 1..n).rev() {
-            second = step(first, second);
-            first = step(c[i - 1], first);
-            c[i] = second;
-        }
-        c[k] = first;
-        k += 2;
+    let mut k = c.len() - 1;
+    let at_once = if L <= 2 { 4 } else { 2 };
+    while !k.is_multiple_of(at_once) {
+        k -= 1;
+        pass(&mut c[k..], &step);
     }
-    if k < n {
-        c[k] = step(c[k], c[n]);
+    while k > 0 {
+        k -= at_once;
+        if L <= 2 { four_passes(&mut c[k..], &step) } else { two_passes(&mut c[k..], &step) }
     }
+}
+
+/// [`horner`]'s pass for k = 0.
+#[inline(always)]
+fn pass<T: Copy>(c: &mut [T], step: &impl Fn(T, T) -> T) {
+    for pair in Cell::from_mut(c).as_slice_of_cells().windows(2) {
+        pair[0].set(step(pair[0].get(), pair[1].get()));
+    }
+}
+
+/// [`horner`]'s passes for k = 1 and k = 0.
+#[inline(always)]
+fn two_passes<T: Copy>(c: &mut [T], step: &impl Fn(T, T) -> T) {
+    let last = c.len() - 1;
+    // What the first pass has made of the number in the middle.
+    let mut first = c[0];
+    for window in Cell::from_mut(&mut *c).as_slice_of_cells().windows(3) {
+        let next = step(window[1].get(), window[2].get());
+        window[0].set(step(first, next));
+        first = next;
+    }
+    c[last - 1] = step(first, c[last]);
+}
+
+/// [`horner`]'s passes for k = 3, 2, 1 and 0.
+#[inline(always)]
+fn four_passes<T: Copy>(c: &mut [T], step: &impl Fn(T, T) -> T) {
+    let last = c.len() - 1;
+    // What a pass has made of a number, each one place before that of the pass before it.
+    let (mut first, mut second, mut third) = (c[2], c[1], c[0]);
+    for window in Cell::from_mut(&mut *c).as_slice_of_cells().windows(5) {
+        let next = step(window[3].get(), window[4].get());
+        let next_second = step(first, next);
+        let next_third = step(second, next_second);
+        window[0].set(step(third, next_third));
+        (first, second, third) = (next, next_second, next_third);
+    }
+    // No pass changes the last number, so there is less and less to do for the earlier ones.
+    let end = c[last];
+    let at_second = step(first, end);
+    let (before, at) = (step(second, at_second), step(at_second, end));
+    c[last - 3] = step(third, before);
+    c[last - 2] = step(before, at);
+    c[last - 1] = step(at, end);
 }
 
 /// How often the sign changes, up to 2.
@@ -319,6 +361,7 @@ fn bisect<const L: usize>(
     if longest + growth(n) > 64 * L as u64 {
         return Err(Failure::Narrow);
     }
+    spend();
     let mut store = [Limbs::ZERO; MOST];
     let left = &mut store[..=n];
     left.copy_from_slice(c);
