@@ -133,8 +133,7 @@ fn python() -> String {
 
 fn text(rows: &[Row]) -> String {
     let mut table = Table::new();
-    table.load_preset(NOTHING);
-    table.set_header(["job", "size", "ours", "ms", "peer", "ms", "ratio"]);
+    table.load_style(NOTHING).set_header(["job", "size", "ours", "ms", "peer", "ms", "ratio"]);
     for at in [3, 5, 6] {
         if let Some(column) = table.column_mut(at) {
             column.set_cell_alignment(CellAlignment::Right);
