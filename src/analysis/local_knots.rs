@@ -2,11 +2,11 @@
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::Zero;
+use num_traits::{Signed, Zero};
 use thiserror::Error;
 
 use super::piece::Piece;
-use crate::scalar::{Polynomial, RationalFunction, Ring, ScaleBy, Whole, over_one_denominator};
+use crate::scalar::{Polynomial, RationalFunction, Ring, ScaleBy, gcd, over_one_denominator};
 use crate::spline::{Basis, Factors, FractionFree, Triangle};
 
 /// The local knot vector t_i ≤ t_{i+1} ≤ … ≤ t_{i+k+1} of one function G_i^k, by its k + 1 gaps, and the slope
@@ -237,8 +237,8 @@ pub(crate) fn is_continuous<T: Zero>(gaps: &[T]) -> bool {
 /// Gaps in the unit that makes all of them coprime integers; zeros, if all are 0.
 pub(super) fn coprime_gaps(gaps: &[BigRational]) -> Vec<BigInt> {
     let (mut gaps, _) = over_one_denominator(gaps);
-    let divisor = gaps.iter().fold(BigInt::ZERO, |divisor, gap| divisor.common_divisor(gap));
-    if !divisor.is_unit() && divisor != BigInt::ZERO {
+    let divisor = gaps.iter().fold(BigInt::ZERO, |divisor, gap| gcd(&divisor, gap).abs());
+    if divisor > BigInt::from(1) {
         for gap in &mut gaps {
             *gap /= &divisor;
         }

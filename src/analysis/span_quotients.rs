@@ -1,9 +1,14 @@
 //! All functions of one span in lowest terms, over denominators that are known as products of linear factors.
 
 use num_bigint::BigInt;
+use num_integer::Integer;
 use num_rational::BigRational;
+use num_traits::Signed;
 
-use crate::scalar::{Bilinear, Bivariate, Fixed, Polynomial, Ring, ScaleBy, Whole, Width, may_vanish};
+use crate::scalar::{
+    Bilinear, Bivariate, Fixed, LongPolynomial, Polynomial, Ring, ScaleBy, Width, Words, gcd, may_vanish,
+    residue,
+};
 use crate::spline::{Active, Basis, Factors, FractionFree, Index, KnotVector, Span, SpanError, triangle};
 
 use super::local_knots::{SpanQuotient, coprime_gaps};
@@ -11,19 +16,19 @@ use super::local_knots::{SpanQuotient, coprime_gaps};
 /// G_i^k = P/(c·∏ (a + bu)) on a span, in its [positive coordinate](super::positive_coordinate) u and in lowest terms:
 /// with integers, gcd(a, b) = 1, and neither c nor a factor a + bu has anything in common with P.
 #[derive(Debug, Clone, PartialEq)]
-struct FactoredQuotient {
+struct FactoredQuotient<R = BigInt> {
     /// P and c·∏ (a + bu).
     quotient: SpanQuotient<BigInt>,
     constant: BigInt,
     /// (a, b), a > 0, b > 0, each as often as it divides the denominator.
-    factors: Vec<(BigInt, BigInt)>,
+    factors: Vec<(R, R)>,
 }
 
 /// The functions that live on a span of a basis, as quotients of polynomials in its [positive
 /// coordinate](super::positive_coordinate) u with integer coefficients ≥ 0: P and Q without a common factor, a number
 /// included.
 ///
-/// By the [recursion without a division](FractionFree), in integers of 64 or of 128 bits, if ∏ (A + B), over all factors A + Bu
+/// By the [recursion without a division](FractionFree), in integers of a fixed width, if ∏ (A + B), over all factors A + Bu
 /// of a denominator, fits into them for each of the functions: all coefficients on the way are ≥ 0, and their
 /// sum is the value at u = 1, where no function exceeds 1. Then P is divided by those factors of Q that divide it.
 ///
@@ -51,7 +56,11 @@ pub fn span_quotients(basis: &Basis, span: Span) -> Result<Active<SpanQuotient<B
 
 /// [`span_quotients`] on a span of the basis, for the weights of an index.
 pub(super) fn own_quotients<W>(basis: &Basis<W>, index: &Index, span: Span) -> Active<SpanQuotient<BigInt>> {
-    factored_quotients(basis, index, span).map(|factored| factored.quotient.clone())
+    let near = Neighbourhood::of_basis(basis, index, span);
+    match near.short_quotients() {
+        Some(all) => all.into_map(|function| function.quotient),
+        None => near.quotients().into_map(|function| function.quotient),
+    }
 }
 
 /// [`span_quotients`] for every slope ratio r at once: the coefficients are polynomials in r. Nothing is reduced.
@@ -98,18 +107,16 @@ pub fn symbolic_quotients(
 
 /// [`span_quotients`] with the factors of the denominators.
 fn factored_quotients<W>(basis: &Basis<W>, index: &Index, span: Span) -> Active<FactoredQuotient> {
-    let ratio = (index.ratio().numer().clone(), index.ratio().denom().clone());
-    let near = Neighbourhood::of(basis.knots(), basis.degree(), span, ratio);
-    if let Some(words) = near.in_words::<i64>() {
-        words.quotients()
-    } else if let Some(words) = near.in_words::<i128>() {
-        words.quotients()
-    } else {
-        near.quotients()
-    }
+    let near = Neighbourhood::of_basis(basis, index, span);
+    let long = |FactoredQuotient { quotient, constant, factors }: FactoredQuotient<u64>| {
+        let factors = factors.into_iter().map(|(a, b)| (a.into(), b.into())).collect();
+        FactoredQuotient { quotient, constant, factors }
+    };
+    near.short_quotients().map_or_else(|| near.quotients(), |all| all.into_map(long))
 }
 
 /// The gaps around a span, from the knot t_low on.
+#[derive(Debug)]
 struct Neighbourhood<R> {
     gaps: Vec<R>,
     ratio: (R, R),
@@ -119,6 +126,11 @@ struct Neighbourhood<R> {
 }
 
 impl Neighbourhood<BigInt> {
+    fn of_basis<W>(basis: &Basis<W>, index: &Index, span: Span) -> Self {
+        let ratio = (index.ratio().numer().clone(), index.ratio().denom().clone());
+        Self::of(basis.knots(), basis.degree(), span, ratio)
+    }
+
     fn of(knots: &KnotVector, k: usize, span: Span, ratio: (BigInt, BigInt)) -> Self {
         let j = span.index();
         // The knots t_{j−k}, …, t_{j+k+1}, of which the first and the last do not matter on the span.
@@ -132,25 +144,80 @@ impl Neighbourhood<BigInt> {
 
     /// The same in a fixed width, if all that is computed from it fits.
     fn in_words<W: Width>(&self) -> Option<Neighbourhood<Fixed<W>>> {
+        self.with_factors_in().filter(Neighbourhood::fits)
+    }
+
+    /// The same in a fixed width, if factors and all that they are computed from fit.
+    fn with_factors_in<W: Width>(&self) -> Option<Neighbourhood<Fixed<W>>> {
         let word = |number: &BigInt| W::try_from(i128::try_from(number).ok()?).ok().map(Fixed::new);
-        let gaps: Option<Vec<_>> = self.gaps.iter().map(word).collect();
+        let gaps = self.gaps.iter().map(word).collect::<Option<Vec<_>>>()?;
         let ratio = (word(&self.ratio.0)?, word(&self.ratio.1)?);
-        let near = Neighbourhood { gaps: gaps?, ratio, low: self.low, j: self.j, k: self.k };
-        near.fits().then_some(near)
+        // Twice (p + q) times the length of the neighbourhood is more than a factor, and than all it is computed from.
+        let length = gaps.iter().try_fold(W::zero(), |sum, gap| sum.checked_add(&gap.value()))?;
+        let sum = ratio.0.value().checked_add(&ratio.1.value())?;
+        sum.product(length.checked_add(&length)?)?;
+        Some(Neighbourhood { gaps, ratio, low: self.low, j: self.j, k: self.k })
+    }
+
+    /// All functions in integers of a fixed width; `None` if they are too long, or if a division can't be settled there.
+    fn short_quotients(&self) -> Option<Active<FactoredQuotient<u64>>> {
+        let words = self.with_factors_in::<i64>()?;
+        let word = |c: &Fixed<i64>| c.value().unsigned_abs();
+        let pair = |(a, b): &(Fixed<i64>, Fixed<i64>)| (word(a), word(b));
+        let factors = words.factors()?.map(pair, pair, |(a, b), (c, d)| (a + c, b + d));
+        // A product is shorter than the lengths of its words together; one bit more, so that signs have a place.
+        let length = |i: usize| {
+            let values = factors.denominator(i).map(|(a, b)| a + b);
+            Words::of(values).map(|word| u64::from(64 - word.leading_zeros())).sum::<u64>()
+        };
+        match words.functions(&factors).map(length).max()? {
+            0..64 => self.in_digits::<1>(&factors),
+            64..128 => self.in_digits::<2>(&factors),
+            128..192 => self.in_digits::<3>(&factors),
+            192..256 => self.in_digits::<4>(&factors),
+            256..320 => self.in_digits::<5>(&factors),
+            320..384 => self.in_digits::<6>(&factors),
+            384..512 => self.in_digits::<8>(&factors),
+            512..768 => self.in_digits::<12>(&factors),
+            _ => None,
+        }
+    }
+
+    /// The same in L digits, which are enough.
+    fn in_digits<const L: usize>(
+        &self,
+        factors: &Factors<(u64, u64)>,
+    ) -> Option<Active<FactoredQuotient<u64>>> {
+        let one = LongPolynomial::<L>::one();
+        let numerators = triangle(&FractionFree::new(factors, &one), factors.span(), self.k, self.gaps.len());
+        let primitive: Vec<_> = factors.places().iter().map(|factor| primitive_in_word(*factor)).collect();
+        let reduced = |(i, numerator): (usize, &LongPolynomial<L>)| {
+            let places = factors.denominator_places(i).flatten().map(|place| &primitive[place]);
+            reduce_in_digits(numerator.clone(), &places.collect::<Vec<_>>())
+        };
+        let values = numerators.iter().map(reduced).collect::<Option<_>>()?;
+        Some(Active::new(self.low + numerators.first(), values))
+    }
+
+    /// All functions in integers of any length.
+    fn quotients(&self) -> Active<FactoredQuotient> {
+        let Some(factors) = self.factors() else { unreachable!("the span is within its neighbourhood") };
+        let one = Polynomial::constant(BigInt::from(1));
+        let weights = FractionFree::new(&factors, &one);
+        let numerators = triangle(&weights, factors.span(), self.k, self.gaps.len());
+        let primitive: Vec<_> = factors.places().iter().map(primitive).collect();
+        let reduced = |(i, numerator): (usize, &Polynomial<BigInt>)| {
+            let places = factors.denominator_places(i).flatten().map(|place| &primitive[place]);
+            reduce(numerator.clone(), places)
+        };
+        let values = numerators.iter().map(reduced).collect();
+        Active::new(self.low + numerators.first(), values)
     }
 }
 
 impl<W: Width> Neighbourhood<Fixed<W>> {
     /// Does ∏ (A + B), over the factors A + Bu of any denominator, fit?
     fn fits(&self) -> bool {
-        // Twice (p + q) times the length of the neighbourhood is more than a factor, and than all it is computed from.
-        let length = self.gaps.iter().try_fold(W::zero(), |sum, gap| sum.checked_add(&gap.value()));
-        let ratio = self.ratio.0.value().checked_add(&self.ratio.1.value());
-        let largest =
-            length.zip(ratio).and_then(|(length, ratio)| ratio.product(length.checked_add(&length)?));
-        if largest.is_none() {
-            return false;
-        }
         let Some(factors) = self.factors() else { return false };
         self.functions(&factors).all(|i| {
             let mut values = factors.denominator(i).map(|(a, b)| a.plus(b).value());
@@ -159,13 +226,13 @@ impl<W: Width> Neighbourhood<Fixed<W>> {
     }
 }
 
-impl<R: Whole> Neighbourhood<R> {
+impl<R: Ring + Into<BigInt>> Neighbourhood<R> {
     fn factors(&self) -> Option<Factors<(R, R)>> {
         Factors::in_positive_coordinate(&self.gaps, self.j - self.low, self.k, (&self.ratio.0, &self.ratio.1))
     }
 
     /// The indices of the functions that live on the span, counted from `low`.
-    fn functions(&self, factors: &Factors<(R, R)>) -> impl Iterator<Item = usize> + use<R> {
+    fn functions<F: Clone>(&self, factors: &Factors<F>) -> impl Iterator<Item = usize> + use<R, F> {
         let j = factors.span().index();
         j.saturating_sub(self.k)..(j + 1).min(self.gaps.len() - self.k)
     }
@@ -192,20 +259,6 @@ impl<R: Whole> Neighbourhood<R> {
         };
         Active::new(self.low + numerators.first(), numerators.iter().map(quotient).collect())
     }
-
-    fn quotients(&self) -> Active<FactoredQuotient> {
-        let Some(factors) = self.factors() else { unreachable!("the span is within its neighbourhood") };
-        let one = Polynomial::constant(self.gaps[0].one());
-        let weights = FractionFree::new(&factors, &one);
-        let numerators = triangle(&weights, factors.span(), self.k, self.gaps.len());
-        let primitive: Vec<_> = factors.places().iter().map(primitive).collect();
-        let reduced = |(i, numerator): (usize, &Polynomial<R>)| {
-            let places = factors.denominator_places(i).flatten().map(|place| &primitive[place]);
-            reduce(numerator.clone(), places)
-        };
-        let values = numerators.iter().map(reduced).collect();
-        Active::new(self.low + numerators.first(), values)
-    }
 }
 
 /// A linear factor content·(a + bu), gcd(a, b) = 1, with a and b modulo the prime.
@@ -215,61 +268,112 @@ struct Primitive<R> {
     residues: (u64, u64),
 }
 
-fn primitive<R: Whole>((a, b): &(R, R)) -> Primitive<R> {
-    let content = a.common_divisor(b);
-    let factor = (a.divided(&content), b.divided(&content));
-    let residues = (factor.0.residue(), factor.1.residue());
+impl<R: PartialEq> Primitive<R> {
+    /// Could it divide what has these residues, and has it not been tried in vain? Modulo the prime a and b may be 0, which
+    /// says nothing.
+    fn may_divide(&self, image: &[u64], left: &[(R, R)]) -> bool {
+        let (a, b) = self.residues;
+        (a == 0 || b == 0 || may_vanish(image, (a, b))) && !left.contains(&self.factor)
+    }
+}
+
+fn primitive((a, b): &(BigInt, BigInt)) -> Primitive<BigInt> {
+    let content = gcd(a, b).abs();
+    let factor = (a / &content, b / &content);
+    let residues = (residue(&factor.0), residue(&factor.1));
+    Primitive { content, factor, residues }
+}
+
+fn primitive_in_word((a, b): (u64, u64)) -> Primitive<u64> {
+    let content = a.gcd(&b);
+    let factor = (a / content, b / content);
+    let residues = (residue(&factor.0.into()), residue(&factor.1.into()));
     Primitive { content, factor, residues }
 }
 
 /// numerator/∏ factors in lowest terms.
-fn reduce<'a, R: Whole + 'a>(
-    mut numerator: Polynomial<R>,
-    factors: impl Iterator<Item = &'a Primitive<R>>,
+fn reduce<'a>(
+    mut numerator: Polynomial<BigInt>,
+    factors: impl Iterator<Item = &'a Primitive<BigInt>>,
 ) -> FactoredQuotient {
-    let one = numerator.leading().one();
-    let residues = |p: &Polynomial<R>| p.coefficients().iter().map(R::residue).collect::<Vec<_>>();
-    let (mut image, mut constant) = (residues(&numerator), one.clone());
-    // Those that stay; a repeated one that did not divide is not tried again.
-    let mut left: Vec<(R, R)> = Vec::new();
-    for Primitive { content, factor, residues: at } in factors {
-        constant = constant.times(content);
-        // Modulo the prime a and b may be 0, which says nothing.
-        let may_divide = at.0 == 0 || at.1 == 0 || may_vanish(&image, *at);
-        let quotient = if may_divide && !left.contains(factor) { divided(&numerator, factor) } else { None };
-        match quotient {
+    let residues = |p: &Polynomial<BigInt>| p.coefficients().iter().map(residue).collect::<Vec<_>>();
+    let (mut image, mut constant) = (residues(&numerator), BigInt::from(1));
+    let mut left: Vec<(BigInt, BigInt)> = Vec::new();
+    for factor in factors {
+        constant *= &factor.content;
+        let may_divide = factor.may_divide(&image, &left);
+        match if may_divide { divided(&numerator, &factor.factor) } else { None } {
             Some(quotient) => {
                 image = residues(&quotient);
                 numerator = quotient;
             }
-            None => left.push(factor.clone()),
+            None => left.push(factor.factor.clone()),
         }
     }
-    if !constant.is_unit() {
-        let common = numerator.coefficients().iter().fold(constant.clone(), |gcd, c| gcd.common_divisor(c));
-        constant = constant.divided(&common);
-        numerator = numerator.map(|c| c.divided(&common));
-    }
-    let mut denominator = Polynomial::constant(constant.clone());
+    let mut denominator = Polynomial::constant(BigInt::from(1));
     denominator.scale_by(left.iter());
-    let big = |p: &Polynomial<R>| p.map(|c| c.clone().into());
-    FactoredQuotient {
-        quotient: SpanQuotient { numerator: big(&numerator), denominator: big(&denominator) },
-        constant: constant.into(),
-        factors: left.into_iter().map(|(a, b)| (a.into(), b.into())).collect(),
+    lowest_terms(numerator, constant, denominator, left)
+}
+
+/// The same in L digits; `None` if a division can't be settled there.
+fn reduce_in_digits<const L: usize>(
+    mut numerator: LongPolynomial<L>,
+    factors: &[&Primitive<u64>],
+) -> Option<FactoredQuotient<u64>> {
+    let constant = Words::of(factors.iter().map(|factor| factor.content)).map(BigInt::from).product();
+    let mut image = numerator.residues();
+    let mut left: Vec<(u64, u64)> = Vec::new();
+    for factor in factors {
+        let may_divide = factor.may_divide(&image, &left);
+        match if may_divide { numerator.divided(factor.factor)? } else { None } {
+            Some(quotient) => {
+                image = quotient.residues();
+                numerator = quotient;
+            }
+            None => left.push(factor.factor),
+        }
     }
+    let mut denominator = LongPolynomial::<L>::one();
+    denominator.scale_by(left.iter());
+    Some(lowest_terms(numerator.to_polynomial(), constant, denominator.to_polynomial(), left))
+}
+
+/// numerator/(constant·denominator), without a common number.
+fn lowest_terms<R>(
+    mut numerator: Polynomial<BigInt>,
+    mut constant: BigInt,
+    mut denominator: Polynomial<BigInt>,
+    factors: Vec<(R, R)>,
+) -> FactoredQuotient<R> {
+    if constant != BigInt::from(1) {
+        let common = numerator.coefficients().iter().fold(constant.clone(), |common, c| {
+            if common == BigInt::from(1) || c.is_zero() { common } else { gcd(&common, c).abs() }
+        });
+        if common != BigInt::from(1) {
+            constant /= &common;
+            numerator = numerator.map(|c| c / &common);
+        }
+    }
+    if constant != BigInt::from(1) {
+        denominator = denominator.scaled(&constant);
+    }
+    FactoredQuotient { quotient: SpanQuotient { numerator, denominator }, constant, factors }
 }
 
 /// The quotient by a + bu, written (a, b), a and b coprime and not 0, if that divides. Then its coefficients are
 /// integers, by Gauss's lemma.
-fn divided<R: Whole>(p: &Polynomial<R>, (a, b): &(R, R)) -> Option<Polynomial<R>> {
+fn divided(p: &Polynomial<BigInt>, (a, b): &(BigInt, BigInt)) -> Option<Polynomial<BigInt>> {
     let (leading, lower) = p.coefficients().split_last()?;
-    let mut quotient: Vec<R> = Vec::with_capacity(lower.len());
+    let mut quotient: Vec<BigInt> = Vec::with_capacity(lower.len());
     for c in lower {
-        let rest = quotient.last().map_or_else(|| c.clone(), |last| c.minus(&b.times(last)));
-        quotient.push(rest.quotient(a)?);
+        let rest = quotient.last().map_or_else(|| c.clone(), |last| c - b * last);
+        let (next, over) = rest.div_rem(a);
+        if !over.is_zero() {
+            return None;
+        }
+        quotient.push(next);
     }
-    let exact = b.times(quotient.last()?) == *leading;
+    let exact = b * quotient.last()? == *leading;
     let mut quotient = quotient.into_iter();
     Some(Polynomial::new(quotient.next()?, quotient)).filter(|_| exact)
 }
@@ -333,7 +437,7 @@ mod tests {
     use crate::analysis::positive_coordinate;
     use crate::scalar::{RationalFunction, integer, rational};
     use crate::spline::Index;
-    use num_traits::Signed;
+    use proptest::prelude::*;
 
     fn over_rationals(p: &Polynomial<BigInt>) -> Polynomial<BigRational> {
         p.map(|c| BigRational::from_integer(c.clone()))
@@ -360,7 +464,7 @@ mod tests {
                         let [p, q] = [&quotient.numerator, &quotient.denominator].map(over_rationals);
                         assert_eq!(p.gcd(&q).degree(), 0, "in lowest terms");
                         let content = p.coefficients().iter().chain(q.coefficients());
-                        let content = content.fold(BigInt::ZERO, |gcd, c| gcd.common_divisor(c.numer()));
+                        let content = content.fold(BigInt::ZERO, |gcd, c| gcd.gcd(c.numer()));
                         assert_eq!(content, 1.into(), "no common number");
                         RationalFunction::new(&p, &q).unwrap()
                     });
@@ -418,7 +522,7 @@ mod tests {
         assert_eq!(factors("-1"), [3, 5, 5, 5, 5, 4, 3]);
     }
 
-    /// Degree 1 on (0, 1) with r = p/q: the factor is q + pu, and 128 bits hold up to p + q = 2^127 − 1.
+    /// Degree 1 on (0, 1) with r = p/q: the factor is q + pu, and 64 bits hold it up to 2(p + q) = 2^63 − 1.
     #[test]
     fn words_are_left_at_the_very_bound() {
         let near = |p: BigInt| Neighbourhood {
@@ -428,11 +532,15 @@ mod tests {
             j: 1,
             k: 1,
         };
+        let edge: BigInt = (BigInt::from(1) << 62) - 2;
+        let at_edge = near(edge.clone());
+        assert_eq!(at_edge.short_quotients().map(long), Some(at_edge.quotients()));
+        assert!(near(edge + 1).short_quotients().is_none());
         let edge = (BigInt::from(1) << 126) - 1;
         assert!(near(&edge / 2).in_words::<i128>().is_some());
         // Twice the largest factor no longer fits, which is asked for so that sums of two rises and falls do.
         assert!(near(&edge * 2).in_words::<i128>().is_none());
-        // Degree 2, Bernstein: the middle function has the denominator (q + pu)^3.
+        // Degree 2, Bernstein: the middle function has the denominator (q + pu)^3, for the largest p with (p + 1)^3 < 2^127.
         let near = |p: i64| Neighbourhood {
             gaps: [0, 0, 1, 0, 0].map(BigInt::from).to_vec(),
             ratio: (p.into(), 1.into()),
@@ -440,13 +548,48 @@ mod tests {
             j: 2,
             k: 2,
         };
-        // The largest p with (p + 1)^3 < 2^127.
         let largest = 5_541_191_377_755_i64;
         let cube = |number: i64| BigInt::from(number).pow(3);
         let bound: BigInt = BigInt::from(1) << 127;
         assert!(cube(largest + 1) < bound && cube(largest + 2) >= bound);
-        let words = near(largest).in_words::<i128>().expect("it fits");
-        assert_eq!(words.quotients(), near(largest).quotients());
+        assert!(near(largest).in_words::<i128>().is_some());
         assert!(near(largest + 1).in_words::<i128>().is_none());
+    }
+
+    fn long(all: Active<FactoredQuotient<u64>>) -> Active<FactoredQuotient> {
+        all.into_map(|FactoredQuotient { quotient, constant, factors }| {
+            let factors = factors.into_iter().map(|(a, b)| (a.into(), b.into())).collect();
+            FactoredQuotient { quotient, constant, factors }
+        })
+    }
+
+    proptest! {
+        /// In every width the functions are those in integers of any length: with gaps of 0, equal ones, such that factors have much in
+        /// common, and such that nothing has.
+        #[test]
+        fn functions_in_digits_are_those_in_integers(
+            k in 0_usize..9,
+            gaps in prop::collection::vec(prop_oneof![
+                Just(0_u64), Just(1), 1_u64..4, Just(6), 1_u64..100, (0_u32..55).prop_map(|e| 1 << e), 1_u64..(1 << 40)
+            ], 1..20),
+            ratio in (prop_oneof![1_u64..5, 1_u64..1000, Just(1 << 20)], prop_oneof![1_u64..5, 1_u64..1000]),
+            j in 0_usize..20,
+        ) {
+            let (j, k) = (j % gaps.len(), k.min(gaps.len() - 1));
+            let mut gaps: Vec<BigInt> = gaps.into_iter().map(BigInt::from).collect();
+            if gaps[j].is_zero() {
+                gaps[j] = BigInt::from(1);
+            }
+            let near = Neighbourhood { gaps, ratio: (ratio.0.into(), ratio.1.into()), low: 3, j: j + 3, k };
+            let long_way = near.quotients();
+            if let Some(short) = near.short_quotients() {
+                prop_assert_eq!(long(short), long_way);
+            } else {
+                // Only long factors, or long products of them, are left to the other way.
+                let length: BigInt = near.gaps.iter().sum();
+                let all: BigInt = (&near.ratio.0 + &near.ratio.1) * length * 2;
+                prop_assert!(all.bits() * (k as u64 + 1) * (k as u64 + 1) > 63, "{near:?}");
+            }
+        }
     }
 }

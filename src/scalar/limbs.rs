@@ -2,7 +2,7 @@
 
 use num_bigint::{BigInt, Sign};
 
-use super::words::halves;
+use super::words::{OddWord, halves};
 
 /// An integer modulo 2^(64·L), by its digits to base 2^64 from the lowest; read as one from −2^(64·L − 1) up to
 /// 2^(64·L − 1), that end left out.
@@ -16,6 +16,13 @@ pub(crate) struct Limbs<const L: usize>([u64; L]);
 impl<const L: usize> Limbs<L> {
     /// 0.
     pub(crate) const ZERO: Self = Self([0; L]);
+
+    /// 1.
+    pub(crate) const ONE: Self = {
+        let mut digits = [0; L];
+        digits[0] = 1;
+        Self(digits)
+    };
 
     /// The residue of an integer.
     pub(crate) fn of(value: &BigInt) -> Self {
@@ -55,6 +62,36 @@ impl<const L: usize> Limbs<L> {
             (*digit, carry) = halves(double);
         }
         self
+    }
+
+    /// self − rhs·factor.
+    #[inline(always)]
+    pub(crate) fn minus_times(mut self, rhs: Self, factor: u64) -> Self {
+        let (mut carry, mut borrow) = (0, false);
+        for (digit, other) in self.0.iter_mut().zip(rhs.0) {
+            let double = (u128::from(other) * u128::from(factor)).wrapping_add(u128::from(carry));
+            let (low, high) = halves(double);
+            let (rest, under) = digit.overflowing_sub(low);
+            let (rest, under_by_borrow) = rest.overflowing_sub(u64::from(borrow));
+            (*digit, carry, borrow) = (rest, high, under | under_by_borrow);
+        }
+        self
+    }
+
+    /// The x with x·divisor = self: there is one, as the divisor is odd.
+    #[inline(always)]
+    pub(crate) fn over(mut self, divisor: OddWord) -> Self {
+        let mut borrow = 0;
+        for digit in &mut self.0 {
+            (*digit, borrow) = divisor.step(*digit, borrow);
+        }
+        self
+    }
+
+    /// The digits, from the lowest: of a number ≥ 0 these are its own.
+    #[inline(always)]
+    pub(crate) fn digits(&self) -> &[u64; L] {
+        &self.0
     }
 
     /// self·factor.
@@ -167,6 +204,9 @@ mod tests {
         assert_eq!(x.plus(y).value(), of(a + b));
         assert_eq!(x.plus_times(y, word).value(), of(a + b * word));
         assert_eq!(x.times(word).value(), of(a * word));
+        assert_eq!(x.minus_times(y, word).value(), of(a - b * word));
+        let odd = word | 1;
+        assert_eq!(x.over(OddWord::new(odd)).times(odd), x);
         assert_eq!(x.negate().value(), of(-a));
         assert_eq!(x.doubled(bits).value(), of(a << bits));
         assert_eq!(x.halved(bits).value(), &own >> bits);
