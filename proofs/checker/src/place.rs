@@ -165,9 +165,9 @@ pub(crate) struct Facts {
     assumed: Vec<Form>,
 }
 
-/// The bounds of factor·v.
+/// The bounds of factor·v; what does not fit is not known.
 fn scaled(factor: i64, (least, most): Bounds) -> Bounds {
-    let times = |bound: Option<i64>| bound.map(|bound| bound * factor);
+    let times = |bound: Option<i64>| bound?.checked_mul(factor);
     match factor {
         0 => (Some(0), Some(0)),
         1.. => (times(least), times(most)),
@@ -176,7 +176,7 @@ fn scaled(factor: i64, (least, most): Bounds) -> Bounds {
 }
 
 fn sum(a: Option<i64>, b: Option<i64>) -> Option<i64> {
-    Some(a? + b?)
+    a?.checked_add(b?)
 }
 
 fn smaller(a: Option<i64>, b: Option<i64>) -> Option<i64> {
@@ -210,18 +210,19 @@ impl Facts {
 
     /// The best bounds of the three ways to write a form by two of s, n − s and n.
     pub(crate) fn bounds(&self, form: &Form) -> Bounds {
-        let negated = |bound: i64| -bound;
-        (self.least(1, form), self.least(-1, form).map(negated))
+        (self.least(1, form), self.least(-1, form).and_then(i64::checked_neg))
     }
 
     /// The greatest lower bound of factor·form, for a factor 1 or −1.
     fn least(&self, factor: i64, form: &Form) -> Option<i64> {
-        if form.far.values().any(|far| factor * far < 0) {
+        if form.far.values().any(|far| far.signum() == -factor) {
             return None;
         }
         let way = |way: [i64; 3]| {
             let mut parts = way.into_iter().zip(self.bounds);
-            parts.try_fold(factor * form.c, |all, (own, bounds)| Some(all + scaled(factor * own, bounds).0?))
+            parts.try_fold(form.c.checked_mul(factor)?, |all, (own, bounds)| {
+                sum(Some(all), scaled(own.checked_mul(factor)?, bounds).0)
+            })
         };
         form.ways().into_iter().filter_map(way).max()
     }
@@ -278,7 +279,7 @@ impl Facts {
                 let most = others.map(|(_, (factor, bounds))| scaled(factor, bounds).1);
                 let most = most.chain([far]).fold(Some(form.c), sum);
                 match (factor, most, self.bounds.get_mut(at)) {
-                    (1, Some(most), Some(bounds)) => bounds.0 = bounds.0.max(Some(-most)),
+                    (1, Some(most), Some(bounds)) => bounds.0 = bounds.0.max(most.checked_neg()),
                     (-1, most @ Some(_), Some(bounds)) => bounds.1 = smaller(bounds.1, most),
                     _ => {}
                 }
@@ -292,7 +293,7 @@ impl Facts {
         loop {
             let before = self.bounds;
             let [s, rest, n] = before;
-            let minus = |a: Option<i64>, b: Option<i64>| Some(a? - b?);
+            let minus = |a: Option<i64>, b: Option<i64>| a?.checked_sub(b?);
             self.bounds = [
                 (s.0.max(minus(n.0, rest.1)), smaller(s.1, minus(n.1, rest.0))),
                 (rest.0.max(minus(n.0, s.1)), smaller(rest.1, minus(n.1, s.0))),
