@@ -12,46 +12,10 @@
 #include <flint/fmpz.h>
 #include <flint/fmpz_poly.h>
 #include <gmp.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <time.h>
+
+#include "job.h"
 
 enum { MOST_KNOTS = 64, MOST_POINTS = 1000, CHECKED = 25, MOST_DEGREE = 20, MOST_SLOPES = 200 };
-static const double BUDGET = 0.1;
-static const char *folder;
-
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return t.tv_sec + 1e-9 * t.tv_nsec;
-}
-
-static FILE *open_file(const char *name, const char *mode)
-{
-    char path[4096];
-    snprintf(path, sizeof path, "%s/%s", folder, name);
-    FILE *file = fopen(path, mode);
-    if (!file) {
-        fprintf(stderr, "flint: cannot open %s\n", path);
-        exit(1);
-    }
-    return file;
-}
-
-// Runs the job until the time is over, and prints the seconds for each of its units.
-static void time_job(const char *job, const char *label, const char *variant, int units, void (*run)(void))
-{
-    run();
-    double start = now(), elapsed;
-    long runs = 0;
-    do {
-        run();
-        runs++;
-    } while ((elapsed = now() - start) < BUDGET);
-    printf("%s\t%s\t%s\t%.6e\n", job, label, variant, elapsed / runs / units);
-}
 
 // The whole numbers on the next line.
 static int read_line(FILE *file, long *numbers, int most)

@@ -8,10 +8,7 @@
 // Cases and results are files as README.md describes them. FLINT 3 comes inside the wheel of python-flint, without headers:
 // what is called is written out here. Build: gcc -O3 flint3.c libflint-*.so* libgmp-*.so*, out of that wheel.
 
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <time.h>
+#include "job.h"
 
 typedef long slong;
 typedef slong fmpz;
@@ -32,26 +29,6 @@ void fmpz_poly_reverse(fmpz_poly_struct *, const fmpz_poly_struct *, slong);
 void fmpz_poly_isolate_positive_roots(fmpq *, slong *, fmpz *, slong *, slong *, const fmpz_poly_struct *);
 
 enum { MOST_SLOPES = 200, MOST_ROOTS = 64 };
-static const double BUDGET = 0.1;
-
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return t.tv_sec + 1e-9 * t.tv_nsec;
-}
-
-static FILE *open_file(const char *folder, const char *name, const char *mode)
-{
-    char path[4096];
-    snprintf(path, sizeof path, "%s/%s", folder, name);
-    FILE *file = fopen(path, mode);
-    if (!file) {
-        fprintf(stderr, "flint3: cannot open %s\n", path);
-        exit(1);
-    }
-    return file;
-}
 
 static int slopes;
 static long from[MOST_SLOPES], to[MOST_SLOPES];
@@ -85,11 +62,11 @@ static void count_roots(void)
     }
 }
 
-static void read_slopes(const char *folder, const char *name)
+static void read_slopes(const char *name)
 {
     static char line[1 << 16];
     fmpz coefficient = 0;
-    FILE *file = open_file(folder, name, "r");
+    FILE *file = open_file(name, "r");
     for (slopes = 0; slopes < MOST_SLOPES && fgets(line, sizeof line, file); slopes++) {
         from[slopes] = atol(strtok(line, " \n"));
         to[slopes] = atol(strtok(NULL, " \n"));
@@ -116,7 +93,7 @@ int main(int argc, char **argv)
         fprintf(stderr, "usage: flint3 check FOLDER, flint3 time C FOLDER, or flint3 version\n");
         return 2;
     }
-    const char *folder = argv[argc - 1];
+    folder = argv[argc - 1];
     for (int i = 0; i < MOST_SLOPES; i++) fmpz_poly_init(slope[i]);
     for (int i = 0; i < MOST_ROOTS; i++) exact[i].den = 1;
     fmpz_poly_init(moved);
@@ -124,24 +101,18 @@ int main(int argc, char **argv)
         for (int family = 0; family < 2; family++) {
             char name[64];
             snprintf(name, sizeof name, "C.%d-%s.slopes", degree, families[family]);
-            read_slopes(folder, name);
+            read_slopes(name);
             count_roots();
             if (check) {
                 snprintf(name, sizeof name, "C.%d-%s.flint-3", degree, families[family]);
-                FILE *file = open_file(folder, name, "w");
+                FILE *file = open_file(name, "w");
                 for (int i = 0; i < slopes; i++) fprintf(file, i ? " %ld" : "%ld", counts[i]);
                 fputc('\n', file);
                 fclose(file);
                 continue;
             }
-            double start = now(), elapsed;
-            long runs = 0;
-            do {
-                count_roots();
-                runs++;
-            } while ((elapsed = now() - start) < BUDGET);
-            printf("C\tk = %d, %s\tFLINT 3 in C, VCA\t%.6e\n", degree, families[family],
-                   elapsed / runs / (slopes / (degree + 1)));
+            snprintf(name, sizeof name, "k = %d, %s", degree, families[family]);
+            time_job("C", name, "FLINT 3 in C, VCA", slopes / (degree + 1), count_roots);
         }
     }
     return 0;
