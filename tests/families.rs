@@ -67,6 +67,23 @@ fn members_of_mobius_and_classical_are_indices() {
     assert_eq!(index("lupas", &[("q", "1")]), None);
 }
 
+/// The kernels of an index compute what `families/mobius.toml` says: its members as forms are the same functions.
+#[test]
+fn the_kernels_of_an_index_are_its_family() {
+    for alpha in ["-1", "infinity", "100/99", "-1/7"] {
+        let index: Index = alpha.parse().unwrap();
+        for on in ["0 0 0 0 1 1 1 1", "0 0 1 1 1 3 4 4 4 9", "0 1 2 4 5 7 8 9"] {
+            let basis = Basis::new(knots(on), 3, index.clone()).unwrap();
+            let family = basis.with(Weighting::Index(index.clone()).table(&knots(on), 3).unwrap());
+            for x in [rational(1, 3), rational(3, 4), integer(1)] {
+                for side in [Side::Left, Side::Right] {
+                    assert_eq!(family.jets(&x, side, 2), basis.jets(&x, side, 2), "{alpha} on {on}");
+                }
+            }
+        }
+    }
+}
+
 /// What a file calls classical are the polynomial B-splines.
 #[test]
 fn classical_members_are_polynomial() {

@@ -47,7 +47,7 @@ if ! command -v coqc >/dev/null; then
     libcoq-mathcomp-algebra-tactics libcoq-mathcomp-zify libcoq-mathcomp-real-closed >/dev/null
 fi
 start=$(date +%s)
-make -s >/dev/null
+make -s -j"$(nproc)" >/dev/null
 
 work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
 ask() { coqc -w none -R . Bsplines "$work/$1.v" > "$work/$1" || fail "theorems.toml names a theorem that is not there"; }

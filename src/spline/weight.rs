@@ -67,9 +67,13 @@ impl<W: Weights> Split for W {
     }
 }
 
-/// φ_α(x, a, b) and 1 − φ_α(x, a, b) for x in [a, b], in the form in which nothing cancels:
+/// The kernel of linear weights, which is φ_α(x, a, b) and 1 − φ_α(x, a, b) for x in [a, b], in the form in which nothing cancels:
 ///
 /// φ = r(x − a) / (r(x − a) + (b − x)),  1 − φ = (b − x) / (r(x − a) + (b − x)).
+///
+/// Which weights there are is said by the files of families; this is for those whose rise and fall are a number times x − a and
+/// b − x, of ratio r, and a test holds it to what
+/// `families/mobius.toml` says.
 ///
 /// x may be any scalar: a point, the jet of one, or the span coordinate as a variable. An interval that is
 /// empty gives φ = 0, by D2.3; so does one whose ends the scalar cannot tell apart.

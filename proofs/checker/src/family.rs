@@ -6,10 +6,14 @@ use crate::env::{binomial, small};
 use crate::error::{Reason, Result};
 use crate::fraction::{Factors, Fraction};
 use crate::poly::{Poly, Sign};
-use crate::token::{Kind, Node, tree};
+use crate::token::{Kind, Node};
 
 /// Larger exponents of a parameter are not computed.
 const EXPONENT: i64 = 100;
+
+/// x − a and b − x, where a weight is checked.
+const P: usize = 0;
+const Q: usize = 1;
 
 /// A number, one for every knot, one for every degree of a weight, or both.
 pub(crate) struct Parameter<'t> {
@@ -25,7 +29,8 @@ pub(crate) struct Parameter<'t> {
 #[derive(Default)]
 pub(crate) struct Family<'t> {
     pub(crate) parameters: Vec<Parameter<'t>>,
-    weight: Option<[&'t Node<'t>; 2]>,
+    /// rise and fall.
+    pub(crate) weight: Option<[&'t Node<'t>; 2]>,
     /// (NAME TERM): the parameters after a reflection, those that change.
     dual: Option<&'t [Node<'t>]>,
 }
@@ -60,6 +65,13 @@ impl Shares {
     /// Of an order, or 0.
     pub(crate) fn of(share: &[Poly], order: usize) -> Poly {
         share.get(order).cloned().unwrap_or_default()
+    }
+
+    /// rise'·fall − rise·fall', which has the sign of the derivative of the weight.
+    pub(crate) fn rising(&self) -> Result<Poly> {
+        let of = Shares::of;
+        let falling = of(&self.rise, 0).times(&of(&self.fall, 1))?;
+        Ok(of(&self.rise, 1).times(&of(&self.fall, 0))?.minus(&falling))
     }
 
     /// rise + fall, its derivative of an order.
@@ -236,35 +248,15 @@ impl<'t> Family<'t> {
         self.weight.is_some_and(|weight| !weight.iter().any(|node| node.any(&mut |node| index(node))))
     }
 
-    /// Whether these are the weights of D2.3.
-    pub(crate) fn is_mobius(&self) -> Result<bool> {
-        let Some([rise, fall]) = self.weight else { return Ok(false) };
-        let product = tree("(* (parameter r) (- (var x) (var a)))")?;
-        let turned = tree("(* (- (var x) (var a)) (parameter r))")?;
-        Ok((*rise == product || *rise == turned) && *fall == tree("(- (var b) (var x))")?)
+    /// Whether one positive r is all that its members differ by.
+    pub(crate) fn is_by_ratio(&self) -> bool {
+        matches!(self.parameters.as_slice(), [own] if own.name == "r" && own.indices.is_empty() && own.sign == Sign::Positive)
     }
 
     /// What the rest rests on, for the weights of degree d: as polynomials in x − a and b − x neither has a coefficient below 0; rise is
     /// 0 where x = a, and not where x = b, and fall the other way round.
     pub(crate) fn check(&self, d: i64) -> Result<()> {
-        // P = x − a, Q = b − x, and a itself; behind them the parameters, as they are met.
-        const P: usize = 0;
-        const Q: usize = 1;
-        const A: usize = 2;
-        let [p, q, a] = [P, Q, A].map(Poly::variable);
-        let (met, signs) = (RefCell::new(Vec::new()), [Sign::Positive, Sign::Positive, Sign::Real]);
-        let known = |name: &str, indices: &[i64]| {
-            let (mut met, of) = (met.borrow_mut(), (name.to_owned(), indices.to_vec()));
-            let at = met.iter().position(|(known, _)| *known == of).unwrap_or(met.len());
-            if at == met.len() {
-                met.push((of, self.indexed(name, indices)?.sign));
-            }
-            Ok(Poly::variable(3 + at).into())
-        };
-        let x = a.clone().plus(&p);
-        let at = Interval { b: x.clone().plus(&q), x, a, unit: Poly::constant(1), d, ..Interval::default() };
-        let shares = self.shares(&at, &known)?;
-        let signs: Vec<_> = signs.into_iter().chain(met.take().into_iter().map(|(_, sign)| sign)).collect();
+        let (shares, signs) = self.between(d)?;
         for (part, own, other) in [(Shares::of(&shares.rise, 0), P, Q), (Shares::of(&shares.fall, 0), Q, P)] {
             if part.sign(&signs) == Sign::Real {
                 return Err(Reason::Weight("has a coefficient below 0, or a without x or b", d));
@@ -277,6 +269,30 @@ impl<'t> Family<'t> {
             }
         }
         Ok(())
+    }
+
+    /// Whether the weights of degree d surely rise inside of their interval.
+    pub(crate) fn rises(&self, d: i64) -> Result<bool> {
+        let (shares, signs) = self.between(d)?;
+        Ok(!self.is_any() && shares.rising()?.sign(&signs) == Sign::Positive)
+    }
+
+    /// The weights of degree d in P = x − a, Q = b − x and a, with the signs of these and of the parameters, which stand behind them.
+    fn between(&self, d: i64) -> Result<(Shares, Vec<Sign>)> {
+        let [p, q, a] = [P, Q, 2].map(Poly::variable);
+        let (met, signs) = (RefCell::new(Vec::new()), [Sign::Positive, Sign::Positive, Sign::Real]);
+        let known = |name: &str, indices: &[i64]| {
+            let (mut met, of) = (met.borrow_mut(), (name.to_owned(), indices.to_vec()));
+            let at = met.iter().position(|(known, _)| *known == of).unwrap_or(met.len());
+            if at == met.len() {
+                met.push((of, self.indexed(name, indices)?.sign));
+            }
+            Ok(Poly::variable(3 + at).into())
+        };
+        let x = a.clone().plus(&p);
+        let at = Interval { b: x.clone().plus(&q), x, a, unit: Poly::constant(1), d, ..Interval::default() };
+        let shares = self.shares(&at, &known)?;
+        Ok((shares, signs.into_iter().chain(met.take().into_iter().map(|(_, sign)| sign)).collect()))
     }
 
     /// rise and fall; those of any family are known by their zeros alone.

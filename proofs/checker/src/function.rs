@@ -1,6 +1,7 @@
 //! The functions of a sentence in a case: basis functions, weights and definitions at x.
 
 use crate::case::{At, Bound, Case, Found, Stop};
+use crate::error::Result;
 use crate::integers::RANGE;
 use crate::place::{Copies, Form, Place};
 use crate::poly::Sign;
@@ -14,6 +15,20 @@ fn names_an_index(member: &Node<'_>) -> Found<bool> {
         ("alpha", [alpha]) => alpha.is_word("infinity") || alpha.is("alpha"),
         _ => false,
     })
+}
+
+/// A value with its first two derivatives by x.
+type Jet<'t> = [Value<'t>; 3];
+
+fn sum<'t>(a: &Jet<'t>, b: &Jet<'t>) -> Result<Jet<'t>> {
+    let of = |order: usize| a[order].clone().plus(b[order].clone());
+    Ok([of(0)?, of(1)?, of(2)?])
+}
+
+fn product<'t>(a: &Jet<'t>, b: &Jet<'t>) -> Result<Jet<'t>> {
+    let of = |i: usize, j: usize| a[i].clone().times(b[j].clone());
+    let bend = of(2, 0)?.plus(of(1, 1)?.times(Value::whole(2))?)?.plus(of(0, 2)?)?;
+    Ok([of(0, 0)?, of(1, 0)?.plus(of(0, 1)?)?, bend])
 }
 
 impl<'t> Case<'_, 't> {
@@ -174,44 +189,84 @@ impl<'t> Case<'_, 't> {
         }
     }
 
-    /// The weight of any interval, as D2.3 has it, or a derivative of it; φ is 0 outside of it.
+    /// The weight of any interval, or a derivative of it; φ is 0 outside of it.
     fn weight(&mut self, cut: bool, a: Value<'t>, b: Value<'t>, at: At, order: i64) -> Found<Value<'t>> {
-        if !self.family.is_mobius()? {
-            return Err(Stop::Undecided);
-        }
-        let x = self.x()?;
         if cut {
+            let x = self.x()?;
             let [from, to] = match (at, order) {
                 (At::Left, _) => ["<", "<="],
                 (At::X, 1..) => ["<", "<"],
                 _ => ["<=", "<"],
             };
-            let inside =
-                self.compare(a.clone(), from, x.clone())?.and(self.compare(x.clone(), to, b.clone())?);
+            let inside = self.compare(a.clone(), from, x.clone())?.and(self.compare(x, to, b.clone())?);
             match inside {
                 Truth::False if order == 0 => return Ok(Value::whole(0)),
                 inside if inside.is_true() => {}
                 _ => return Err(Stop::Undecided),
             }
         }
-        let r = match self.member.as_ref().map(|member| member.headed("")).transpose()? {
-            None => Node::name_of("r"),
-            Some(("r", [other])) => other.clone(),
-            Some(_) => return Err(Stop::Undecided),
+        let Some([rise, fall]) = self.family.weight else { return Err(Stop::Undecided) };
+        let [rise, fall] = [self.jet(rise, [&a, &b])?, self.jet(fall, [&a, &b])?];
+        let below = sum(&rise, &fall)?;
+        // By the quotient rule, rise'·fall − rise·fall' over the square of the sum.
+        let bent = |by: usize| {
+            rise[by].clone().times(fall[0].clone())?.minus(rise[0].clone().times(fall[by].clone())?)
         };
-        let r = self.leaf(r)?;
-        let rise = r.clone().times(x.clone().minus(a.clone())?)?;
-        let below = rise.clone().plus(b.clone().minus(x)?)?;
-        // By the quotient rule: the derivative of what is below is r − 1.
-        let slope = r.clone().times(b.minus(a)?)?;
-        let square = below.clone().times(below.clone())?;
+        let square = below[0].clone().times(below[0].clone())?;
         match order {
-            0 => self.over(rise, below),
-            1 => self.over(slope, square),
+            0 => self.over(rise[0].clone(), below[0].clone()),
+            1 => self.over(bent(1)?, square),
             _ => {
-                let bend = slope.times(Value::whole(-2))?.times(r.minus(Value::whole(1))?)?;
-                self.over(bend, square.times(below)?)
+                let turned = bent(1)?.times(below[1].clone())?.times(Value::whole(-2))?;
+                self.over(bent(2)?.times(below[0].clone())?.plus(turned)?, square.times(below[0].clone())?)
             }
+        }
+    }
+
+    /// A term of the weight of [a, b] with its derivatives by x.
+    fn jet(&mut self, node: &Node<'t>, ends: [&Value<'t>; 2]) -> Found<Jet<'t>> {
+        self.deeper(|own| own.jet_part(node, ends))
+    }
+
+    fn jet_part(&mut self, node: &Node<'t>, ends: [&Value<'t>; 2]) -> Found<Jet<'t>> {
+        let constant = |value| [value, Value::whole(0), Value::whole(0)];
+        let minus = constant(Value::whole(-1));
+        if let Kind::Number(..) = node.kind {
+            return Ok(constant(self.leaf(node.clone())?));
+        }
+        match node.headed("a term of a weight")? {
+            ("var", [name]) if name.is_word("x") => Ok([self.x()?, Value::whole(1), Value::whole(0)]),
+            ("var", [name]) => Ok(constant(ends[usize::from(name.is_word("b"))].clone())),
+            ("int", [i]) => Ok(constant(Value::whole(self.fixed(i)?))),
+            ("parameter", [name]) => {
+                let other = self.member.as_ref().map(|member| member.headed("")).transpose()?;
+                let value = match other {
+                    None => name.clone(),
+                    Some((own, [other])) if name.is_word(own) => other.clone(),
+                    Some(_) => return Err(Stop::Undecided),
+                };
+                Ok(constant(self.leaf(value)?))
+            }
+            ("+", [a, b]) => Ok(sum(&self.jet(a, ends)?, &self.jet(b, ends)?)?),
+            ("-", [a, b]) => Ok(sum(&self.jet(a, ends)?, &product(&minus, &self.jet(b, ends)?)?)?),
+            ("neg", [a]) => Ok(product(&minus, &self.jet(a, ends)?)?),
+            ("*", [a, b]) => Ok(product(&self.jet(a, ends)?, &self.jet(b, ends)?)?),
+            ("^", [a, e]) => {
+                let (a, e) = (self.jet(a, ends)?, self.fixed(e)?);
+                if !(0..=RANGE / 2).contains(&e) {
+                    return Err(Stop::Undecided);
+                }
+                Ok((0..e).try_fold(constant(Value::whole(1)), |power, _| product(&power, &a))?)
+            }
+            ("/", [a, b]) => match self.jet(b, ends)? {
+                // What it is divided by has no x in it.
+                [b, slope, _] if slope.is_zero() => {
+                    let inverse = self.over(Value::whole(1), b)?;
+                    Ok(product(&self.jet(a, ends)?, &constant(inverse))?)
+                }
+                _ => Err(Stop::Undecided),
+            },
+            _ => Err(Stop::Undecided),
         }
     }
 

@@ -120,7 +120,7 @@ impl<'w, 't> Walk<'w, 't> {
         };
         self.free = true;
         let found = all(self)?;
-        if found.is_ok() || !self.family.is_mobius()? {
+        if found.is_ok() || !self.family.is_by_ratio() {
             return Ok(found);
         }
         self.free = false;

@@ -196,8 +196,7 @@ impl Evaluator {
         }
         let [p, q] = [&shares.rise, &shares.fall].map(|share| Shares::of(share, 0));
         if order == 1 {
-            let (rising, falling) = (Shares::of(&shares.rise, 1), Shares::of(&shares.fall, 1));
-            let num = rising.times(&q)?.minus(&p.times(&falling)?);
+            let num = shares.rising()?;
             if self.mode.weights.is_some_and(|least| d >= least) && !p.is_zero() && !q.is_zero() {
                 return self.unknown(Key::Slope(p, q, num), Sign::Real);
             }

@@ -340,8 +340,11 @@ impl<'t> Case<'_, 't> {
         let (_, knots) = self.support(function)?;
         let last = self.numbers.as_ref().and_then(|numbers| numbers.knots.last().cloned());
         let end = knots.last().cloned();
-        // Of other weights it is not known whether they rise.
-        Ok(self.family.is_mobius()?
+        let mut rises = true;
+        for d in 1..=self.k {
+            rises = rises && self.family.rises(d)?;
+        }
+        Ok(rises
             && self.k > 0
             && knots.first() != knots.get(1)
             && knots.get(1) == end.as_ref()

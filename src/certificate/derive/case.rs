@@ -116,7 +116,7 @@ impl Value {
         Self::number(integer(value))
     }
 
-    fn is_zero(&self) -> bool {
+    pub(super) fn is_zero(&self) -> bool {
         self.plain.as_ref().is_some_and(Ring::is_zero)
     }
 
@@ -864,7 +864,7 @@ impl<'a> Case<'a> {
     }
 
     /// A parameter of the family: a number, or one of a knot of the window.
-    fn family_parameter(&mut self, name: &Name, of: &[Int]) -> Known<Value> {
+    pub(super) fn family_parameter(&mut self, name: &Name, of: &[Int]) -> Known<Value> {
         let Weighted::Family(family) = self.weighted else { return undecided("a parameter of any weights") };
         let own = family.parameters.iter().find(|own| own.name == *name);
         let (Some(own), Some(class)) = (own, self.weighted.class(name)) else {
@@ -1185,7 +1185,6 @@ impl<'a> Case<'a> {
         matches!(self.weighted, Weighted::Family(family) if family.is_by_ends())
     }
 
-    /// Are they those of D2.3?
     /// A body, at a depth of definitions.
     fn real_at(&mut self, body: &Real, depth: usize) -> Known<Value> {
         if depth > DEEPEST { undecided("a definition that leads on and on") } else { self.real(body) }
@@ -1342,7 +1341,7 @@ impl<'a> Case<'a> {
             let (index, place) = self.counted(i, place)?;
             let ends = [index, index + d].map(|i| self.knot(&Index::number(i)));
             let [Ok(from), Ok(to)] = &ends else { return undecided("a weight on knots that are not there") };
-            let plain = match self.weighted.is_mobius() {
+            let plain = match self.is_by_ends() {
                 true => self.weight_on(false, [from, to], at, usize::from(derivative))?.plain,
                 false => None,
             };

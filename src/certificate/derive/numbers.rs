@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use crate::certificate::weights::Class;
+use crate::certificate::weights::{Class, Weighted};
 use crate::language::{self, Interval, Name, Real, Relation, Side};
 use crate::scalar::{BigRational, Quotient, Ring, integer};
 
@@ -209,25 +209,76 @@ impl<'a> Case<'a> {
                 return undecided("whether x is in the interval of φ");
             }
         }
-        let r = match &self.other {
-            _ if !self.weighted.is_mobius() => return undecided("a weight that is not that of an index"),
-            Some(Other::Ratio(ratio)) => ratio.clone(),
-            Some(Other::Dual) => return undecided("a weight of the dual"),
-            None => self.r()?,
+        let Weighted::Family(family) = self.weighted else { return undecided("the weights of any family") };
+        let [rise, fall] = [self.jet(&family.rise, [a, b])?, self.jet(&family.fall, [a, b])?];
+        let below = sum(&rise, &fall);
+        // By the quotient rule, rise'·fall − rise·fall' over the square of the sum.
+        let bent = |by: usize| {
+            let falling = rise[0].clone().times(fall[by].clone());
+            rise[by].clone().times(fall[0].clone()).minus(falling)
         };
-        let rise = r.clone().times(x.clone().minus(a.clone()));
-        let below = rise.clone().plus(b.clone().minus(x));
-        let slope = r.clone().times(b.clone().minus(a.clone()));
-        let square = below.clone().times(below.clone());
+        let square = below[0].clone().times(below[0].clone());
         match order {
-            0 => self.over(rise, below),
-            1 => self.over(slope, square),
+            0 => self.over(rise[0].clone(), below[0].clone()),
+            1 => self.over(bent(1), square),
             _ => {
-                let bend = slope.times(Value::whole(-2)).times(r.minus(Value::whole(1)));
-                self.over(bend, square.times(below))
+                let turned = bent(1).times(below[1].clone()).times(Value::whole(-2));
+                let bend = bent(2).times(below[0].clone()).plus(turned);
+                self.over(bend, square.times(below[0].clone()))
             }
         }
     }
+
+    /// A term of the weight of [a, b] with its derivatives by x.
+    fn jet(&mut self, t: &Real, ends: [&Value; 2]) -> Known<Jet> {
+        let constant = |value| [value, Value::whole(0), Value::whole(0)];
+        let minus = constant(Value::whole(-1));
+        Ok(match t {
+            Real::Bound(name) if &**name == "x" => [self.x()?, Value::whole(1), Value::whole(0)],
+            Real::Bound(name) => constant(ends[usize::from(&**name == "b")].clone()),
+            Real::Number(_) | Real::Whole(_) => constant(self.real(t)?),
+            Real::Parameter(name, of) if of.is_empty() => constant(match &self.other {
+                None if &**name == "r" => self.r()?,
+                None => self.family_parameter(name, of)?,
+                Some(Other::Ratio(ratio)) if &**name == "r" => ratio.clone(),
+                Some(_) => return undecided("a weight of another member"),
+            }),
+            Real::Plus(a, b) => sum(&self.jet(a, ends)?, &self.jet(b, ends)?),
+            Real::Minus(a, b) => sum(&self.jet(a, ends)?, &product(&minus, &self.jet(b, ends)?)),
+            Real::Negated(a) => product(&minus, &self.jet(a, ends)?),
+            Real::Times(a, b) => product(&self.jet(a, ends)?, &self.jet(b, ends)?),
+            Real::Power(a, e) => {
+                let (a, e) = (self.jet(a, ends)?, self.int(e)?);
+                match self.facts.value(&e) {
+                    Some(e @ 0..=100) => {
+                        (0..e).fold(constant(Value::whole(1)), |power, _| product(&power, &a))
+                    }
+                    _ => return undecided("an exponent"),
+                }
+            }
+            Real::Over(a, b) => match self.jet(b, ends)? {
+                [b, slope, _] if slope.is_zero() => {
+                    let inverse = self.over(Value::whole(1), b)?;
+                    product(&self.jet(a, ends)?, &constant(inverse))
+                }
+                _ => return undecided("a divisor with x in it"),
+            },
+            _ => return undecided("a weight that is not one of the ends alone"),
+        })
+    }
+}
+
+/// A value with its first two derivatives by x.
+type Jet = [Value; 3];
+
+fn sum(a: &Jet, b: &Jet) -> Jet {
+    [0, 1, 2].map(|order| a[order].clone().plus(b[order].clone()))
+}
+
+fn product(a: &Jet, b: &Jet) -> Jet {
+    let of = |i: usize, j: usize| a[i].clone().times(b[j].clone());
+    let bend = of(2, 0).plus(of(1, 1).times(Value::whole(2))).plus(of(0, 2));
+    [of(0, 0), of(1, 0).plus(of(0, 1)), bend]
 }
 
 impl Value {
