@@ -506,6 +506,36 @@ fn windows_of_a_folder_are_proved_and_written() {
 }
 
 /// Numbers beyond `f64` are judged like all others; only a picture of them there can't be.
+/// Weights between any ends are those of the family, in the prover and in the checker; what is false of them is refuted.
+#[test]
+fn weights_of_another_family_are_certified_between_any_ends() {
+    let place = tempfile::tempdir().unwrap();
+    assert_eq!(run(place.path(), &["new", "mine", "--family", "smoothstep"]).0, 0);
+    let claim = |id: &str, then: &str| {
+        format!(
+            "\n[[claim]]\nid = \"{id}\"\nat = \"here\"\ntitle = \"{id}\"\nfor = \"a; b; x\"\nif = [\"a < b\"]\nthen = [{then}]\n"
+        )
+    };
+    let path = place.path().join("mine/claims/01-basis.toml");
+    let mut text = fs::read_to_string(&path).unwrap();
+    text += &claim(
+        "Rises",
+        r#""a < x < b => phi'(x, a, b) > 0", "phi(b-, a, b) = 1", "not x in [a, b) => phi(x, a, b) = 0""#,
+    );
+    text += &claim("Bends", r#""a < x < b => phi''(x, a, b) > 0""#);
+    text += &claim("Flat", r#""f'(a, a, b) = 0", "f'(b, a, b) = 0""#);
+    fs::write(&path, text).unwrap();
+    let (_, report) = json(place.path(), &["judge", "mine"]);
+    let of = |id: &str| {
+        report["claims"].as_array().unwrap().iter().find(|claim| claim["id"] == id).unwrap()["as_printed"]
+            .clone()
+    };
+    for (id, verdict) in [("Rises", "proved"), ("Bends", "refuted"), ("Flat", "proved")] {
+        assert_eq!(of(id)["status"], verdict, "{id}");
+    }
+    assert_eq!(of("Rises")["scope"], "knots");
+}
+
 #[test]
 fn what_can_not_be_drawn_is_said() {
     let place = started();
