@@ -64,10 +64,12 @@
 //! 2. [`spline`]: indices, knots, the recursion, curves. It reads like sections 2 to 4 of the paper; [`language`]: formulas,
 //!    sentences and claims as text and as trees.
 //! 3. [`analysis`]: whole pieces, and decisions about every x.
-//! 4. [`meaning`]: what a formula of the claim language says on an instance.
+//! 4. [`formula`]: basis functions as text, and whether what somebody wrote is one; [`meaning`]: what a formula of the claim
+//!    language says on an instance.
 //! 5. [`judge`]: sentences on instances in order of size, and typed witnesses; [`certificate`]: proofs of formal statements,
 //!    for every knot vector or every α, which an independent checker reads; [`search`]: counterexamples to the conjecture.
-//! 6. [`settle`]: a claim judged, proved and checked; [`float`]: how far `f64` is from the exact values.
+//! 6. [`settle`]: a claim judged, proved and checked; [`float`]: values and curves in `f64` and `f32`; [`study`]: how far they
+//!    are from the exact ones.
 //! 7. [`report`]: what the reader gets to see.
 //! 8. [`cli`]: the program `knotproof`.
 //!
@@ -106,15 +108,28 @@
 #![forbid(unsafe_code)]
 
 pub mod analysis;
+#[cfg(feature = "prove")]
 pub mod certificate;
+#[cfg(feature = "cli")]
 pub mod cli;
+#[cfg(feature = "float")]
 pub mod float;
+pub mod formula;
+#[cfg(feature = "claims")]
 pub mod json;
+#[cfg(feature = "claims")]
 pub mod judge;
+#[cfg(feature = "claims")]
 pub mod language;
+#[cfg(feature = "claims")]
 pub mod meaning;
+#[cfg(feature = "report")]
 pub mod report;
 pub mod scalar;
+#[cfg(feature = "search")]
 pub mod search;
+#[cfg(feature = "prove")]
 pub mod settle;
 pub mod spline;
+#[cfg(feature = "study")]
+pub mod study;
