@@ -1,11 +1,18 @@
-//! The kernels, one group for each job that `benches/peers.sh` compares with other systems, and one for growth.
+//! The kernels, one group for each job that `benches/peers.sh` compares with other systems, one for growth, and one for the ways to a
+//! point, whose costs the head of the library's documentation tells.
 
 #[path = "peers/jobs.rs"]
 mod jobs;
 
+use std::error::Error;
+use std::fmt::Display;
+use std::hint::black_box;
+
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use jobs::CaseError;
-use knotproof::spline::Evaluator;
+use knotproof::float::FloatBasis;
+use knotproof::scalar::{RationalAlgebra, integer};
+use knotproof::spline::{Curve, Evaluator, Sampler, Side, by_definition};
 
 const POINTS: usize = 25;
 
@@ -95,12 +102,50 @@ fn growth(criterion: &mut Criterion) -> Result<(), CaseError> {
     Ok(())
 }
 
+/// Values, derivatives and points of a plane curve in degree 3 on 28 knots, in each way that there is.
+fn ways(criterion: &mut Criterion) -> Result<(), Box<dyn Error>> {
+    let (basis, side) = (jobs::basis(3, 20)?, Side::Right);
+    let control = (0..24).map(|i| [i, i * i % 7].map(integer).to_vec());
+    let curve = Curve::new(basis.clone(), control.collect())?;
+    let float = FloatBasis::<f64>::nearest(&basis)?;
+    let points = jobs::points(&basis, POINTS);
+    let near: Vec<f64> = points.iter().map(|x| 0.0.embed(x)).collect();
+    let spans: Vec<_> = points.iter().filter_map(|x| basis.knots().span_at(x, side)).collect();
+    let (mut evaluator, mut sampler, mut floats) = (Evaluator::new(&basis), Sampler::new(&basis), [0.0; 4]);
+    let mut group = criterion.benchmark_group("ways to a point");
+    group.throughput(Throughput::Elements(POINTS as u64));
+    let mut time = |name: &str, way: &mut dyn FnMut(usize)| {
+        group.bench_function(name, |bencher| bencher.iter(|| (0..POINTS).for_each(&mut *way)));
+    };
+    time("Evaluator::values", &mut |at| _ = black_box(evaluator.values(&points[at], side)));
+    time("Sampler::values", &mut |at| _ = black_box(sampler.values(&points[at], side)));
+    time("Basis::values", &mut |at| _ = black_box(basis.values(&points[at], side)));
+    time("Basis::active", &mut |at| _ = black_box(basis.active(spans[at], &points[at])));
+    time("by_definition", &mut |at| _ = black_box(by_definition(&basis, spans[at], &points[at])));
+    time("Evaluator::jets", &mut |at| _ = black_box(evaluator.jets(&points[at], side, 1)));
+    time("Basis::jets", &mut |at| _ = black_box(basis.jets(&points[at], side, 1)));
+    time("Curve::combine, Evaluator::values", &mut |at| {
+        _ = black_box(evaluator.values(&points[at], side).map(|functions| curve.combine(&functions)));
+    });
+    time("Curve::point", &mut |at| _ = black_box(curve.point(&points[at], side)));
+    time("Curve::de_boor", &mut |at| _ = black_box(curve.de_boor(&points[at], side)));
+    time("Curve::jets", &mut |at| _ = black_box(curve.jets(&points[at], side, 1)));
+    time("FloatBasis::values", &mut |at| _ = black_box(float.values(near[at], side, &mut floats)));
+    group.finish();
+    Ok(())
+}
+
 fn kernels(criterion: &mut Criterion) {
     for group in [values, pieces, critical_points, pieces_for_every_ratio, growth] {
-        if let Err(error) = group(criterion) {
-            eprintln!("a case of benches/peers/jobs.rs is wrong: {error}");
-            std::process::exit(1);
-        }
+        done(group(criterion));
+    }
+    done(ways(criterion));
+}
+
+fn done(group: Result<(), impl Display>) {
+    if let Err(error) = group {
+        eprintln!("a case of these benchmarks is wrong: {error}");
+        std::process::exit(1);
     }
 }
 

@@ -5,14 +5,12 @@
 
 use std::sync::Arc;
 
-use knotproof::float::{
-    Effort, Errors, FloatBasis, FloatMember, Method, MethodRecord, Population, Probe, Ulps, hexadecimal,
-    study,
-};
+use knotproof::float::{FloatBasis, hexadecimal};
 use knotproof::language::families;
 use knotproof::meaning::{Instance, Weighting};
 use knotproof::scalar::{RationalAlgebra, exact_value, integer, parse_rational, rational, ulp};
 use knotproof::spline::{Basis, KnotVector, Side};
+use knotproof::study::{Effort, Errors, FloatMember, Method, MethodRecord, Population, Probe, Ulps, study};
 use num_traits::{Signed, Zero};
 use proptest::prelude::*;
 
@@ -122,7 +120,7 @@ fn members_are_measured_against_their_definition() {
     }
 }
 
-fn alone(case: &Probe) -> Vec<knotproof::float::Figures> {
+fn alone(case: &Probe) -> Vec<knotproof::study::Figures> {
     study(&Population::Cases(vec![case.clone()]), &Method::ALL, EFFORT)
 }
 

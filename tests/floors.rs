@@ -10,9 +10,9 @@ const FLOORS: &[&[&str]] = &[
     &["scalar", "json"],
     &["language", "spline"],
     &["analysis"],
-    &["meaning"],
+    &["meaning", "formula"],
     &["judge", "certificate", "search"],
-    &["settle", "float"],
+    &["settle", "float", "study"],
     &["report"],
     &["cli"],
 ];

@@ -4,7 +4,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
 
 use knotproof::analysis::FormalBasis;
-use knotproof::report::{Form, Language, Script, expression, formula};
+use knotproof::formula::{Form, Language, Script, expression, formula};
 use knotproof::scalar::{BigRational, RationalAlgebra, Ring, integer, parse_rational, rational};
 use knotproof::spline::{Basis, Index, KnotVector, Side};
 use num_traits::Signed;

@@ -179,7 +179,8 @@ impl Crossing {
     }
 
     /// A simple ratio between r₀ and r₁.
-    pub(crate) fn middle(&self) -> (u64, u64) {
+    #[must_use]
+    pub fn middle(&self) -> (u64, u64) {
         between(self.ends[0], self.ends[1]).unwrap_or(self.ends[1])
     }
 

@@ -229,7 +229,7 @@ impl LocalKnots<BigInt> {
 
 /// Is a function with these gaps continuous? It has no knot of multiplicity k + 1, which would take k gaps, at one end or
 /// the other.
-pub(crate) fn is_continuous<T: Zero>(gaps: &[T]) -> bool {
+pub fn is_continuous<T: Zero>(gaps: &[T]) -> bool {
     let filled = |gaps: &[T]| !gaps.iter().all(T::is_zero);
     gaps.split_first().is_some_and(|(_, rest)| filled(rest)) && filled(&gaps[..gaps.len() - 1])
 }

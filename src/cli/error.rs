@@ -8,15 +8,16 @@ use thiserror::Error;
 
 use crate::analysis::{FreeKnotError, RationalBezierError};
 use crate::certificate::CertificateError;
-use crate::float::FloatError;
+use crate::formula::ScriptError;
 use crate::json::JsonError;
 use crate::language::Complaint;
 use crate::meaning::MemberError;
-use crate::report::{BaselineError, PageError, PictureError, ScriptError};
+use crate::report::{BaselineError, PageError, PictureError};
 use crate::scalar::NumberError;
 use crate::search::{AuditError, MergeError, PortionError, RecordError};
 use crate::settle::SettleError;
 use crate::spline::{Basis, BasisError, CurveError, HasWeights, KnotError};
+use crate::study::FloatMemberError;
 
 use super::exit::Exit;
 use super::point_error::PointError;
@@ -409,7 +410,7 @@ pub enum CliError {
         /// Where they stand.
         place: Provenance,
         /// What is wrong with them.
-        error: FloatError,
+        error: FloatMemberError,
     },
     /// Threads that cannot be had.
     #[error("--threads: {reason}")]

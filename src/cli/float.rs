@@ -9,15 +9,15 @@ use num_traits::{Signed, Zero};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::float::{
-    Effort, FloatBasis, FloatError, FloatMember, Method, MethodRecord, Population, Probe, RangeRecord,
-    hexadecimal, study,
-};
+use crate::float::{FloatBasis, FloatError, hexadecimal};
 use crate::judge::OfFamily;
 use crate::meaning::Weighting;
 use crate::report::heat_map;
 use crate::scalar::{RationalAlgebra, decimal, exact_value, integer, parse_rational};
 use crate::spline::{Basis, KnotVector, Side};
+use crate::study::{
+    Effort, FloatMember, FloatMemberError, Method, MethodRecord, Population, Probe, RangeRecord, study,
+};
 
 use super::atomic::Folder;
 use super::error::CliError;
@@ -186,7 +186,9 @@ impl Args {
             let knots = (0..2 * degree.min(1000) + 2).map(|_| 0.0).chain([1.0]).collect();
             let refused = FloatBasis::new(knots, degree, f64::INFINITY).err();
             return match (refused, &self.x) {
-                (Some(error), _) => Err(CliError::Float { place: Provenance::option("--degree"), error }),
+                (Some(error), _) => {
+                    Err(CliError::Float { place: Provenance::option("--degree"), error: error.into() })
+                }
                 (None, Some(_)) => {
                     let purpose =
                         "a point is a point of some knots; give them, such as --knots \"0 0 1 2 2\"";
@@ -231,10 +233,10 @@ impl Args {
         let exact = basis.weights().on_knots(basis.knots(), basis.degree());
         exact.map_err(|error| CliError::Member { argument: "--family", error })?;
         let float = FloatMember::nearest(basis).map_err(|error| match error {
-            FloatError::Parameter(_) | FloatError::Member(_) => {
+            FloatMemberError::Parameter(_) | FloatMemberError::Weights(_) => {
                 CliError::Float { place: Provenance::option("--set"), error }
             }
-            error => CliError::Float { place: Provenance::option("--knots"), error },
+            FloatMemberError::Knots(_) => CliError::Float { place: Provenance::option("--knots"), error },
         })?;
         let (mut rounded, merged) = rounding(basis.knots(), float.knots());
         let named = |weights: &Weighting| -> Vec<(String, BigRational)> {
@@ -261,7 +263,10 @@ impl Args {
         let Some(exact) = &self.x else { return Ok(None) };
         let x = 0.0_f64.embed(exact);
         if !x.is_finite() {
-            return Err(CliError::Float { place: Provenance::option("--x"), error: FloatError::Point(x) });
+            return Err(CliError::Float {
+                place: Provenance::option("--x"),
+                error: FloatError::Point(x).into(),
+            });
         }
         rounded.extend(Rounded::of("x".to_owned(), exact, x));
         Ok(Some(x))
@@ -325,7 +330,7 @@ fn maps(folder: &Path, field: &Population) -> Result<Vec<PathBuf>, CliError> {
 fn float(basis: &Basis) -> Result<FloatBasis<f64>, CliError> {
     FloatBasis::nearest(basis).map_err(|error| {
         let option = if matches!(error, FloatError::Index(_)) { "--alpha" } else { "--knots" };
-        CliError::Float { place: Provenance::option(option), error }
+        CliError::Float { place: Provenance::option(option), error: error.into() }
     })
 }
 

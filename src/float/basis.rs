@@ -224,20 +224,20 @@ impl<F: Real> FloatBasis<F> {
 
     /// t_{j−k+1}, …, t_{j+k}: the knots that the functions on the span [t_j, t_{j+1}) depend on.
     #[inline]
-    pub(super) fn local(&self, span: Span) -> &[F] {
+    pub(crate) fn local(&self, span: Span) -> &[F] {
         &self.padded[span.index() + 1..=span.index() + 2 * self.degree]
     }
 
     /// The places c in a list of values for which G_{j−k+c} exists.
     #[inline(always)]
-    pub(super) fn existing(&self, span: Span) -> std::ops::Range<usize> {
+    pub(crate) fn existing(&self, span: Span) -> std::ops::Range<usize> {
         let missing = self.degree.saturating_sub(span.index());
         missing..(self.n() + 1 + self.degree).saturating_sub(span.index()).min(self.degree + 1)
     }
 
     /// Zeros for the functions that do not exist, or for all where there is no span.
     #[inline(always)]
-    pub(super) fn blank(&self, span: Option<Span>, values: &mut [F]) {
+    pub(crate) fn blank(&self, span: Option<Span>, values: &mut [F]) {
         let existing = span.map_or(0..0, |span| self.existing(span));
         values[..existing.start].fill(F::zero());
         values[existing.end..].fill(F::zero());

@@ -2,8 +2,6 @@
 
 use thiserror::Error;
 
-use crate::meaning::MemberError;
-
 /// The highest degree of a [`FloatBasis`](super::FloatBasis): what it computes with has a fixed place, so that nothing is allocated.
 pub const HIGHEST_DEGREE: usize = 31;
 
@@ -92,12 +90,6 @@ pub enum FloatError {
     /// An order that is too high.
     #[error("derivatives of order {0} are too many: at most {HIGHEST_DEGREE}")]
     Order(usize),
-    /// A parameter of a family beyond the range.
-    #[error("a parameter is {0}: give one that is within the range of the floats")]
-    Parameter(f64),
-    /// Parameters that give no weights once they are floats.
-    #[error(transparent)]
-    Member(#[from] MemberError),
     /// A derivative beyond the range.
     #[error("a derivative of order {0} at this x is beyond the range of the floats: ask for a lower order")]
     Derivative(usize),

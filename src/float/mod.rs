@@ -1,7 +1,7 @@
-//! Floor 6: the triangle in floating point, and how far that is from the exact values.
+//! Floor 6: the triangle in floating point.
 //!
-//! [`FloatBasis`] computes values that are the exact ones, rounded. What is found here says how well a program in
-//! floating point can do. It is never part of a verdict.
+//! [`FloatBasis`] computes values that are the exact ones, rounded; [`FloatCurve`] computes curves. None of that is ever part of
+//! a verdict.
 
 mod accurate;
 mod basis;
@@ -10,23 +10,18 @@ mod curve;
 mod derivatives;
 mod error;
 mod fast;
+mod hexadecimal;
 mod machine;
-mod member;
-mod pair;
-mod point;
-mod power;
+pub(crate) mod pair;
+pub(crate) mod point;
+pub(crate) mod power;
 mod real;
 mod scaled;
-mod study;
 
 pub use basis::FloatBasis;
 pub use batch::Precision;
 pub use curve::FloatCurve;
 pub use error::{FloatError, HIGHEST_DEGREE};
 pub use fast::FAST_DEGREE;
-pub use member::FloatMember;
+pub use hexadecimal::hexadecimal;
 pub use real::Real;
-pub use study::{
-    Effort, Errors, Extreme, Figures, Method, MethodRecord, Population, Probe, ProbeRecord, RangeRecord,
-    Ulps, WorstRecord, hexadecimal, study,
-};

@@ -4,7 +4,7 @@
 use super::basis::{FloatBasis, Ratio, length};
 use super::error::{FloatError, HIGHEST_DEGREE};
 use super::machine::Kernel;
-use super::pair::{Pair, Products, Split};
+use super::pair::{Pair, Products};
 use super::real::Real;
 use super::scaled::Scaled;
 use crate::spline::{Side, Span};
@@ -19,7 +19,7 @@ pub(super) fn lifted<F: Real>(value: F, above_start: bool, below_end: bool) -> F
 }
 
 /// Up to k + 1 numbers.
-pub(super) type Column = [Pair; HIGHEST_DEGREE + 1];
+pub(crate) type Column = [Pair; HIGHEST_DEGREE + 1];
 
 /// Where the weights at a point come from: entry (d, c) is (w_i^d, 1 − w_i^d) for i = j − d + 1 + c.
 pub(super) trait Weights {
@@ -162,13 +162,8 @@ impl Task for DeBoor<'_> {
 }
 
 /// The functions on the span at x, a point of the closed span, before they are rounded.
-pub(super) fn unrounded<F: Real>(basis: &FloatBasis<F>, span: Span, x: F) -> Column {
+pub(crate) fn unrounded<F: Real>(basis: &FloatBasis<F>, span: Span, x: F) -> Column {
     basis.machine.run(AtPoint { basis, span, x, task: Triangle { degree: basis.degree() } })
-}
-
-/// The triangle with any weights, in the plain way.
-pub(super) fn by_weights(degree: usize, weights: &impl Weights) -> Column {
-    Triangle { degree }.run::<Split>(weights)
 }
 
 /// De Boor's algorithm on each of the columns, which hold a coordinate of d_{j−k}, …, d_j: the point comes out as their
@@ -196,7 +191,7 @@ impl<F: Real> FloatBasis<F> {
     }
 
     /// [`Self::values`] on a span, at a point of the closed span.
-    pub(super) fn at_point(&self, span: Span, x: F, values: &mut [F]) {
+    pub(crate) fn at_point(&self, span: Span, x: F, values: &mut [F]) {
         let (degree, local) = (self.degree(), self.local(span));
         for (c, (value, pair)) in values.iter_mut().zip(unrounded(self, span, x)).enumerate() {
             let (above, below) = (c == 0 || local[c - 1] < x, c == degree || x < local[degree + c]);

@@ -1,7 +1,7 @@
 //! Powers of two: the scalings that round nothing.
 
 /// e with 2^e ≤ |value| < 2^(e+1), for a finite value ≠ 0, subnormal ones included.
-pub(super) fn exponent(value: f64) -> i32 {
+pub(crate) fn exponent(value: f64) -> i32 {
     let biased = |value: f64| i32::try_from((value.to_bits() >> 52) & 0x7ff).unwrap_or(0);
     match biased(value) {
         0 => biased(value * power(64)) - 64 - 1023,
@@ -10,7 +10,7 @@ pub(super) fn exponent(value: f64) -> i32 {
 }
 
 /// 2^e, for −1022 ≤ e ≤ 1023; beyond, the nearest of these.
-pub(super) fn power(e: i32) -> f64 {
+pub(crate) fn power(e: i32) -> f64 {
     f64::from_bits(u64::from((e.clamp(-1022, 1023) + 1023).unsigned_abs()) << 52)
 }
 

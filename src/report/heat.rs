@@ -5,8 +5,9 @@ use plotters::prelude::*;
 
 use super::PictureError;
 use super::figures::canvas::failed;
-use crate::float::{Errors, FloatBasis, Method, Probe, Ulps};
+use crate::float::FloatBasis;
 use crate::spline::Side;
+use crate::study::{Errors, Method, Probe, Ulps};
 
 const SIZE: (u32, u32) = (760, 640);
 /// The cells of a panel: x from t_0 to t_m, and s from 10^−SCALES to 10^SCALES, each power of ten in three steps, with

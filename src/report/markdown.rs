@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
-use crate::float::MethodRecord;
 use crate::language::{About, Form, Paper, Source};
+use crate::study::MethodRecord;
 
 use super::baseline::{Baseline, Entry};
 use super::corners::Corner;

@@ -1,4 +1,4 @@
-//! Floor 7: all claims judged, as data, as Markdown and against recorded verdicts; basis functions as formulas.
+//! Floor 7: all claims judged, as data, as Markdown and against recorded verdicts.
 
 mod baseline;
 mod conjecture;
@@ -6,7 +6,6 @@ mod corners;
 mod dependence;
 mod errata;
 pub mod figures;
-mod formula;
 mod heat;
 mod markdown;
 mod opening;
@@ -25,12 +24,13 @@ use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
 
 use crate::certificate::Certificate;
-use crate::float::{Effort, FloatBasis, Method, MethodRecord, Population, study};
+use crate::float::FloatBasis;
 use crate::judge::Cases;
 use crate::language::{About, Claim, Paper};
 use crate::meaning::examples_of;
 use crate::settle::{Outcome, Proving, SettleError, settle_all};
 use crate::spline::Basis;
+use crate::study::{Effort, Method, MethodRecord, Population, study};
 
 pub use baseline::{Baseline, BaselineError, Difference, Entry};
 pub use conjecture::conjecture_page;
@@ -38,7 +38,6 @@ pub use corners::{Corner, Turn, corners};
 pub use dependence::{Dependence, Dependency, State};
 pub use errata::{Amendment, Errata, Erratum, ErratumWitness, errata_page};
 pub use figures::PictureError;
-pub use formula::{Counterexample, Definition, Form, Language, Script, ScriptError, expression, formula};
 pub use heat::heat_map;
 pub use markdown::{markdown, verdicts_page};
 pub use opening::opening;

@@ -98,18 +98,27 @@ impl<F: Clone> Factors<F> {
     }
 
     /// The L_{a,b} of the denominator of G_i^k.
+    ///
+    /// # Panics
+    /// Unless G_i^k lives on the span: j − k ≤ i ≤ j.
     pub fn denominator(&self, i: usize) -> impl Iterator<Item = &F> {
         self.denominator_places(i).flat_map(|row| &self.sums[row])
     }
 
     /// Their places in [`places`](Self::places), row by row.
     pub(crate) fn denominator_places(&self, i: usize) -> impl Iterator<Item = Range<usize>> + use<F> {
-        let (j, degree) = (self.span.index(), self.degree);
-        let (last_row, last_column) = (j - i, i + degree - j);
+        let (degree, (last_row, last_column)) = (self.degree, self.last_places(i));
         (0..=last_row).filter(move |s| *s < degree).map(move |s| {
             let start = row_start(degree, s);
             start..start + last_column + usize::from(s < last_row)
         })
+    }
+
+    /// The places of t_i and of t_{i+k+1}.
+    fn last_places(&self, i: usize) -> (usize, usize) {
+        let (j, degree) = (self.span.index(), self.degree);
+        assert!(i <= j && j - i <= degree, "G_{i} does not live on the span {j}");
+        (j - i, i + degree - j)
     }
 
     /// All L, by places; what is on places that belong to no L is without meaning.
@@ -118,9 +127,11 @@ impl<F: Clone> Factors<F> {
     }
 
     /// The L_{a,b} with b − a ≤ k that the denominator of G_i^k lacks: with those all functions have the same.
+    ///
+    /// # Panics
+    /// Unless G_i^k lives on the span: j − k ≤ i ≤ j.
     pub fn cofactor(&self, i: usize) -> impl Iterator<Item = &F> {
-        let j = self.span.index();
-        let (last_row, last_column) = (j - i, i + self.degree - j);
+        let (last_row, last_column) = self.last_places(i);
         (0..self.rises.len().min(self.degree)).flat_map(move |s| {
             let known = if s <= last_row { last_column + usize::from(s < last_row) } else { 0 };
             let end = self.row(s, self.degree - s).len();

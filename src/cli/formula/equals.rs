@@ -7,7 +7,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::analysis::FormalBasis;
-use crate::report::{Counterexample, Script, ScriptError};
+use crate::formula::{Counterexample, Script, ScriptError};
 use crate::spline::Span;
 
 use super::super::error::CliError;

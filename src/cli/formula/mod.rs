@@ -10,7 +10,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::analysis::{FormalBasis, FormalFunction, FormalPiece};
-use crate::report::{Form, Language, expression, formula};
+use crate::formula::{Form, Language, expression, formula};
 use crate::spline::AnyWeights;
 
 use super::error::CliError;

@@ -5,8 +5,9 @@ use rand_chacha::rand_core::{Rng, SeedableRng};
 
 use std::sync::Arc;
 
-use super::super::basis::FloatBasis;
-use super::super::member::FloatMember;
+use super::member::FloatMember;
+use crate::float::FloatBasis;
+use crate::float::power::power;
 use crate::scalar::BigRational;
 use crate::spline::{Active, Side, Span};
 
@@ -86,7 +87,7 @@ impl Source {
     /// m·2^e with m even in [1, 2) and e even in −SPREAD, …, SPREAD − 1.
     fn spread(&mut self) -> f64 {
         let e = i32::try_from(self.below(2 * u64::from(SPREAD.unsigned_abs()))).unwrap_or(0) - SPREAD;
-        (1.0 + self.part()) * super::super::power::power(e)
+        (1.0 + self.part()) * power(e)
     }
 
     /// −s, 1 + s or, one time in eight, ∞, with s spread over the scales.

@@ -4,9 +4,9 @@ use num_rational::BigRational;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::hexadecimal::hexadecimal;
 use super::probe::Probe;
 use super::{Extreme, Figures, Ulps};
+use crate::float::hexadecimal;
 use crate::judge::OfFamily;
 use crate::scalar::{RationalAlgebra, decimal, exact_value};
 

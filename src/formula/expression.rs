@@ -14,7 +14,7 @@ use super::{Form, Language};
 ///
 /// ```
 /// use knotproof::analysis::FormalBasis;
-/// use knotproof::report::{Form, Language, expression};
+/// use knotproof::formula::{Form, Language, expression};
 /// use knotproof::scalar::integer;
 /// use knotproof::spline::{Basis, KnotVector};
 ///

@@ -117,13 +117,13 @@ pub struct Definition {
 /// Definitions `G_i(x) := …`, or one expression, which may be a chain of `if … then … elseif … then … else …`.
 ///
 /// ```
-/// use knotproof::report::Script;
+/// use knotproof::formula::Script;
 ///
 /// let script = Script::read("G_1(x) := if 0 <= x and x <= 1 then x/(2 - x) else 0$")?;
 /// assert_eq!(script.definitions()[0].index, Some(1));
 /// let error = Script::read("x/(2 - y)").expect_err("y is no letter here");
 /// assert_eq!((error.line, error.column), (1, 8));
-/// # Ok::<(), knotproof::report::ScriptError>(())
+/// # Ok::<(), knotproof::formula::ScriptError>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Script {

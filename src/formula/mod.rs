@@ -1,4 +1,5 @@
-//! Basis functions written as formulas: for people, for LaTeX, and for other systems to compute with.
+//! Floor 4: basis functions written as formulas, for people, for LaTeX, and for other systems to compute with; and whether what
+//! somebody wrote is one of them.
 
 mod equality;
 mod expression;
@@ -41,7 +42,7 @@ pub enum Form {
 ///
 /// ```
 /// use knotproof::analysis::FormalBasis;
-/// use knotproof::report::{Form, Language, formula};
+/// use knotproof::formula::{Form, Language, formula};
 /// use knotproof::scalar::integer;
 /// use knotproof::spline::{Basis, KnotVector};
 ///

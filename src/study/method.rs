@@ -1,9 +1,8 @@
 //! The ways to compute the basis in `f64` that are compared.
 
-use super::super::batch::Precision;
-use super::super::error::HIGHEST_DEGREE;
-use super::super::power::power;
 use super::probe::Probe;
+use crate::float::power::power;
+use crate::float::{FAST_DEGREE, HIGHEST_DEGREE, Precision};
 
 /// One way to compute.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -90,7 +89,7 @@ impl Method {
         match self {
             Self::Paper | Self::Ratio => None,
             Self::Triangle => Some(9.0 * k),
-            Self::Fast if degree <= super::super::fast::FAST_DEGREE => Some(k * k + 7.0 * k),
+            Self::Fast if degree <= FAST_DEGREE => Some(k * k + 7.0 * k),
             Self::Fast | Self::Accurate => Some(0.5 + k / f64::from(1 << 22) / f64::from(1 << 22)),
         }
     }

@@ -1,9 +1,9 @@
-//! The study: each way to compute in `f64` against exact arithmetic on the same floats, at random cases and at the
+//! Floor 6: each way to compute in `f64` against exact arithmetic on the same floats, at random cases and at the
 //! worst that a search finds.
 
 mod climb;
-mod hexadecimal;
 mod measure;
+mod member;
 mod method;
 mod probe;
 mod record;
@@ -13,15 +13,14 @@ use std::sync::Arc;
 use num_traits::Zero;
 use rayon::prelude::*;
 
-use super::basis::FloatBasis;
-use super::member::FloatMember;
+use crate::float::FloatBasis;
 use crate::scalar::BigRational;
 use climb::climb;
 use measure::Exact;
 use probe::Source;
 
-pub use hexadecimal::hexadecimal;
 pub use measure::{Errors, Ulps};
+pub use member::{FloatMember, FloatMemberError};
 pub use method::Method;
 pub use probe::Probe;
 pub use record::{MethodRecord, ProbeRecord, RangeRecord, WorstRecord};

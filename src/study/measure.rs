@@ -4,11 +4,11 @@ use std::cmp::Ordering;
 
 use num_traits::{Signed, Zero};
 
-use super::super::member::MemberAt;
-use super::super::point;
-use super::super::power::{exponent, power};
 use super::method::Method;
 use super::probe::Probe;
+use crate::float::pair::Pair;
+use crate::float::point::unrounded;
+use crate::float::power::{exponent, power};
 use crate::scalar::{BigRational, exact_value, integer, ulp};
 
 /// An error in units in the last place. What is no number is worse than every number.
@@ -142,24 +142,19 @@ impl Exact {
 /// The largest error of a formula at a case in units in the last place, nearly: against values of about 100 bits; infinite
 /// where a result is no number. What the search for bad cases climbs by; nothing that is reported.
 pub(super) fn estimate(formula: Method, case: &Probe) -> f64 {
-    let exact = match &case.member {
-        Some(member) => {
-            let weights = MemberAt { member, span: case.span, x: case.x };
-            point::by_weights(case.basis.degree(), &weights)
-        }
-        None => point::unrounded(&case.basis, case.span, case.x),
-    };
     let existing = case.basis.existing(case.span);
-    let floats = formula.values(case);
-    let error = |c: usize| {
-        let pair = exact[c];
-        if !floats[c].is_finite() {
+    let exact = match &case.member {
+        Some(member) => member.unrounded(case.span, case.x),
+        None => unrounded(&case.basis, case.span, case.x)[existing.clone()].to_vec(),
+    };
+    let error = |(float, exact): (&f64, &Pair)| {
+        if !float.is_finite() {
             return f64::INFINITY;
         }
-        if pair.hi.abs() < power(LEAST) {
+        if exact.hi.abs() < power(LEAST) {
             return 0.0;
         }
-        ((floats[c] - pair.hi) - pair.lo).abs() / power(exponent(pair.hi) - 52)
+        ((float - exact.hi) - exact.lo).abs() / power(exponent(exact.hi) - 52)
     };
-    existing.map(error).fold(0.0, f64::max)
+    formula.values(case)[existing].iter().zip(&exact).map(error).fold(0.0, f64::max)
 }

@@ -2,13 +2,27 @@
 
 use std::collections::BTreeMap;
 
-use super::basis::FloatBasis;
-use super::error::FloatError;
-use super::pair::{Pair, Products, Split};
-use super::point::Weights;
-use crate::meaning::Weighting;
+use thiserror::Error;
+
+use crate::float::pair::{Pair, Split};
+use crate::float::{FloatBasis, FloatError};
+use crate::meaning::{MemberError, Weighting};
 use crate::scalar::{BigRational, RationalAlgebra, Ring, exact_value};
-use crate::spline::{Basis, FormTable, Forms, Index, Span};
+use crate::spline::{Basis, FormTable, Forms, Index, Pairs, Span, triangle};
+
+/// Why a member of a family is none in floats.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum FloatMemberError {
+    /// The knots are none.
+    #[error(transparent)]
+    Knots(#[from] FloatError),
+    /// A parameter beyond the range.
+    #[error("a parameter is {0}: give one that is within the range of the floats")]
+    Parameter(f64),
+    /// Parameters that give no weights once they are floats.
+    #[error(transparent)]
+    Weights(#[from] MemberError),
+}
 
 /// A basis with the weights of a family that is not that of an index, knots and parameters in `f64`: what a program that
 /// reads them has. There are no kernels for it, and no bound is proved; it is what such a program is measured by.
@@ -26,13 +40,13 @@ impl FloatMember {
     /// The floats nearest to the knots and to the parameters.
     ///
     /// # Errors
-    /// [`FloatError`], if they are no basis any more: a number rounds to infinity, all knots to one, or a parameter out of
+    /// [`FloatMemberError`], if they are no basis any more: a number rounds to infinity, all knots to one, or a parameter out of
     /// its bounds.
-    pub fn nearest(basis: &Basis<Weighting>) -> Result<Self, FloatError> {
+    pub fn nearest(basis: &Basis<Weighting>) -> Result<Self, FloatMemberError> {
         let knots = FloatBasis::nearest(&basis.with(Index::infinity()))?;
         let weights = basis.weights().map_numbers(|number| {
             let float = 0.0_f64.embed(number);
-            exact_value(float).ok_or(FloatError::Parameter(float))
+            exact_value(float).ok_or(FloatMemberError::Parameter(float))
         })?;
         let exact = knots.exact();
         let table = weights.table(exact.knots(), exact.degree())?;
@@ -66,6 +80,21 @@ impl FloatMember {
         forms.map_or([0.0, 1.0, 1.0], |forms| forms.values(&(x - a), &(b - x), |c| c.hi))
     }
 
+    /// The functions that live on the span at x in pairs of floats: nearly the exact ones.
+    pub(super) fn unrounded(&self, span: Span, x: f64) -> Vec<Pair> {
+        let shares = |i: usize, d: usize| {
+            let c = i + d - span.index() - 1;
+            let (a, b) = self.ends(span, d, c);
+            let Some(forms) = self.forms(span, d, c) else { return (Pair::ZERO, Pair::ONE) };
+            let [rise, fall, over] =
+                forms.values(&Pair::difference(x, a), &Pair::difference(b, x), |coefficient| *coefficient);
+            let inverse = 1.0 / over.hi;
+            (rise.over::<Split>(over, inverse), fall.over::<Split>(over, inverse))
+        };
+        let (degree, m) = (self.exact.degree(), self.exact.knots().m());
+        triangle(&Pairs::new(&Pair::ONE, shares), span, degree, m).values().to_vec()
+    }
+
     fn forms(&self, span: Span, d: usize, c: usize) -> Option<&Forms<Pair>> {
         let i = (span.index() + 1 + c).checked_sub(d)?;
         self.forms.get(&(span.index(), i, d))
@@ -74,25 +103,6 @@ impl FloatMember {
     fn ends(&self, span: Span, d: usize, c: usize) -> (f64, f64) {
         let (local, k) = (self.basis.local(span), self.basis.degree());
         (local[k - d + c], local[k + c])
-    }
-}
-
-/// The weights at a point of a span in pairs of floats: nearly the exact ones.
-pub(super) struct MemberAt<'a> {
-    pub(super) member: &'a FloatMember,
-    pub(super) span: Span,
-    pub(super) x: f64,
-}
-
-impl Weights for MemberAt<'_> {
-    fn shares<M: Products>(&self, d: usize, c: usize) -> (Pair, Pair) {
-        let Self { member, span, x } = *self;
-        let (a, b) = member.ends(span, d, c);
-        let Some(forms) = member.forms(span, d, c) else { return (Pair::ZERO, Pair::ONE) };
-        let [rise, fall, over] =
-            forms.values(&Pair::difference(x, a), &Pair::difference(b, x), |coefficient| *coefficient);
-        let inverse = 1.0 / over.hi;
-        (rise.over::<M>(over, inverse), fall.over::<M>(over, inverse))
     }
 }
 
