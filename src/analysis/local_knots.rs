@@ -2,7 +2,7 @@
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{Signed, Zero};
+use num_traits::Zero;
 use thiserror::Error;
 
 use super::piece::Piece;
@@ -218,8 +218,8 @@ impl LocalKnots<BigInt> {
     pub fn of(basis: &Basis, i: usize) -> Option<Self> {
         let (knots, ratio) = (basis.knots(), basis.index().ratio());
         assert!(i <= basis.n(), "there is no function {i}: the basis has the functions 0 to {}", basis.n());
-        let gaps: Vec<_> = (i..=i + basis.degree()).map(|j| knots.t(j + 1) - knots.t(j)).collect();
-        let gaps = coprime_gaps(&gaps);
+        let mut gaps = integer_gaps(&knots.knots()[i..=i + basis.degree() + 1]);
+        make_coprime(&mut gaps);
         if gaps.iter().all(Ring::is_zero) {
             return None;
         }
@@ -234,16 +234,20 @@ pub(crate) fn is_continuous<T: Zero>(gaps: &[T]) -> bool {
     gaps.split_first().is_some_and(|(_, rest)| filled(rest)) && filled(&gaps[..gaps.len() - 1])
 }
 
-/// Gaps in the unit that makes all of them coprime integers; zeros, if all are 0.
-pub(super) fn coprime_gaps(gaps: &[BigRational]) -> Vec<BigInt> {
-    let (mut gaps, _) = over_one_denominator(gaps);
-    let divisor = gaps.iter().fold(BigInt::ZERO, |divisor, gap| gcd(&divisor, gap).abs());
+/// The gaps between knots in a unit that makes all knots integers.
+pub(super) fn integer_gaps(knots: &[BigRational]) -> Vec<BigInt> {
+    let (knots, _) = over_one_denominator(knots);
+    knots.windows(2).map(|ends| &ends[1] - &ends[0]).collect()
+}
+
+/// In the unit that makes all of them coprime integers, if not all are 0.
+pub(super) fn make_coprime(gaps: &mut [BigInt]) {
+    let divisor = gaps.iter().fold(BigInt::ZERO, |divisor, gap| gcd(&divisor, gap));
     if divisor > BigInt::from(1) {
-        for gap in &mut gaps {
+        for gap in gaps {
             *gap /= &divisor;
         }
     }
-    gaps
 }
 
 #[cfg(test)]

@@ -52,7 +52,7 @@ pub(crate) use integer_polynomial::IntegerPolynomial;
 pub use interval::Interval;
 pub use jet::Jet;
 pub(crate) use limbs::Limbs;
-pub(crate) use long::LongPolynomial;
+pub(crate) use long::{LinearDivisor, LongPolynomial};
 pub(crate) use modular::{may_vanish, residue};
 pub use monomial::Monomial;
 pub use multivariate::Multivariate;

@@ -103,7 +103,7 @@ impl<F: Clone> Factors<F> {
     }
 
     /// Their places in [`places`](Self::places), row by row.
-    pub(crate) fn denominator_places(&self, i: usize) -> impl Iterator<Item = Range<usize>> + use<F> {
+    pub(crate) fn denominator_places(&self, i: usize) -> impl Iterator<Item = Range<usize>> + Clone + use<F> {
         let (j, degree) = (self.span.index(), self.degree);
         let (last_row, last_column) = (j - i, i + degree - j);
         (0..=last_row).filter(move |s| *s < degree).map(move |s| {
