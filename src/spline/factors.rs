@@ -58,12 +58,15 @@ impl<F: Clone> Factors<F> {
         self.rises.clear();
         self.falls.clear();
         self.sums.clear();
+        self.rises.reserve(rises.size_hint().0);
+        self.falls.reserve(falls.size_hint().0);
         for rise in rises {
             self.rises.push(rise?);
         }
         for fall in falls {
             self.falls.push(fall?);
         }
+        self.sums.reserve(row_start(self.degree, self.rises.len().min(self.degree)));
         for (s, rise) in self.rises.iter().enumerate().take(self.degree) {
             for w in 0..self.degree - s {
                 // Beyond the last knot nothing is ever asked for.
