@@ -39,7 +39,7 @@ fn values(criterion: &mut Criterion) -> Result<(), CaseError> {
 /// B: the pieces of one span.
 fn pieces(criterion: &mut Criterion) -> Result<(), CaseError> {
     let mut group = criterion.benchmark_group("B, pieces");
-    for degree in 3..=10 {
+    for degree in (3..=10).chain([12, 14, 16]) {
         let basis = jobs::basis(degree, jobs::inner(degree))?;
         let Some(span) = jobs::middle(&basis) else { continue };
         group.bench_function(BenchmarkId::new("one span", degree), |bencher| {

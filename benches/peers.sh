@@ -2,8 +2,8 @@
 # knotproof beside FLINT (in C and in Python) and PARI/GP on the same jobs, in one run and on one core: compares all
 # results, then times the systems in turn, and writes benches/peers.md. About three minutes.
 #
-# FLINT in C is that of the distribution, which has headers; for job C also FLINT 3, which is much faster there: the one
-# that python-flint brings with it.
+# FLINT in C is that of the distribution, which has headers; for the jobs B and C also FLINT 3, which is much faster at C: the
+# one that python-flint brings with it.
 #
 #   benches/peers.sh setup            installs what is missing, on Debian or Ubuntu, as root
 #   benches/peers.sh [REPETITIONS]    runs; 5 repetitions unless given

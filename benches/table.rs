@@ -29,13 +29,13 @@ const JOBS: [Job; 6] = [
     Job {
         name: "B",
         script: "benches/peers.sh",
-        method: "pieces on a span: triangle over factored quotients in u, known factors divided out",
+        method: "pieces on a span: triangle in integers of a fixed width, known factors divided out",
     },
     Job {
         name: "C",
         script: "benches/peers.sh",
-        method: "critical points of a function: from knots by intervals first, from polynomials by Descartes' rule in integers of a \
-                 fixed width",
+        method: "critical points of a function: from knots by floats with a bound first, from polynomials by Descartes' rule in \
+                 integers of a fixed width",
     },
     Job {
         name: "E",
@@ -50,7 +50,7 @@ const JOBS: [Job; 6] = [
     Job {
         name: "S",
         script: "benches/unimodality/compare.sh",
-        method: "number of maxima of a random function: signs of slopes by intervals, else by integers",
+        method: "number of maxima of a random function: signs of slopes by floats with a bound, else by integers",
     },
 ];
 

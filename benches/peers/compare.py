@@ -36,7 +36,7 @@ NOTES = {
     "A": "r = 1/3, open uniform knots: 4 inner ones for k = 3, 8 for the others. The peers run the triangle over their "
     "own reduced fractions.",
     "B": "r = 1/3, the knots of A, the span in the middle. Ours are quotients in the span's coordinate u = (x − a)/(b − x), "
-    "those of the peers in x.",
+    "those of the peers in x. FLINT in C finds what cancels by a gcd, or by trying the known factors.",
     "C": "Uniform: one function, r = 1/3. Non-uniform: eight functions with random gaps from 1 to 9, r = 3. The peers "
     "get the numerators of the derivatives ready made; so does `from polynomials`, and `from the knots` computes "
     "them, or does without. A count from the knots is that of the sign changes: in these cases all roots are simple. "
@@ -49,7 +49,7 @@ NOTES = {
 # Whose results there have to be.
 RESULTS = {
     "A": {"knotproof-reduced", "knotproof-unreduced", "flint-c", "flint-py", "pari"},
-    "B": {"knotproof", "flint-c", "flint-py", "pari", "pari-quotients"},
+    "B": {"knotproof", "flint-c", "flint-c-factors", "flint-3", "flint-3-factors", "flint-py", "pari", "pari-quotients"},
     "C": {"knotproof-from-the-knots", "knotproof-from-polynomials", "flint-c", "flint-3", "pari"},
     "E": {"knotproof", "flint-py", "pari", "pari-quotients"},
 }
@@ -84,7 +84,7 @@ class Peers:
         commands = [
             ((self.ours,), "ABCE growth"),
             ((self.flint,), "ABC"),
-            ((self.flint3,), "C"),
+            ((self.flint3,), "BC"),
             (self.python, "ABE"),
         ]
         for program, jobs in commands:

@@ -1,4 +1,4 @@
-// FLINT in C on the jobs A (fmpq), B (fmpz_poly) and C (Sturm's chain), for benches/peers.sh.
+// FLINT in C on the jobs A (fmpq), B (fmpz_poly: pieces.h) and C (Sturm's chain), for benches/peers.sh.
 //
 //   flint check FOLDER        writes the results, to be compared
 //   flint time JOB FOLDER     prints lines JOB CASE VARIANT SECONDS, separated by tabs
@@ -14,32 +14,22 @@
 #include <gmp.h>
 
 #include "job.h"
+#include "pieces.h"
 
-enum { MOST_KNOTS = 64, MOST_POINTS = 1000, CHECKED = 25, MOST_DEGREE = 20, MOST_SLOPES = 200 };
-
-// The whole numbers on the next line.
-static int read_line(FILE *file, long *numbers, int most)
-{
-    static char line[1 << 16];
-    int count = 0;
-    if (!fgets(line, sizeof line, file)) return 0;
-    for (char *word = strtok(line, " \n"); word && count < most; word = strtok(NULL, " \n"))
-        numbers[count++] = atol(word);
-    return count;
-}
+enum { MOST_POINTS = 1000, CHECKED = 25, MOST_SLOPES = 200 };
 
 // ---- A: the triangle over fmpq, r = 1/3.
 
-static int degree, points;
-static long knots[MOST_KNOTS], numerators[MOST_POINTS], denominators[MOST_POINTS];
+static int points;
+static long point_p[MOST_POINTS], point_q[MOST_POINTS];
 static fmpq *t, *rise, *fall, *value;
 static fmpq_t ratio, x, carry, sum, share;
 
 static void values_at(int point)
 {
     int j = degree;
-    while (numerators[point] >= knots[j + 1] * denominators[point]) j++;
-    fmpq_set_si(x, numerators[point], denominators[point]);
+    while (point_p[point] >= knots[j + 1] * point_q[point]) j++;
+    fmpq_set_si(x, point_p[point], point_q[point]);
     fmpq_one(value);
     for (int d = 1; d <= degree; d++) {
         fmpq_sub(rise + d, x, t + j + 1 - d);
@@ -72,7 +62,7 @@ static void job_a(int check)
         FILE *file = open_file(name, "r");
         int count = read_line(file, knots, MOST_KNOTS);
         for (points = 0; points < MOST_POINTS; points++)
-            if (fscanf(file, "%ld %ld", numerators + points, denominators + points) != 2) break;
+            if (fscanf(file, "%ld %ld", point_p + points, point_q + points) != 2) break;
         fclose(file);
         for (int i = 0; i < count; i++) fmpq_set_si(t + i, knots[i], 1);
         if (!check) {
@@ -90,103 +80,6 @@ static void job_a(int check)
                 fputc('/', file);
                 fmpz_fprint(file, fmpq_denref(value + c));
             }
-            fputc('\n', file);
-        }
-        fclose(file);
-    }
-}
-
-// ---- B: numerators over known products of linear factors, then one gcd a function, r = 1/3.
-
-static int span;
-static fmpz_poly_t left[MOST_DEGREE], right[MOST_DEGREE], factor[MOST_DEGREE][MOST_DEGREE];
-static fmpz_poly_t level[MOST_DEGREE], next[MOST_DEGREE], column[MOST_DEGREE], row[MOST_DEGREE];
-static fmpz_poly_t P[MOST_DEGREE], Q[MOST_DEGREE], term, product, divisor;
-
-static void linear(fmpz_poly_t p, long constant, long slope)
-{
-    fmpz_poly_zero(p);
-    fmpz_poly_set_coeff_si(p, 1, slope);
-    fmpz_poly_set_coeff_si(p, 0, constant);
-}
-
-static void pieces(void)
-{
-    fmpz_poly_one(level[0]);
-    for (int d = 1; d <= degree; d++) {
-        linear(left[d], -knots[span + 1 - d], 1);
-        linear(right[d], 3 * knots[span + d], -3);
-        fmpz_poly_one(column[d]);
-        fmpz_poly_one(row[d]);
-        // Each factor is computed once: the new ones are those on the antidiagonal s + w = d + 1.
-        for (int w = 1; w <= d; w++) {
-            int s = d + 1 - w;
-            fmpz_poly_add(factor[s][w], left[s], right[w]);
-            fmpz_poly_mul(column[w], column[w], factor[s][w]);
-            fmpz_poly_mul(row[s], row[s], factor[s][w]);
-        }
-        for (int c = 0; c <= d; c++) {
-            fmpz_poly_zero(next[c]);
-            if (c < d) {
-                fmpz_poly_mul(term, right[c + 1], level[c]);
-                if (c > 0) fmpz_poly_mul(term, term, row[d - c + 1]);
-                fmpz_poly_add(next[c], next[c], term);
-            }
-            if (c > 0) {
-                fmpz_poly_mul(term, left[d - c + 1], level[c - 1]);
-                if (c < d) fmpz_poly_mul(term, term, column[c + 1]);
-                fmpz_poly_add(next[c], next[c], term);
-            }
-        }
-        for (int c = 0; c <= d; c++) fmpz_poly_swap(level[c], next[c]);
-    }
-    for (int c = 0; c <= degree; c++) {
-        int rows = degree - c + 1, columns = c + 1;
-        fmpz_poly_one(product);
-        for (int s = 1; s <= rows; s++)
-            for (int w = 1; w <= columns; w++)
-                if (s < rows || w < columns) fmpz_poly_mul(product, product, factor[s][w]);
-        fmpz_poly_gcd(divisor, level[c], product);
-        fmpz_poly_div(P[c], level[c], divisor);
-        fmpz_poly_div(Q[c], product, divisor);
-        if (fmpz_sgn(fmpz_poly_lead(Q[c])) < 0) {
-            fmpz_poly_neg(P[c], P[c]);
-            fmpz_poly_neg(Q[c], Q[c]);
-        }
-    }
-}
-
-static void print_coefficients(FILE *file, const fmpz_poly_t p)
-{
-    for (slong i = 0; i < p->length; i++) {
-        if (i) fputc(' ', file);
-        fmpz_fprint(file, p->coeffs + i);
-    }
-}
-
-static void job_b(int check)
-{
-    for (degree = 3; degree <= 10; degree++) {
-        char name[64];
-        long index = 0;
-        snprintf(name, sizeof name, "B.%d", degree);
-        FILE *file = open_file(name, "r");
-        read_line(file, knots, MOST_KNOTS);
-        read_line(file, &index, 1);
-        fclose(file);
-        span = index;
-        if (!check) {
-            snprintf(name, sizeof name, "k = %d", degree);
-            time_job("B", name, "FLINT in C, fmpz_poly", 1, pieces);
-            continue;
-        }
-        pieces();
-        snprintf(name, sizeof name, "B.%d.flint-c", degree);
-        file = open_file(name, "w");
-        for (int c = 0; c <= degree; c++) {
-            print_coefficients(file, P[c]);
-            fputs(" / ", file);
-            print_coefficients(file, Q[c]);
             fputc('\n', file);
         }
         fclose(file);
@@ -282,21 +175,14 @@ int main(int argc, char **argv)
     fmpq_init(share);
     fmpq_init(ratio);
     fmpq_set_si(ratio, 1, 3);
-    for (int i = 0; i < MOST_DEGREE; i++) {
-        fmpz_poly_struct *one_each[] = {left[i], right[i], level[i], next[i], column[i], row[i], P[i], Q[i]};
-        for (size_t a = 0; a < sizeof one_each / sizeof *one_each; a++) fmpz_poly_init(one_each[a]);
-        for (int w = 0; w < MOST_DEGREE; w++) fmpz_poly_init(factor[i][w]);
-    }
-    fmpz_poly_init(term);
-    fmpz_poly_init(product);
-    fmpz_poly_init(divisor);
+    init_pieces();
     for (int i = 0; i < MOST_SLOPES; i++) fmpz_poly_init(slope[i]);
     fmpz_poly_init(moved);
     fmpz_init(width);
     fmpz_init(power);
     const char *job = check ? "ABC" : argv[2];
     if (strchr(job, 'A')) job_a(check);
-    if (strchr(job, 'B')) job_b(check);
+    if (strchr(job, 'B')) job_b(check, "FLINT in C", "flint-c");
     if (strchr(job, 'C')) job_c(check);
     return 0;
 }

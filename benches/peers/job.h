@@ -27,6 +27,17 @@ static FILE *open_file(const char *name, const char *mode)
     return file;
 }
 
+// The whole numbers on the next line.
+static int read_line(FILE *file, long *numbers, int most)
+{
+    static char line[1 << 16];
+    int count = 0;
+    if (!fgets(line, sizeof line, file)) return 0;
+    for (char *word = strtok(line, " \n"); word && count < most; word = strtok(NULL, " \n"))
+        numbers[count++] = atol(word);
+    return count;
+}
+
 // Runs the job until the time is over, and prints the seconds for each of its units.
 static void time_job(const char *job, const char *label, const char *variant, int units, void (*run)(void))
 {

@@ -108,7 +108,7 @@ normal(P, Q) =
 };
 job_b(folder, check) =
 {
-  for (k = 3, 10,
+  foreach([3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16], k,
     my(c = span_case(folder, "B", k), t = c[1], j = c[2]);
     if (check,
       save(folder, Str("B.", k, ".pari"), [normal(f[1], f[2]) | f <- with_gcd(t, 1, 3, j, k)]);

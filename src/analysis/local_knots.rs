@@ -2,12 +2,12 @@
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{Signed, Zero};
+use num_traits::Zero;
 use thiserror::Error;
 
 use super::piece::Piece;
 use crate::scalar::{Polynomial, RationalFunction, Ring, ScaleBy, gcd, over_one_denominator};
-use crate::spline::{Basis, Factors, FractionFree, Triangle};
+use crate::spline::{Basis, Factors, FractionFree, triangle};
 
 /// The local knot vector t_i ≤ t_{i+1} ≤ … ≤ t_{i+k+1} of one function G_i^k, by its k + 1 gaps, and the slope
 /// ratio r = p/q as the pair (p, q): all that the function depends on, besides the place of t_i (D3.3).
@@ -139,12 +139,6 @@ impl<R: Ring> LocalKnots<R> {
         }
     }
 
-    /// The same knots in another ring, to which only 0 may go as 0.
-    pub(super) fn map<T: Ring>(&self, image: impl Fn(&R) -> T) -> LocalKnots<T> {
-        let (p, q) = &self.ratio;
-        LocalKnots { gaps: self.gaps.iter().map(&image).collect(), ratio: (image(p), image(q)) }
-    }
-
     /// k.
     #[must_use]
     pub fn degree(&self) -> usize {
@@ -173,39 +167,15 @@ impl<R: Ring> LocalKnots<R> {
     /// By the [recursion without a division](FractionFree), on polynomials in u.
     #[must_use]
     pub fn on_span(&self, s: usize) -> Option<SpanQuotient<R>> {
-        self.on_span_in(s, &mut self.room()).cloned()
-    }
-
-    /// Room for [`on_span_in`](Self::on_span_in), span after span.
-    pub(super) fn room(&self) -> Room<R> {
-        let one = Polynomial::constant(self.ratio.0.one());
-        Room {
-            factors: Factors::empty(self.degree()),
-            triangle: Triangle::new(one.clone()),
-            quotient: SpanQuotient { numerator: one.clone(), denominator: one.clone() },
-            one,
-        }
-    }
-
-    /// [`on_span`](Self::on_span) in room that is there.
-    pub(super) fn on_span_in<'a>(&self, s: usize, room: &'a mut Room<R>) -> Option<&'a SpanQuotient<R>> {
         self.gaps.get(s).filter(|gap| !gap.is_zero())?;
-        let Room { factors, triangle, one, quotient } = room;
-        factors.fill_in_positive_coordinate(&self.gaps, s, self.ratio())?;
-        triangle.run(&FractionFree::new(factors, one), factors.span(), self.degree(), self.gaps.len());
-        quotient.numerator.clone_from(triangle.values().first()?);
-        quotient.denominator.clone_from(one);
-        quotient.denominator.scale_by(factors.denominator(0));
-        Some(quotient)
+        let factors = Factors::in_positive_coordinate(&self.gaps, s, self.degree(), self.ratio())?;
+        let one = Polynomial::constant(self.ratio.0.one());
+        let weights = FractionFree::new(&factors, &one);
+        let function = triangle(&weights, factors.span(), self.degree(), self.gaps.len());
+        let mut denominator = one.clone();
+        denominator.scale_by(factors.denominator(0));
+        Some(SpanQuotient { numerator: function.get(0)?.clone(), denominator })
     }
-}
-
-/// What the function on a span is computed in.
-pub(super) struct Room<R> {
-    factors: Factors<(R, R)>,
-    triangle: Triangle<Polynomial<R>>,
-    one: Polynomial<R>,
-    quotient: SpanQuotient<R>,
 }
 
 impl LocalKnots<BigInt> {
@@ -218,8 +188,8 @@ impl LocalKnots<BigInt> {
     pub fn of(basis: &Basis, i: usize) -> Option<Self> {
         let (knots, ratio) = (basis.knots(), basis.index().ratio());
         assert!(i <= basis.n(), "there is no function {i}: the basis has the functions 0 to {}", basis.n());
-        let gaps: Vec<_> = (i..=i + basis.degree()).map(|j| knots.t(j + 1) - knots.t(j)).collect();
-        let gaps = coprime_gaps(&gaps);
+        let mut gaps = integer_gaps(&knots.knots()[i..=i + basis.degree() + 1]);
+        make_coprime(&mut gaps);
         if gaps.iter().all(Ring::is_zero) {
             return None;
         }
@@ -234,16 +204,20 @@ pub fn is_continuous<T: Zero>(gaps: &[T]) -> bool {
     gaps.split_first().is_some_and(|(_, rest)| filled(rest)) && filled(&gaps[..gaps.len() - 1])
 }
 
-/// Gaps in the unit that makes all of them coprime integers; zeros, if all are 0.
-pub(super) fn coprime_gaps(gaps: &[BigRational]) -> Vec<BigInt> {
-    let (mut gaps, _) = over_one_denominator(gaps);
-    let divisor = gaps.iter().fold(BigInt::ZERO, |divisor, gap| gcd(&divisor, gap).abs());
+/// The gaps between knots in a unit that makes all knots integers.
+pub(super) fn integer_gaps(knots: &[BigRational]) -> Vec<BigInt> {
+    let (knots, _) = over_one_denominator(knots);
+    knots.windows(2).map(|ends| &ends[1] - &ends[0]).collect()
+}
+
+/// In the unit that makes all of them coprime integers, if not all are 0.
+pub(super) fn make_coprime(gaps: &mut [BigInt]) {
+    let divisor = gaps.iter().fold(BigInt::ZERO, |divisor, gap| gcd(&divisor, gap));
     if divisor > BigInt::from(1) {
-        for gap in &mut gaps {
+        for gap in gaps {
             *gap /= &divisor;
         }
     }
-    gaps
 }
 
 #[cfg(test)]

@@ -3,8 +3,10 @@
 use std::cmp::Ordering;
 
 use num_bigint::BigInt;
+use num_traits::ToPrimitive;
 
-use crate::scalar::{Interval, Polynomial};
+use crate::scalar::{BallPolynomial, ScaleBy};
+use crate::spline::{Factors, FractionFree, Triangle};
 
 use super::decision::sign_sequence;
 use super::extremum::{ExtremumKind, turns};
@@ -14,8 +16,8 @@ use super::sign::Sign;
 
 /// The signs of the derivative of one G_i^k, span by span.
 ///
-/// Exact and for every x. On each span between the first and the last the slope P′Q − PQ′ is computed over [`Interval`]s first; where the signs
-/// of its coefficients leave a choice, it is computed over integers, and its roots are isolated.
+/// Exact and for every x. On each span between the first and the last the slope P′Q − PQ′ is computed in floats with a bound of their
+/// error first; where the signs of its coefficients leave a choice, it is computed over integers, and its roots are isolated.
 ///
 /// ```
 /// use knotproof::analysis::{LocalKnots, Monotonicity, Sign};
@@ -54,7 +56,7 @@ pub enum Route {
     /// each of which rises, and on [t_{i+k}, t_{i+k+1}] the product of 1 − w_{i+k+1−d}^d, each of which
     /// falls.
     Product,
-    /// By intervals: their signs sufficed.
+    /// By intervals around floats, which are given by a relative error: their signs sufficed.
     Intervals,
     /// By integers, since the intervals left a choice.
     Integers,
@@ -64,16 +66,13 @@ impl Monotonicity {
     /// That of the function with these local knots; gaps ≥ 0 and p, q > 0, as [`LocalKnots`] asks.
     #[must_use]
     pub fn of(knots: &LocalKnots<BigInt>) -> Self {
-        let over_intervals = knots.map(|number: &BigInt| Interval::from(number));
-        let (mut room, k) = (over_intervals.room(), knots.degree());
+        let (mut by_floats, k) = (Floats::of(knots), knots.degree());
         let on_span = |span: usize| {
             if k > 0 && (span == 0 || span == k) {
                 let sign = if span == 0 { Sign::Positive } else { Sign::Negative };
                 return Some(SpanMonotonicity { span, signs: vec![sign], route: Route::Product });
             }
-            let quotient = over_intervals.on_span_in(span, &mut room);
-            let certain = quotient.and_then(|quotient| certain_signs(&quotient.slope()));
-            match certain {
+            match by_floats.slope_signs(span).and_then(certain_signs) {
                 Some(signs) => Some(SpanMonotonicity { span, signs, route: Route::Intervals }),
                 None => {
                     let signs =
@@ -122,36 +121,87 @@ impl Monotonicity {
     }
 }
 
-/// The signs on (0, ∞) of every polynomial with coefficients in these intervals, if Descartes' rule shows them.
+/// The function in floats, and room for it, span after span.
+struct Floats {
+    gaps: Vec<f64>,
+    ratio: (f64, f64),
+    factors: Factors<(f64, f64)>,
+    triangle: Triangle<BallPolynomial>,
+    one: BallPolynomial,
+    denominator: BallPolynomial,
+    room: Vec<f64>,
+}
+
+impl Floats {
+    fn of(knots: &LocalKnots<BigInt>) -> Self {
+        // What is longer than any float is ∞.
+        let float = |number: &BigInt| number.to_f64().unwrap_or(f64::INFINITY);
+        let gaps: Vec<f64> = knots.gaps().iter().map(float).collect();
+        let (p, q) = knots.ratio();
+        let ratio = (float(p), float(q));
+        // No factor, and nothing that it is computed from, is larger than this; up to 2^53 whole numbers are floats. Else two roundings
+        // at most of a gap and of p or q each, one for each gap that is added, and one each for a product and the sum of two.
+        let largest = (ratio.0 + ratio.1) * gaps.iter().sum::<f64>();
+        let roundings = if largest < EXACT { 0 } else { knots.gaps().len() + 7 };
+        // The largest denominator has (s + 1)(w + 1) − 1 factors, s + w = k.
+        let k = knots.degree();
+        let one = BallPolynomial::one(
+            u32::try_from(roundings).unwrap_or(u32::MAX),
+            (k / 2 + 1) * (k.div_ceil(2) + 1),
+        );
+        Self {
+            gaps,
+            ratio,
+            factors: Factors::empty(k),
+            triangle: Triangle::new(one.clone()),
+            denominator: one.clone(),
+            one,
+            room: Vec::new(),
+        }
+    }
+
+    /// The signs of the coefficients of the slope on a span, as far as they are certain.
+    fn slope_signs(&mut self, span: usize) -> Option<impl Iterator<Item = Option<Ordering>>> {
+        let Self { gaps, ratio, factors, triangle, one, denominator, room } = self;
+        factors.fill_in_positive_coordinate(gaps, span, (&ratio.0, &ratio.1))?;
+        triangle.run(&FractionFree::new(factors, one), factors.span(), factors.degree(), gaps.len());
+        denominator.clone_from(one);
+        denominator.scale_by(factors.denominator(0));
+        Some(BallPolynomial::slope_signs(triangle.values().first()?, denominator, room))
+    }
+}
+
+/// Half of what is exact, so that the roundings of a sum of floats do not matter.
+const EXACT: f64 = (1_u64 << 52) as f64;
+
+/// The signs on (0, ∞) of every polynomial with coefficients of these signs, `None` where it may have any, if Descartes' rule
+/// shows them.
 ///
-/// Let c_a and c_b be the first and the last coefficient other than [0, 0], and both of certain sign: so they are
+/// Let c_a and c_b be the first and the last coefficient that may be other than 0, and both of certain sign: so they are
 /// the lowest and the highest term of every such polynomial, and its signs close to 0 and to ∞. Let v be the
-/// largest number of sign variations that any choice of signs for the coefficients has, 0 included where an
-/// interval contains it. By Descartes' rule there are at most v positive roots, with multiplicity, and as many as
+/// largest number of sign variations that any choice of signs for the coefficients has, 0 included where one is not certain.
+/// By Descartes' rule there are at most v positive roots, with multiplicity, and as many as
 /// v up to an even number. If v ≤ 1, there is one simple root if the signs of c_a and c_b differ, and none if they
 /// agree.
 ///
 /// v is found in one pass: the largest number among the choices so far whose last sign is +, and that for −.
 /// A 0 adds nothing.
-fn certain_signs(slope: &Polynomial<Interval>) -> Option<Vec<Sign>> {
-    let strict = |c: &Interval| match c.sign()? {
-        Ordering::Less => Some(Sign::Negative),
-        Ordering::Greater => Some(Sign::Positive),
-        Ordering::Equal => None,
-    };
-    let lowest = slope.coefficients().iter().find(|c| c.sign() != Some(Ordering::Equal));
-    let Some(lowest) = lowest else { return Some(vec![Sign::Zero]) };
-    let (at_zero, at_infinity) = (strict(lowest)?, strict(slope.leading())?);
+fn certain_signs(slope: impl Iterator<Item = Option<Ordering>>) -> Option<Vec<Sign>> {
+    let (mut lowest, mut highest) = (None, None);
     let (mut ending_in_plus, mut ending_in_minus) = (None, None);
-    for c in slope.coefficients() {
+    for sign in slope.filter(|sign| *sign != Some(Ordering::Equal)) {
+        highest = Some(sign);
+        lowest = lowest.or(highest);
         let grown = |same: Option<usize>, other: Option<usize>| same.max(other.map(|v| v + 1)).or(Some(0));
-        (ending_in_plus, ending_in_minus) = match c.sign() {
-            Some(Ordering::Equal) => continue,
-            Some(Ordering::Greater) => (grown(ending_in_plus, ending_in_minus), None),
+        (ending_in_plus, ending_in_minus) = match sign {
             Some(Ordering::Less) => (None, grown(ending_in_minus, ending_in_plus)),
+            Some(_) => (grown(ending_in_plus, ending_in_minus), None),
             None => (grown(ending_in_plus, ending_in_minus), grown(ending_in_minus, ending_in_plus)),
         };
     }
+    let Some((lowest, highest)) = lowest.zip(highest) else { return Some(vec![Sign::Zero]) };
+    let strict = |sign: Ordering| if sign.is_lt() { Sign::Negative } else { Sign::Positive };
+    let (at_zero, at_infinity) = (strict(lowest?), strict(highest?));
     let most_variations = ending_in_plus.max(ending_in_minus)?;
     (most_variations <= 1)
         .then(|| if at_zero == at_infinity { vec![at_zero] } else { vec![at_zero, at_infinity] })
@@ -163,16 +213,13 @@ mod tests {
 
     /// A slope by a word: certain signs, exact zeros, and `?` for what may be either.
     fn signs(word: &str) -> Option<Vec<Sign>> {
-        let coefficient = |c: char| match c {
-            '+' => Interval::new(0.5, 2.0),
-            '-' => Interval::new(-2.0, -0.5),
-            '0' => Interval::new(0.0, 0.0),
-            '?' => Interval::new(-1.0, 1.0),
-            'p' => Interval::new(0.0, 1.0),
+        let sign = |c: char| match c {
+            '+' => Some(Ordering::Greater),
+            '-' => Some(Ordering::Less),
+            '0' => Some(Ordering::Equal),
             _ => None,
         };
-        let mut coefficients = word.chars().map(|c| coefficient(c).unwrap());
-        certain_signs(&Polynomial::new(coefficients.next().unwrap(), coefficients))
+        certain_signs(word.chars().map(sign))
     }
 
     #[test]
@@ -186,13 +233,14 @@ mod tests {
         }
         assert_eq!((signs("-"), signs("--?+")), (Some(vec![minus]), Some(vec![minus, plus])));
         assert_eq!((signs("0"), signs("000")), (Some(vec![Sign::Zero]), Some(vec![Sign::Zero])));
+        assert_eq!(signs(""), Some(vec![Sign::Zero]));
     }
 
     #[test]
     fn signs_that_are_left_open() {
         // Two unknown coefficients between + and − may add two variations; a lowest or highest one that may be 0
         // leaves the sign at an end open; two variations allow no root or two.
-        for word in ["+??-", "+?+", "?+", "+?", "p+", "+p", "?", "+-+", "+?-?-", "-?+-", "?0"] {
+        for word in ["+??-", "+?+", "?+", "+?", "?", "+-+", "+?-?-", "-?+-", "?0"] {
             assert_eq!(signs(word), None, "{word}");
         }
     }

@@ -5,6 +5,8 @@ use std::cmp::Ordering;
 use num_bigint::{BigInt, BigUint};
 use num_traits::{One, ToPrimitive, Zero};
 
+use super::words::half_words;
+
 /// gcd(a, b) ≥ 0; gcd(0, 0) = 0.
 ///
 /// One or two words by halving, more by Lehmer's algorithm: Euclid's steps are found on the leading words, many
@@ -98,14 +100,7 @@ fn words(a: &BigUint) -> Words {
 }
 
 fn number(words: &[u64]) -> BigUint {
-    BigUint::new(words.iter().flat_map(|&word| [low(word), low(word >> 32)]).collect())
-}
-
-fn low(word: u64) -> u32 {
-    match u32::try_from(word & u64::from(u32::MAX)) {
-        Ok(low) => low,
-        Err(_) => unreachable!("32 bits are left"),
-    }
+    BigUint::new(words.iter().flat_map(|&word| half_words(word)).collect())
 }
 
 fn compare(a: &[u64], b: &[u64]) -> Ordering {

@@ -2,7 +2,7 @@
 
 use num_bigint::{BigInt, Sign};
 
-use super::words::{OddWord, halves};
+use super::words::{OddWord, half_words, halves};
 
 /// An integer modulo 2^(64·L), by its digits to base 2^64 from the lowest; read as one from −2^(64·L − 1) up to
 /// 2^(64·L − 1), that end left out.
@@ -46,6 +46,15 @@ impl<const L: usize> Limbs<L> {
             let (sum, over) = digit.overflowing_add(other);
             let (sum, over_by_carry) = sum.overflowing_add(u64::from(carry));
             (*digit, carry) = (sum, over | over_by_carry);
+        }
+        self
+    }
+
+    /// The bits that are set in one of the two.
+    #[inline(always)]
+    pub(crate) fn or(mut self, rhs: Self) -> Self {
+        for (digit, other) in self.0.iter_mut().zip(rhs.0) {
+            *digit |= other;
         }
         self
     }
@@ -140,6 +149,26 @@ impl<const L: usize> Limbs<L> {
         self.0[0]
     }
 
+    /// The two lowest digits, of a number ≥ 0.
+    #[inline(always)]
+    pub(crate) fn lowest_two(&self) -> u128 {
+        let second = if L > 1 { self.0[1] } else { 0 };
+        u128::from(second) << 64 | u128::from(self.0[0])
+    }
+
+    /// A number ≥ 0 as an integer of any length.
+    pub(crate) fn natural(&self) -> BigInt {
+        match self.0.iter().rposition(|digit| *digit != 0) {
+            // These take memory for no digit, or for two and no more.
+            None | Some(0) => self.0[0].into(),
+            Some(1) => self.lowest_two().into(),
+            Some(last) => {
+                let words = self.0.map(half_words);
+                BigInt::from_slice(Sign::Plus, words[..=last].as_flattened())
+            }
+        }
+    }
+
     /// Is it < 0?
     #[inline(always)]
     pub(crate) fn is_negative(&self) -> bool {
@@ -202,6 +231,7 @@ mod tests {
         let own = x.value();
         assert_eq!(own, of(a.clone()));
         assert_eq!(x.plus(y).value(), of(a + b));
+        assert_eq!(x.or(y).value(), of(a | b));
         assert_eq!(x.plus_times(y, word).value(), of(a + b * word));
         assert_eq!(x.times(word).value(), of(a * word));
         assert_eq!(x.minus_times(y, word).value(), of(a - b * word));
@@ -213,6 +243,10 @@ mod tests {
         assert_eq!((x.is_zero(), x.is_negative()), (own == BigInt::ZERO, own.is_negative()));
         assert_eq!(BigInt::from(x.lowest()), a.mod_floor(&(BigInt::one() << 64)));
         assert_eq!(x.bits(), own.bits());
+        if !x.is_negative() {
+            assert_eq!(x.natural(), own);
+            assert_eq!(BigInt::from(x.lowest_two()), &own & BigInt::from(u128::MAX));
+        }
     }
 
     proptest! {

@@ -13,6 +13,7 @@
 //! | [`Quotient`] | exact field | the same for every ratio, or all gaps, at once: denominators stay factored |
 
 pub mod axioms;
+mod ball;
 mod big_integer;
 mod big_rational;
 mod bivariate;
@@ -40,6 +41,7 @@ mod rational_function;
 mod ring;
 mod words;
 
+pub(crate) use ball::BallPolynomial;
 pub(crate) use bivariate::{Bilinear, Bivariate};
 pub use decimal::{decimal, decimal_neighbours, settled_digits};
 pub use effort::effort;
@@ -52,7 +54,7 @@ pub(crate) use integer_polynomial::IntegerPolynomial;
 pub use interval::Interval;
 pub use jet::Jet;
 pub(crate) use limbs::Limbs;
-pub(crate) use long::LongPolynomial;
+pub(crate) use long::{LinearDivisor, LongPolynomial};
 pub(crate) use modular::{may_vanish, residue};
 pub use monomial::Monomial;
 pub use multivariate::Multivariate;

@@ -89,13 +89,9 @@ fn strip(coefficients: &mut Vec<u64>) -> Option<u64> {
 
 /// The value modulo 2⁶¹ − 1.
 pub(crate) fn residue(value: &BigInt) -> u64 {
-    let magnitude = residue_of_digits(value.magnitude().iter_u64_digits());
+    let digits = value.magnitude().iter_u64_digits().rev();
+    let magnitude = digits.fold(0, |rest, digit| reduced(u128::from(rest) << 64 | u128::from(digit)));
     if value.is_negative() && magnitude != 0 { PRIME - magnitude } else { magnitude }
-}
-
-/// The value of digits to base 2⁶⁴, from the lowest, modulo 2⁶¹ − 1.
-pub(crate) fn residue_of_digits(digits: impl DoubleEndedIterator<Item = u64>) -> u64 {
-    digits.rev().fold(0, |rest, digit| reduced(u128::from(rest) << 64 | u128::from(digit)))
 }
 
 /// The value modulo 2⁶¹ − 1, for a value below 2¹²⁵: the higher bits count as much as the lower ones.

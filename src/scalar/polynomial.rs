@@ -31,7 +31,9 @@ impl<S: Ring> Polynomial<S> {
     /// c₀ + c₁u + …, constant term `first`; trailing zeros are dropped.
     #[must_use]
     pub fn new(first: S, rest: impl IntoIterator<Item = S>) -> Self {
-        let mut coefficients = vec![first];
+        let rest = rest.into_iter();
+        let mut coefficients = Vec::with_capacity(1 + rest.size_hint().0);
+        coefficients.push(first);
         coefficients.extend(rest);
         Self::from_coefficients(coefficients)
     }

@@ -43,6 +43,13 @@ pub(crate) fn halves(double: u128) -> (u64, u64) {
     (double as u64, (double >> 64) as u64)
 }
 
+/// [low, high] of low + 2^32·high.
+#[allow(clippy::cast_possible_truncation, reason = "the halves are what is asked for")]
+#[inline]
+pub(crate) fn half_words(word: u64) -> [u32; 2] {
+    [word as u32, (word >> 32) as u32]
+}
+
 /// An odd word as a divisor of long numbers, from their lowest digit (Jebelean 1993).
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct OddWord {
@@ -68,6 +75,13 @@ impl OddWord {
     #[inline]
     pub(crate) fn value(&self) -> u64 {
         self.value
+    }
+
+    /// The inverse modulo 2^128.
+    #[inline]
+    pub(crate) fn inverse_of_two_words(&self) -> u128 {
+        let inverse = u128::from(self.inverse);
+        inverse.wrapping_mul(2_u128.wrapping_sub(inverse.wrapping_mul(self.value.into())))
     }
 
     /// The next digit of a quotient from the next digit of the dividend, and what is then borrowed from the digit
@@ -118,6 +132,7 @@ mod tests {
             for value in [word | 1, 2 * small + 1, u64::MAX, 1] {
                 let odd = OddWord::new(value);
                 prop_assert_eq!(odd.gcd(a), value.gcd(&a));
+                prop_assert_eq!(odd.inverse_of_two_words().wrapping_mul(value.into()), 1);
                 let expected = (u128::from(a) * u128::from(b)).gcd(&u128::from(value));
                 prop_assert_eq!(u128::from(odd.gcd(odd.times(a, b))), expected);
             }

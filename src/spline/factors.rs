@@ -58,12 +58,15 @@ impl<F: Clone> Factors<F> {
         self.rises.clear();
         self.falls.clear();
         self.sums.clear();
+        self.rises.reserve(rises.size_hint().0);
+        self.falls.reserve(falls.size_hint().0);
         for rise in rises {
             self.rises.push(rise?);
         }
         for fall in falls {
             self.falls.push(fall?);
         }
+        self.sums.reserve(row_start(self.degree, self.rises.len().min(self.degree)));
         for (s, rise) in self.rises.iter().enumerate().take(self.degree) {
             for w in 0..self.degree - s {
                 // Beyond the last knot nothing is ever asked for.
@@ -106,7 +109,7 @@ impl<F: Clone> Factors<F> {
     }
 
     /// Their places in [`places`](Self::places), row by row.
-    pub(crate) fn denominator_places(&self, i: usize) -> impl Iterator<Item = Range<usize>> + use<F> {
+    pub(crate) fn denominator_places(&self, i: usize) -> impl Iterator<Item = Range<usize>> + Clone + use<F> {
         let (degree, (last_row, last_column)) = (self.degree, self.last_places(i));
         (0..=last_row).filter(move |s| *s < degree).map(move |s| {
             let start = row_start(degree, s);

@@ -42,6 +42,11 @@ impl<S> Active<S> {
         self.values.iter().enumerate().map(|(place, value)| (self.first + place, value))
     }
 
+    /// The pairs without the list.
+    pub(crate) fn into_pairs(self) -> impl Iterator<Item = (usize, S)> {
+        (self.first..).zip(self.values)
+    }
+
     /// The same functions under a map that takes them.
     pub fn into_map<T>(self, f: impl FnMut(S) -> T) -> Active<T> {
         Active { first: self.first, values: self.values.into_iter().map(f).collect() }
