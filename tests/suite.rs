@@ -27,6 +27,7 @@ mod cli_shape;
 mod cli_shell;
 mod conjecture_page;
 mod corners;
+mod curve_evaluator;
 mod engine;
 mod evaluator;
 mod families;
