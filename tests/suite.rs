@@ -34,6 +34,7 @@ mod families;
 mod figures;
 mod float;
 mod float_basis;
+mod float_curve;
 mod float_derivatives;
 mod floors;
 mod formula_equals;
