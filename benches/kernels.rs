@@ -1,5 +1,5 @@
-//! The kernels, one group for each job that `benches/peers.sh` compares with other systems, one for growth, and one for the ways to a
-//! point, whose costs the head of the library's documentation tells.
+//! The kernels, one group for each job that `benches/peers.sh` compares with other systems, one for curves, one for growth, and one for
+//! the ways to a point, whose costs the head of the library's documentation tells.
 
 #[path = "peers/jobs.rs"]
 mod jobs;
@@ -12,7 +12,7 @@ use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_m
 use jobs::CaseError;
 use knotproof::float::FloatBasis;
 use knotproof::scalar::{RationalAlgebra, integer};
-use knotproof::spline::{Curve, Evaluator, Sampler, Side, by_definition};
+use knotproof::spline::{Curve, CurveEvaluator, Evaluator, Sampler, Side, by_definition};
 
 const POINTS: usize = 25;
 
@@ -30,6 +30,40 @@ fn values(criterion: &mut Criterion) -> Result<(), CaseError> {
         group.bench_function(BenchmarkId::new("unreduced", degree), |bencher| {
             let mut first = |x| Some(jobs::unreduced(&mut evaluator, x)?.first());
             bencher.iter(|| points.iter().filter_map(&mut first).sum::<usize>());
+        });
+    }
+    group.finish();
+    Ok(())
+}
+
+/// A curve in the plane on the knots of A, with small fractions for control points.
+fn curve(degree: usize) -> Result<Curve, CaseError> {
+    let basis = jobs::basis(degree, jobs::inner(degree))?;
+    let point = |i: usize| vec![integer(i * 37 % 11) / integer(4), integer(i * 13 % 17) / integer(5)];
+    let points = (0..=basis.n()).map(point).collect();
+    Ok(Curve::new(basis, points)?)
+}
+
+/// Points of a curve in the plane, prepared once, with their functions alone for comparison, and one by one.
+fn curves(criterion: &mut Criterion) -> Result<(), CaseError> {
+    let mut group = criterion.benchmark_group("curves");
+    group.throughput(Throughput::Elements(POINTS as u64));
+    for degree in [2, 3, 5, 10] {
+        let curve = curve(degree)?;
+        let points = jobs::points(curve.basis(), POINTS);
+        let mut functions = Evaluator::new(curve.basis());
+        group.bench_function(BenchmarkId::new("functions", degree), |bencher| {
+            bencher.iter(|| points.iter().map(|x| jobs::values(&mut functions, x)).collect::<Vec<_>>());
+        });
+        let mut evaluator = CurveEvaluator::new(&curve);
+        group.bench_function(BenchmarkId::new("prepared", degree), |bencher| {
+            bencher.iter(|| points.iter().map(|x| evaluator.point(x, Side::Right)).collect::<Vec<_>>());
+        });
+        group.bench_function(BenchmarkId::new("one by one", degree), |bencher| {
+            bencher.iter(|| points.iter().map(|x| curve.point(x, Side::Right)).collect::<Vec<_>>());
+        });
+        group.bench_function(BenchmarkId::new("tangents", degree), |bencher| {
+            bencher.iter(|| points.iter().map(|x| evaluator.tangent(x, Side::Right)).collect::<Vec<_>>());
         });
     }
     group.finish();
@@ -136,7 +170,7 @@ fn ways(criterion: &mut Criterion) -> Result<(), Box<dyn Error>> {
 }
 
 fn kernels(criterion: &mut Criterion) {
-    for group in [values, pieces, critical_points, pieces_for_every_ratio, growth] {
+    for group in [values, curves, pieces, critical_points, pieces_for_every_ratio, growth] {
         done(group(criterion));
     }
     done(ways(criterion));

@@ -63,6 +63,8 @@ fn calls(files: &Files) -> Vec<Vec<String>> {
     call(&["eval"], &u4, &["--points-file".to_owned(), files.text("points.csv")]);
     call(&["formula", "--index", "1"], &u4, &[]);
     call(&["bezier", "--instance"], &[], std::slice::from_ref(&instance));
+    call(&["joins", "--instance"], &[], std::slice::from_ref(&instance));
+    call(&["joins", "--all"], &[], &[]);
     call(&["check", "--property", "T3.5.2", "--instance"], &[], std::slice::from_ref(&instance));
     call(&["shape", "--instance"], &[], std::slice::from_ref(&instance));
     call(&["shape", "--alpha", "all", "--instance"], &[], std::slice::from_ref(&instance));

@@ -153,6 +153,28 @@ fn bezier() {
     reads("bezier", &session(&[curve, &format!("{curve} --digits 3")]));
 }
 
+/// Corners, a jump and a knot without a tangent, several indices, a closed curve.
+#[test]
+fn joins() {
+    let knots = "joins --degree 2 --knots \"0 0 0 1 1 2 2 2\" --alpha -1";
+    reads(
+        "joins",
+        &session(&[
+            "joins --instance C5 --alpha -4",
+            "joins --degree 2 --knots \"0 0 0 1 2 2 2\" --alpha inf --alpha 5 --points \"0,0 1,2 2,2 3,0\" --digits 5",
+            &format!("{knots} --points \"0,0 4,2 4,2 6,3 8,4\""),
+            &format!("{knots} --points \"0,0 4,0 4,2 4,2 4,2\""),
+            "joins --degree 1 --knots \"0 0 1 1 2 3 3\" --alpha inf --points \"0,0 1,0 2,0 1,1 0,0\"",
+            "joins --degree 1 --knots \"0 0 1 1\" --alpha 2 --points \"0 1\"",
+        ]),
+    );
+}
+
+#[test]
+fn joins_of_all_curves() {
+    reads("joins_of_all_curves", &beginning("joins --all", 24));
+}
+
 /// With what is refuted and what is not applicable.
 #[test]
 fn check() {
@@ -312,6 +334,8 @@ fn errors() {
                 "formula --degree 9 --knots \"0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18\" --alpha -1",
                 "formula --degree 1 --knots \"0 1 3\" --alpha 2 --index 0 --span 0 --equals syntax",
                 "bezier --degree 1 --knots \"0 0 1 1\" --alpha -1",
+                "joins --degree 1 --knots \"0 0 1 1\" --alpha -1",
+                "joins --all --instance C5",
                 "check --degree 1 --knots \"0 0 1 1\" --alpha -1 --property T3.5.9",
                 "check --claim \"k; U; i in 0..n; x in [t[0], t[m] : G[i](x) <= 1\"",
                 "shape --degree 1 --knots \"0 0 1 1\" --alpha -1 --width 0",

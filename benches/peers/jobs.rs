@@ -5,7 +5,8 @@ use knotproof::analysis::{
 };
 use knotproof::scalar::{Polynomial, integer, rational};
 use knotproof::spline::{
-    Active, Basis, BasisError, Evaluator, Index, IndexError, KnotError, KnotVector, Side, Span, Unreduced,
+    Active, Basis, BasisError, CurveError, Evaluator, Index, IndexError, KnotError, KnotVector, Side, Span,
+    Unreduced,
 };
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -27,6 +28,8 @@ pub(crate) enum CaseError {
     Index(#[from] IndexError),
     #[error(transparent)]
     LocalKnots(#[from] LocalKnotsError),
+    #[error(transparent)]
+    Curve(#[from] CurveError),
 }
 
 /// The basis on open uniform knots 0, …, 0, 1, …, `inner`, inner + 1, … with r = 1/3.

@@ -1,6 +1,7 @@
 //! Floor 3: from exact pieces to decisions about every x.
 
 mod algebraic;
+mod angle;
 mod contenders;
 mod crossing;
 mod decision;
@@ -9,6 +10,7 @@ mod extremum;
 mod formal;
 mod greatest;
 mod integer_polynomial;
+mod joins;
 mod linear;
 mod local_knots;
 mod minors;
@@ -23,8 +25,10 @@ mod shape;
 mod sign;
 mod slopes;
 mod span_quotients;
+mod surd;
 
 pub use algebraic::{Algebraic, Enclosed, decimals_around, settled, settled_apart};
+pub use angle::Angle;
 pub use contenders::Attained;
 pub use crossing::{Crossing, Flank, Tie};
 pub use decision::{Decision, PositivePoint, SignPattern, always_nonnegative, always_positive, sign_pattern};
@@ -32,6 +36,7 @@ pub use descartes::{RootInterval, isolate_between};
 pub use extremum::{Extremum, ExtremumKind, Jump, Location};
 pub use formal::{Factored, FormalBasis, FormalFunction, FormalPiece, Whose};
 pub use greatest::{Greatest, compare};
+pub use joins::{Branch, Join, joins};
 pub use linear::{coefficient_rows, common_numerators, determinant, in_span, over_common_denominator, rank};
 pub use local_knots::{LocalKnots, LocalKnotsError, SpanQuotient, is_continuous};
 pub use minors::{NegativeMinor, negative_minor};
@@ -45,3 +50,4 @@ pub use shape::Shape;
 pub use sign::Sign;
 pub use slopes::{KnotSlopes, knot_slopes};
 pub use span_quotients::{OneDenominator, span_quotients, symbolic_quotients};
+pub use surd::Surd;

@@ -71,6 +71,14 @@ const TASKS: &[Task] = &[
         ],
     },
     Task {
+        task: "See how smooth a curve is",
+        examples: &[example(
+            "knotproof joins --instance C5 --alpha -4",
+            "By how much the tangent turns at the knots, and how speed and curvature jump. With --all: all curves of the paper.",
+            Exit::Holds,
+        )],
+    },
+    Task {
         task: "Get a formula",
         examples: &[
             example(

@@ -363,24 +363,24 @@ impl FunctionArgs {
 }
 
 impl Resolved {
-    /// The one case there is, with its weights on the knots.
+    /// A case for each index, or that of the member, with its weights on the knots; at least one.
     ///
     /// # Errors
-    /// [`CliError::SeveralIndices`] if there are several indices, [`CliError::Member`] if the member of a family gives no
-    /// weights on the knots.
-    pub(super) fn only_case(self) -> Result<Case, CliError> {
+    /// [`CliError::Member`] if the member of a family gives no weights on the knots.
+    pub(super) fn cases(self) -> Result<Vec<Case>, CliError> {
         match self {
-            Self::Indices(subjects) => {
-                let label = subjects.label.clone();
-                let Subject { basis, curve } = subjects.only_case()?;
-                let index = basis.index().clone();
-                let weights = AnyWeights::Index(index.clone());
-                Ok(Case {
-                    label,
-                    weights: Weighting::Index(index),
-                    curve: curve.map(|curve| curve.with(weights.clone())),
-                    basis: basis.with(weights),
-                })
+            Self::Indices(Subjects { label, cases }) => {
+                let case = |Subject { basis, curve }| {
+                    let index = Basis::index(&basis).clone();
+                    let weights = AnyWeights::Index(index.clone());
+                    Case {
+                        label: label.clone(),
+                        weights: Weighting::Index(index),
+                        curve: curve.map(|curve| curve.with(weights.clone())),
+                        basis: basis.with(weights),
+                    }
+                };
+                Ok(cases.into_iter().map(case).collect())
             }
             Self::Member(MemberSubject { label, basis, points }) => {
                 let weights = basis.weights().clone();
@@ -388,24 +388,23 @@ impl Resolved {
                 let on = on.map_err(|error| CliError::Member { argument: "--family", error })?;
                 let basis = basis.with(on);
                 let curve = points.map(|(points, place)| curve(&basis, &points, &place)).transpose()?;
-                Ok(Case { label, weights, basis, curve })
+                Ok(vec![Case { label, weights, basis, curve }])
             }
         }
     }
-}
 
-impl Subjects {
-    /// The case of the one index there is.
+    /// The one case there is.
     ///
     /// # Errors
-    /// [`CliError::SeveralIndices`] if there are several.
-    pub(super) fn only_case(mut self) -> Result<Subject, CliError> {
-        match (self.cases.pop(), self.cases.is_empty()) {
+    /// Those of [`cases`](Self::cases), and [`CliError::SeveralIndices`] if there are several.
+    pub(super) fn only_case(self) -> Result<Case, CliError> {
+        let mut cases = self.cases()?;
+        match (cases.pop(), cases.is_empty()) {
             (Some(case), true) => Ok(case),
             (last, _) => {
-                let cases = self.cases.iter().chain(&last);
+                let cases = cases.iter().chain(&last);
                 Err(CliError::SeveralIndices {
-                    indices: cases.map(|case| case.basis.index().to_string()).collect(),
+                    indices: cases.filter_map(|case| case.weights.index()).map(ToString::to_string).collect(),
                 })
             }
         }
@@ -460,7 +459,9 @@ fn curve<W: Clone>(basis: &Basis<W>, points: &[Point], place: &Provenance) -> Re
             CurveError::Dimension { position, .. } | CurveError::Mixed { position, .. } => {
                 place.clone().at(*position)
             }
-            CurveError::Count { .. } | CurveError::Function { .. } => place.clone(),
+            CurveError::Count { .. } | CurveError::Function { .. } | CurveError::Period { .. } => {
+                place.clone()
+            }
         };
         CliError::Curve { place, error }
     })

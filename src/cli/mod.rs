@@ -21,6 +21,7 @@ mod float;
 mod formula;
 mod help;
 mod instance;
+mod joins;
 mod judge;
 mod lists;
 mod man;
@@ -85,6 +86,7 @@ enum Command {
     Eval(Box<eval::Args>),
     Formula(Box<formula::Args>),
     Bezier(Box<bezier::Args>),
+    Joins(Box<joins::Args>),
     Check(Box<check::Args>),
     Shape(Box<shape::Args>),
     Float(Box<float::Args>),
@@ -110,6 +112,7 @@ impl Command {
             Self::Eval(args) => eval::run(args, output),
             Self::Formula(args) => formula::run(args, output),
             Self::Bezier(args) => bezier::run(args, output),
+            Self::Joins(args) => joins::run(args, output),
             Self::Check(args) => check::run(args, output),
             Self::Shape(args) => shape::run(args, output),
             Self::Float(args) => float::run(args, output),

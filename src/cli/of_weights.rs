@@ -9,7 +9,7 @@ use crate::judge::OfFamily;
 use crate::meaning::Weighting;
 
 /// α, or the member of another family.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, PartialEq, Serialize, JsonSchema)]
 pub(super) struct OfWeights {
     /// α: `inf`, or an exact number; `symbolic` where it is a letter; nothing for another family.
     #[serde(skip_serializing_if = "Option::is_none")]

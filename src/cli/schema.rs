@@ -14,8 +14,8 @@ use super::exit::Exit;
 use super::file::InstanceFile;
 use super::output::{ErrorReport, OfPaper, Output, Stamped};
 use super::{
-    bezier, check, completions, eval, explain, families, figures, float, formula, help, judge, man, merge,
-    new, prove, report, shape, verify,
+    bezier, check, completions, eval, explain, families, figures, float, formula, help, joins, judge, man,
+    merge, new, prove, report, shape, verify,
 };
 
 /// Prints a JSON Schema: of instance files (for --instance FILE), of files of claims (for check --claims FILE), of families (for
@@ -44,6 +44,7 @@ enum Written {
     Eval,
     Formula,
     Bezier,
+    Joins,
     Check,
     Shape,
     Float,
@@ -123,6 +124,13 @@ impl Written {
                 ],
             ),
             Self::Bezier => ("The curve as rational Bézier pieces.", vec![of::<bezier::Conversion>(to)]),
+            Self::Joins => (
+                "How smooth a curve is at its knots; with --all, all curves of a paper.",
+                vec![
+                    titled("A curve", of::<joins::Joins>(to)),
+                    titled("All curves of a paper (--all)", of::<OfPaper<joins::AllJoins>>(to)),
+                ],
+            ),
             Self::Check => (
                 "The verdicts on the claims of the paper, on one instance.",
                 vec![of::<OfPaper<check::Check>>(to)],

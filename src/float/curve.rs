@@ -24,12 +24,12 @@ use crate::spline::{Side, Span};
 /// ```
 #[derive(Debug, Clone)]
 pub struct FloatCurve<F> {
-    basis: FloatBasis<F>,
-    dimension: usize,
+    pub(super) basis: FloatBasis<F>,
+    pub(super) dimension: usize,
     /// The coordinates of d_0, then those of d_1, …
-    points: Vec<F>,
+    pub(super) points: Vec<F>,
     /// A power of two that brings the points into the range where products are safe.
-    scale: f64,
+    pub(super) scale: f64,
 }
 
 impl<F: Real> FloatCurve<F> {
@@ -52,6 +52,18 @@ impl<F: Real> FloatCurve<F> {
     #[must_use]
     pub fn basis(&self) -> &FloatBasis<F> {
         &self.basis
+    }
+
+    /// The number of coordinates of a point.
+    #[must_use]
+    pub fn dimension(&self) -> usize {
+        self.dimension
+    }
+
+    /// The coordinates of d_0, then those of d_1, …
+    #[must_use]
+    pub fn points(&self) -> &[F] {
+        &self.points
     }
 
     /// The point of the curve at x, as a limit from the given side, by de Boor's algorithm. `None`, and zeros, outside

@@ -9,7 +9,7 @@ use super::real::Real;
 use crate::spline::{Side, Span};
 
 /// c_0, …, c_D of each function: entry e holds the coefficients of ε^e of all.
-type Jets = [Column; HIGHEST_DEGREE + 1];
+pub(super) type Jets = [Column; HIGHEST_DEGREE + 1];
 
 impl<F: Real> FloatBasis<F> {
     /// The functions that live on the span at x and their derivatives up to an order of at most
@@ -80,8 +80,49 @@ impl<F: Real> FloatBasis<F> {
 }
 
 /// A number up to [`HIGHEST_DEGREE`] as a float.
-fn small(n: usize) -> f64 {
+pub(super) fn small(n: usize) -> f64 {
     u32::try_from(n).map_or(f64::INFINITY, f64::from)
+}
+
+/// The Taylor coefficients of a weight. With E = rise + fall = E₀ + (p − q)ε they are, from w_1 on, w_1 = pq(b − a)/E₀² and
+/// w_{e+1} = −(p − q)/E₀·w_e: products and quotients, so nothing cancels in them.
+pub(super) struct WeightJet {
+    /// w_0 and 1 − w_0.
+    pub(super) w: Pair,
+    pub(super) complement: Pair,
+    /// w_1.
+    slope: Pair,
+    /// −(p − q)/E₀.
+    bend: Pair,
+}
+
+impl WeightJet {
+    /// The weight at place c of level d, with the 2k local knots in the unit of a frame.
+    #[inline(always)]
+    pub(super) fn new<M: Products, F: Real>(
+        terms: &InFrame,
+        ratio: Ratio,
+        knots: &[F],
+        d: usize,
+        c: usize,
+    ) -> Self {
+        let degree = knots.len() / 2;
+        let (rise, fall) = terms.terms(d, c);
+        let (w, complement) = Pair::shares::<M>(rise, fall);
+        let sum = rise.plus_like(fall);
+        let inverse = 1.0 / sum.hi;
+        let width = Pair::difference(knots[degree + c].widen(), knots[degree - d + c].widen());
+        let slope = width.times::<M>(Pair::of(ratio.p)).over::<M>(sum, inverse);
+        let slope = slope.times::<M>(ratio.q.over::<M>(sum, inverse));
+        let bend = Pair::of(-ratio.difference).over::<M>(sum, inverse);
+        Self { w, complement, slope, bend }
+    }
+
+    /// s_e = w_1 g_{e−1} + … + w_e g_0 = w_1 g_{e−1} − (p − q)/E₀·s_{e−1}: the coefficient of w·G but for w_0 g_e.
+    #[inline(always)]
+    pub(super) fn series<M: Products>(&self, previous: Pair, series: Pair) -> Pair {
+        self.slope.times::<M>(previous).plus(self.bend.times::<M>(series))
+    }
 }
 
 /// The triangle over jets x + ε, in the unit of a frame.
@@ -95,9 +136,7 @@ struct JetTriangle<'a, F> {
 impl<F: Real> Kernel for JetTriangle<'_, F> {
     type Output = Jets;
 
-    /// With E = rise + fall = E₀ + (p − q)ε, the weight has the coefficients w_1 = pq(b − a)/E₀² and
-    /// w_{e+1} = −(p − q)/E₀·w_e: products and quotients, so nothing cancels in them. A product w·G then has the
-    /// coefficients w_0 g_e + s_e with s_e = w_1 g_{e−1} − (p − q)/E₀·s_{e−1}, and (1 − w)·G has (1 − w_0) g_e − s_e.
+    /// A product w·G has the coefficients w_0 g_e + s_e, and (1 − w)·G has (1 − w_0) g_e − s_e.
     #[inline(always)]
     fn run<M: Products>(self) -> Jets {
         let Self { ratio, x, knots, order } = self;
@@ -108,25 +147,18 @@ impl<F: Real> Kernel for JetTriangle<'_, F> {
         for d in 1..=degree {
             let mut own = [Pair::ZERO; HIGHEST_DEGREE + 1];
             for c in 0..d {
-                let (rise, fall) = terms.terms(d, c);
-                let (w, complement) = Pair::shares::<M>(rise, fall);
-                let sum = rise.plus_like(fall);
-                let inverse = 1.0 / sum.hi;
-                let width = Pair::difference(knots[degree + c].widen(), knots[degree - d + c].widen());
-                let slope = width.times::<M>(Pair::of(ratio.p)).over::<M>(sum, inverse);
-                let slope = slope.times::<M>(ratio.q.over::<M>(sum, inverse));
-                let bend = Pair::of(-ratio.difference).over::<M>(sum, inverse);
+                let weight = WeightJet::new::<M, F>(&terms, ratio, knots, d, c);
                 let (mut previous, mut series) = (Pair::ZERO, Pair::ZERO);
-                for e in 0..=order {
-                    let g = jets[e][c];
-                    series = slope.times::<M>(previous).plus(bend.times::<M>(series));
-                    jets[e][c] = own[e].plus(complement.times::<M>(g).plus(series.negate()));
-                    own[e] = w.times::<M>(g).plus(series);
+                for (row, own) in jets.iter_mut().zip(&mut own).take(order + 1) {
+                    let g = row[c];
+                    series = weight.series::<M>(previous, series);
+                    row[c] = own.plus(weight.complement.times::<M>(g).plus(series.negate()));
+                    *own = weight.w.times::<M>(g).plus(series);
                     previous = g;
                 }
             }
-            for e in 0..=order {
-                jets[e][d] = own[e];
+            for (row, own) in jets.iter_mut().zip(own).take(order + 1) {
+                row[d] = own;
             }
         }
         jets

@@ -3,7 +3,7 @@
 use std::sync::{Arc, LazyLock};
 
 use crate::language::{Complaint, Family, Name, Paper, Row, RowPart, paper};
-use crate::spline::{Basis, Curve, Index, KnotVector, Point};
+use crate::spline::{AnyWeights, Basis, Curve, Index, KnotVector, Point};
 
 use super::family::{MemberError, Values, Weighting, setting};
 use super::instance::Instance;
@@ -46,6 +46,16 @@ impl Example {
     #[must_use]
     pub fn basis(&self, index: &Index) -> Option<Basis> {
         Basis::new(self.knots.clone(), self.degree, index.clone()).ok()
+    }
+
+    /// Its curve for each of its weights; none if there are no control points, or if the row is none, which [`row_faults`] complains
+    /// of.
+    pub fn curves(&self) -> impl Iterator<Item = (&Weighting, Curve<AnyWeights>)> {
+        let curve = |weights: &Weighting| {
+            let on = weights.on_knots(&self.knots, self.degree).ok()?;
+            Curve::new(Basis::over(self.knots.clone(), self.degree, on).ok()?, self.points.clone()?).ok()
+        };
+        self.weights.iter().filter_map(move |weights| Some((weights, curve(weights)?)))
     }
 
     /// What sentences are read on: one for each of its weights.

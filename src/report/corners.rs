@@ -1,13 +1,13 @@
 //! How far the curves of the paper are from smooth at their knots: the turn of the tangent and the jump of the speed.
 
-use num_traits::{One, Signed, Zero};
 use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
 
+use crate::analysis::{Join, Surd, joins, settled};
 use crate::language::Paper;
 use crate::meaning::examples_of;
-use crate::scalar::{BigRational, decimal, integer, rational};
-use crate::spline::{Basis, Curve, Index, Point, Side};
+use crate::scalar::BigRational;
+use crate::spline::{Index, Point};
 
 /// The two one-sided derivatives of a curve of the paper at a knot inside its interval.
 ///
@@ -88,39 +88,26 @@ fn texts<S: Serializer>(values: &[BigRational], serializer: S) -> Result<S::Ok, 
 pub fn corners(paper: &Paper) -> Vec<Corner> {
     let mut corners = Vec::new();
     for instance in examples_of(&paper.examples, &paper.about.family) {
-        let Some(points) = &instance.points else { continue };
-        for index in instance.indices() {
-            let basis = Basis::new(instance.knots.clone(), instance.degree, index.clone());
-            // A row that is no curve in the plane is complained of when it is read.
-            let Some(curve) = basis.ok().and_then(|basis| Curve::new(basis, points.clone()).ok()) else {
-                continue;
-            };
-            for (knot, multiplicity) in instance.knots.inner_stop_knots() {
-                let derivative = |side| -> Point {
-                    curve.jets(knot, side, 1).iter().map(|jet| jet.coefficients()[1].clone()).collect()
-                };
-                let (left, right) = (derivative(Side::Left), derivative(Side::Right));
-                let determinant = determinant(&left, &right);
+        for (weights, curve) in instance.curves() {
+            let Some(alpha) = weights.index() else { continue };
+            for join in joins(&curve).into_iter().filter(|join| !join.closing) {
+                let (left, right) = (join.before.velocity.clone(), join.after.velocity.clone());
                 corners.push(Corner {
                     instance: instance.name.to_string(),
                     figure: instance.figure.clone(),
                     degree: instance.degree,
-                    alpha: index.clone(),
-                    knot: knot.clone(),
-                    multiplicity,
-                    turn: Turn::between(&left, &right),
+                    alpha: alpha.clone(),
+                    turn: Turn::at(&join),
+                    knot: join.knot,
+                    multiplicity: join.multiplicity,
+                    determinant: determinant(&left, &right),
                     left,
                     right,
-                    determinant,
                 });
             }
         }
     }
     corners
-}
-
-fn dot(a: &[BigRational], b: &[BigRational]) -> BigRational {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 /// Of two vectors in the plane.
@@ -135,136 +122,15 @@ fn determinant(a: &[BigRational], b: &[BigRational]) -> BigRational {
 const DIGITS: usize = 6;
 
 impl Turn {
-    /// From one vector to another; `None` if one of them is 0.
-    fn between(left: &[BigRational], right: &[BigRational]) -> Option<Self> {
-        let (before, after) = (dot(left, left), dot(right, right));
-        if before.is_zero() || after.is_zero() {
-            return None;
-        }
-        let (along, across) = (dot(left, right), determinant(left, right).abs());
-        let speed_ratio_squared = &after / &before;
+    /// `None` if one of the derivatives is 0.
+    fn at(join: &Join) -> Option<Self> {
+        let (speed_ratio_squared, mut angle) = (join.speed_ratio_square()?, join.angle()?);
         Some(Self {
-            cos2: &along * &along / (before * after),
-            turns_back: along.is_negative(),
-            angle_degrees: settled(|precision| angle(&along, &across, precision)),
-            speed_ratio: settled(|precision| square_root(&speed_ratio_squared, precision)),
+            cos2: angle.cosine_square().clone(),
+            turns_back: angle.is_obtuse(),
+            angle_degrees: settled(&mut angle, DIGITS),
+            speed_ratio: settled(&mut Surd::root(&speed_ratio_squared), DIGITS),
             speed_ratio_squared,
         })
-    }
-}
-
-/// A number between two others.
-type Bounds = (BigRational, BigRational);
-
-/// Narrows the bounds until both ends are rounded to the same digits, as every number between them is then.
-///
-/// It ends, as no number is asked for that is irrational and halfway between two rounded ones.
-fn settled(bounds: impl Fn(u32) -> Bounds) -> String {
-    let mut precision = 30;
-    loop {
-        let (low, high) = bounds(precision);
-        let digits = decimal(&low, DIGITS);
-        if digits == decimal(&high, DIGITS) {
-            return digits;
-        }
-        precision *= 2;
-    }
-}
-
-/// √q for q > 0, to 10^(−precision): from the integer part of √(numerator·denominator·10^(2·precision)).
-fn square_root(q: &BigRational, precision: u32) -> Bounds {
-    let scale = num_bigint::BigInt::from(10).pow(precision);
-    let square = q.numer() * q.denom() * &scale * &scale;
-    let (root, below) = (square.sqrt(), q.denom() * scale);
-    let exact = &root * &root == square;
-    let low = BigRational::new(root, below.clone());
-    let high = if exact { low.clone() } else { &low + BigRational::new(1.into(), below) };
-    (low, high)
-}
-
-/// The angle of the vector (along, across), across ≥ 0, in degrees; exact for multiples of 45°.
-fn angle(along: &BigRational, across: &BigRational, precision: u32) -> Bounds {
-    let less_than = |degrees, (low, high): Bounds| (integer(degrees) - high, integer(degrees) - low);
-    if along.is_negative() {
-        return less_than(180, angle(&-along, across, precision));
-    }
-    if across > along {
-        return less_than(90, angle(across, along, precision));
-    }
-    // The tangent is in [0, 1]; from 45° it is reduced once more, to at most 1/3.
-    let tangent = across / along;
-    if tangent > rational(1, 3) {
-        let rest = (integer(1) - &tangent) / (integer(1) + tangent);
-        return less_than(45, in_degrees(&rest, precision));
-    }
-    in_degrees(&tangent, precision)
-}
-
-/// arctan(t)·180/π for 0 ≤ t ≤ 1/2.
-fn in_degrees(t: &BigRational, precision: u32) -> Bounds {
-    if t.is_zero() {
-        return (integer(0), integer(0));
-    }
-    let (low, high) = arctangent(t, precision);
-    // Machin: π/4 = 4 arctan(1/5) − arctan(1/239).
-    let [fifth, machin] = [5, 239].map(|n| arctangent(&rational(1, n), precision));
-    let four = integer(4);
-    let (least, most) = (&four * &fifth.0 - &machin.1, &four * &fifth.1 - &machin.0);
-    let half_right = integer(45);
-    (low * &half_right / most, high * half_right / least)
-}
-
-/// arctan(t) for 0 < t ≤ 1/2: its series alternates and its terms fall, so it lies between two sums that follow each
-/// other; the last term is at most 10^(−precision)·t.
-fn arctangent(t: &BigRational, precision: u32) -> Bounds {
-    let square = t * t;
-    let least = t / BigRational::from_integer(num_bigint::BigInt::from(10).pow(precision));
-    let (mut power, mut odd, mut sum) = (t.clone(), BigRational::one(), BigRational::zero());
-    loop {
-        let below = &sum + &power / &odd - &power * &square / (&odd + integer(2));
-        let above = sum + &power / &odd;
-        if power < least {
-            return (below, above);
-        }
-        sum = below;
-        power *= &square * &square;
-        odd += integer(4);
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn degrees(along: i64, across: i64) -> String {
-        settled(|precision| angle(&rational(along, 1), &rational(across, 1), precision))
-    }
-
-    #[test]
-    fn angles_are_right_in_every_octant() {
-        let found = [(1, 0), (2, 1), (1, 1), (1, 2), (0, 1), (-1, 2), (-1, 1), (-2, 1), (-1, 0), (1000, 1)];
-        let expected = [
-            "0",
-            "26.5651",
-            "45.0000",
-            "63.4349",
-            "90.0000",
-            "116.565",
-            "135.000",
-            "153.435",
-            "180.000",
-            "0.0572958",
-        ];
-        assert_eq!(found.map(|(along, across)| degrees(along, across)), expected);
-    }
-
-    #[test]
-    fn roots_are_exact_where_they_can_be() {
-        let root = |q: &BigRational| settled(|precision| square_root(q, precision));
-        assert_eq!(root(&rational(2, 1)), "1.41421");
-        // Halfway between two rounded numbers: settled, because it is exact.
-        let half = rational(1_000_005, 1_000_000);
-        assert_eq!(square_root(&(&half * &half), 1).0, half);
-        assert_eq!(root(&(&half * &half)), decimal(&half, DIGITS));
     }
 }

@@ -8,7 +8,7 @@ use crate::scalar::{Jet, RationalAlgebra, integer};
 use super::basis::Basis;
 use super::index::Index;
 use super::kind::{HasWeights, Sampler};
-use super::knots::{Side, Span};
+use super::knots::{KnotVector, Side, Span};
 use super::triangle::Active;
 
 /// A point of R^d, 1 ≤ d ≤ 3.
@@ -69,6 +69,16 @@ pub enum CurveError {
         /// n.
         n: usize,
     },
+    /// Not as many points as there are intervals in a period.
+    #[error(
+        "a closed curve takes a control point for each of the {needed} intervals of a period, and here are {count}"
+    )]
+    Period {
+        /// m of the knots of a period.
+        needed: usize,
+        /// The number of points given.
+        count: usize,
+    },
     /// Points of different dimensions.
     #[error(
         "control point {position} has {dimension} coordinates and point 0 has {expected}: all need the same"
@@ -107,6 +117,42 @@ impl<W> Curve<W> {
         Ok(Self { basis, points })
     }
 
+    /// The closed curve of degree k with the knots of one period, (t_0, …, t_m), and m control points: on the
+    /// [`periodic`](KnotVector::periodic) knots, with d_{i+m} = d_i. It is closed on the period, where the basis functions add
+    /// up to 1, and its ends meet as smoothly as pieces do at inner knots.
+    ///
+    /// ```
+    /// use knotproof::scalar::integer;
+    /// use knotproof::spline::{Curve, Index, KnotVector, Side};
+    ///
+    /// let period = KnotVector::new([0, 1, 2, 3, 4].map(integer).to_vec())?;
+    /// let points = [[0, 0], [6, 0], [6, 6], [0, 6]].map(|point| point.map(integer).to_vec());
+    /// let circle_like = Curve::closed(&period, 2, Index::infinity(), &points)?;
+    /// let point = |x: i64| circle_like.point(&integer(x), Side::Right);
+    /// assert_eq!(point(0), [integer(3), integer(0)]);
+    /// assert_eq!(point(4), point(0));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`CurveError::Period`] for another number of points, and those of [`new`](Self::new) on their dimensions.
+    pub fn closed(
+        period: &KnotVector,
+        degree: usize,
+        weights: W,
+        points: &[Point],
+    ) -> Result<Self, CurveError> {
+        let (needed, count) = (period.m(), points.len());
+        if count != needed {
+            return Err(CurveError::Period { needed, count });
+        }
+        let basis = match Basis::over(period.periodic(degree), degree, weights) {
+            Ok(basis) => basis,
+            Err(error) => unreachable!("at least 2k + 2 knots: {error}"),
+        };
+        Self::new(basis, points.iter().cycle().take(needed + degree).cloned().collect())
+    }
+
     /// The same knots, degree and control points with other weights.
     #[must_use]
     pub fn with<V>(&self, weights: V) -> Curve<V> {
@@ -123,6 +169,12 @@ impl<W> Curve<W> {
     #[must_use]
     pub fn points(&self) -> &[Point] {
         &self.points
+    }
+
+    /// d_{j−k}, …, d_j, for k ≤ j ≤ n.
+    pub(super) fn points_on(&self, span: Span) -> Option<&[Point]> {
+        let j = span.index();
+        self.points.get(j.checked_sub(self.basis.degree())?..=j)
     }
 
     /// d.
@@ -155,7 +207,8 @@ impl<W> Curve<W> {
 }
 
 impl<W: HasWeights> Curve<W> {
-    /// The point of the curve at x, as a limit from the given side: Σ d_i G_i^k(x).
+    /// The point of the curve at x, as a limit from the given side: Σ d_i G_i^k(x). For many points of one curve, a
+    /// [`CurveEvaluator`](super::CurveEvaluator) prepares what it can once only.
     #[must_use]
     pub fn point(&self, x: &BigRational, side: Side) -> Point {
         match Sampler::new(&self.basis).values(x, side) {
@@ -178,14 +231,6 @@ impl<W: HasWeights> Curve<W> {
     #[must_use]
     pub fn de_boor(&self, x: &BigRational, side: Side) -> Option<Vec<Active<Point>>> {
         let span = self.basis.knots().span_at(x, side)?;
-        let points = self.points.get(self.local(span)?)?;
-        self.basis.de_boor(span, x, points)
-    }
-
-    /// j − k..=j, for k ≤ j ≤ n.
-    fn local(&self, span: Span) -> Option<std::ops::RangeInclusive<usize>> {
-        let j = span.index();
-        let first = j.checked_sub(self.basis.degree())?;
-        (j <= self.basis.n()).then_some(first..=j)
+        self.basis.de_boor(span, x, self.points_on(span)?)
     }
 }

@@ -157,6 +157,11 @@ impl Evaluator {
         if order == 0 {
             return self.values(x, side).map(|values| values.map(|value| Jet::constant(value.clone(), 0)));
         }
+        self.jets_at(x, side, order).map(|unreduced| unreduced.reduced())
+    }
+
+    /// The same before they are in lowest terms.
+    pub(super) fn jets_at(&mut self, x: &BigRational, side: Side, order: usize) -> Option<UnreducedJets> {
         let m = self.knots.len() - 1;
         let (dx, xi) = (&self.scale * x.numer(), x.denom());
         let span = span(m, side, |i| (&self.knots[i] * xi).cmp(&dx))?;
@@ -170,15 +175,13 @@ impl Evaluator {
         let one = Jet::constant(BigInt::from(1), order);
         let numerators = triangle(&FractionFree::new(&factors, &one), span, self.degree, m);
         let unit = &self.scale * xi;
-        let quotient = |(i, numerator): (usize, &Jet<BigInt>)| {
-            let mut denominator = one.clone();
-            denominator.scale_by(factors.denominator(i));
-            let places = || factors.denominator(i).map(|(constant, _)| constant);
-            quotient(numerator, &denominator, &unit, |d| {
-                std::iter::repeat_n((), d + 1).flat_map(|()| places())
-            })
-        };
-        Some(Active::new(numerators.first(), numerators.iter().map(quotient).collect()))
+        Some(UnreducedJets { factors, one, numerators, unit })
+    }
+
+    /// The factors on a span at x of the closed span.
+    pub(super) fn factors_at(&mut self, span: Span, x: &BigRational) -> &Factors<BigInt> {
+        self.big_factors(span, x);
+        &self.big.factors
     }
 
     fn big_factors(&mut self, span: Span, x: &BigRational) {
@@ -294,9 +297,15 @@ impl Unreduced<'_> {
     /// lacks) = ∏ L.
     #[must_use]
     pub fn sum_is_one(&self) -> bool {
+        let (numerators, denominator) = self.over_common_denominator();
+        numerators.into_iter().sum::<BigInt>() == denominator
+    }
+
+    /// The numerators over all the L that occur up to degree k, and the product of these.
+    pub(super) fn over_common_denominator(&self) -> (Vec<BigInt>, BigInt) {
         let terms = (self.first()..).zip(self.numerators());
-        let sum: BigInt = terms.map(|(i, numerator)| self.scaled(numerator, Which::Cofactor(i))).sum();
-        sum == self.scaled(BigInt::from(1), Which::All)
+        let numerators = terms.map(|(i, numerator)| self.scaled(numerator, Which::Cofactor(i))).collect();
+        (numerators, self.scaled(BigInt::from(1), Which::All))
     }
 
     /// The values in lowest terms.
@@ -338,6 +347,55 @@ impl Unreduced<'_> {
             Parts::Big(factors, _) => which.scale(&mut number, factors),
         }
         number
+    }
+}
+
+/// The functions that live at a point as jets in ε = unit·(x′ − x): numerators, and the factors of their denominators.
+pub(super) struct UnreducedJets {
+    factors: Factors<(BigInt, BigInt)>,
+    /// The jet of 1.
+    one: Jet<BigInt>,
+    numerators: Active<Jet<BigInt>>,
+    unit: BigInt,
+}
+
+impl UnreducedJets {
+    fn reduced(&self) -> Active<Jet<BigRational>> {
+        let quotient = |(i, numerator): (usize, &Jet<BigInt>)| {
+            let mut denominator = self.one.clone();
+            denominator.scale_by(self.factors.denominator(i));
+            let places = || self.factors.denominator(i).map(|(constant, _)| constant);
+            quotient(numerator, &denominator, &self.unit, |d| {
+                std::iter::repeat_n((), d + 1).flat_map(|()| places())
+            })
+        };
+        Active::new(self.numerators.first(), self.numerators.iter().map(quotient).collect())
+    }
+
+    /// Σ d_i G_i for the points d_i = D_i/Δ, one jet a coordinate: over the common denominator of all functions, and brought to
+    /// lowest terms once.
+    pub(super) fn combine(&self, points: &[Vec<BigInt>], scale: &BigInt) -> Vec<Jet<BigRational>> {
+        let common = |(i, numerator): (usize, &Jet<BigInt>)| {
+            let mut numerator = numerator.clone();
+            numerator.scale_by(self.factors.cofactor(i));
+            numerator
+        };
+        let numerators: Vec<_> = self.numerators.iter().map(common).collect();
+        let mut denominator = self.one.clone();
+        denominator.scale_by(self.factors.all());
+        let points = &points[self.numerators.first()..][..numerators.len()];
+        let places = || self.factors.all().map(|(constant, _)| constant);
+        let coordinate = |c: usize| {
+            let of_order = |e: usize| {
+                let terms = numerators.iter().zip(points);
+                terms.map(|(g, d)| &g.coefficients()[e] * &d[c]).sum::<BigInt>()
+            };
+            let sum = Jet::from_coefficients((0..=self.one.order()).map(of_order).collect());
+            quotient(&sum, &denominator, &self.unit, |d| {
+                std::iter::repeat_n((), d + 1).flat_map(|()| places()).chain(std::iter::once(scale))
+            })
+        };
+        (0..points.first().map_or(0, Vec::len)).map(coordinate).collect()
     }
 }
 

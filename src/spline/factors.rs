@@ -147,6 +147,12 @@ impl<F: Clone> Factors<F> {
         (0..self.rises.len().min(self.degree)).flat_map(|s| self.row(s, self.degree - s))
     }
 
+    /// rise_a and fall_b of the weight of [t_i, t_{i+d}], which contains the span.
+    pub(super) fn shares(&self, i: usize, d: usize) -> (&F, &F) {
+        let j = self.span.index();
+        (&self.rises[j - i], &self.falls[i + d - j - 1])
+    }
+
     /// rise_a and what else G_i^{d−1} is multiplied by on its way to G_i^d, a = i at place s, t_{i+d} at place w:
     /// L of the next knot and all from t_{i+1} to t_j.
     pub(super) fn for_own(&self, s: usize, w: usize) -> impl Iterator<Item = &F> {

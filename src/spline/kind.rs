@@ -142,6 +142,11 @@ impl<'a, W: HasWeights> Sampler<'a, W> {
         Self { basis, kernel }
     }
 
+    /// The fast kernel, of an index.
+    pub(super) fn kernel(&mut self) -> Option<&mut Evaluator> {
+        self.kernel.as_mut()
+    }
+
     /// The functions that live at x as jets of the given order, limits from the side: values and one-sided derivatives;
     /// `None` where all are 0, as in [`Evaluator::at`].
     pub fn jets(&mut self, x: &BigRational, side: Side, order: usize) -> Option<Active<Jet<BigRational>>> {

@@ -302,6 +302,27 @@ impl KnotVector {
         self.first() + self.last() - x
     }
 
+    /// Taken for one period, from t_0 to t_m, with its continuation by k knots on either side, t_{i±m} = t_i ± (t_m − t_0): the knots of a
+    /// closed curve, whose base spans are those of the period.
+    ///
+    /// ```
+    /// use knotproof::scalar::integer;
+    /// use knotproof::spline::KnotVector;
+    ///
+    /// let period = KnotVector::new([0, 1, 3].map(integer).to_vec())?;
+    /// assert_eq!(period.periodic(3).knots(), [-5, -3, -2, 0, 1, 3, 4, 6, 7].map(integer));
+    /// # Ok::<(), knotproof::spline::KnotError>(())
+    /// ```
+    #[must_use]
+    pub fn periodic(&self, degree: usize) -> Self {
+        let (m, length) = (self.m(), self.last() - self.first());
+        let times = |count: usize| &length * BigRational::from_integer(count.into());
+        // i places beyond t_m, and before t_0.
+        let after = (1..=degree).map(|i| self.t((i - 1) % m + 1) + times((i - 1) / m + 1));
+        let before = (1..=degree).rev().map(|i| self.t(m - 1 - (i - 1) % m) - times((i - 1) / m + 1));
+        Self::of(before.chain(self.knots.iter().cloned()).chain(after).collect())
+    }
+
     /// The vector with one more knot at x, in its place.
     #[must_use]
     pub fn with_knot(&self, x: &BigRational) -> Self {

@@ -3,6 +3,7 @@
 mod basis;
 mod bernstein;
 mod curve;
+mod curve_evaluator;
 mod definition;
 mod evaluator;
 mod factors;
@@ -18,6 +19,7 @@ mod weight;
 pub use basis::{Basis, BasisError};
 pub use bernstein::{bernstein, binomial};
 pub use curve::{Curve, CurveError, Point};
+pub use curve_evaluator::{CurveEvaluator, Tangent};
 pub use definition::{by_definition, by_weights};
 pub use evaluator::{Evaluator, Unreduced};
 pub use factors::Factors;

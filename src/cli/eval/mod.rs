@@ -15,7 +15,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::scalar::parse_rational;
-use crate::spline::{AnyWeights, Curve, Sampler, Side};
+use crate::spline::{AnyWeights, CurveEvaluator, Side};
 
 use super::error::CliError;
 use super::exact::Exact;
@@ -28,7 +28,7 @@ use super::progress::Progress;
 use super::whole_number::whole_number;
 
 pub(super) use point::PointValues;
-use point::Request;
+use point::{Prepared, Request};
 pub(super) use stream::Head;
 
 /// Exact values and derivatives of the basis functions at a point, and of the curve by de Boor; or at all points of a
@@ -152,35 +152,35 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     let index = args.function.chosen(&basis)?;
     let (order, curve) = (args.derivatives, curve.as_ref());
     let request = Request { basis: &basis, weights: &weights, curve, index, order };
-    let mut sampler = Sampler::new(&basis);
+    let mut prepared = request.prepared();
     if let Some(x) = &args.x {
         let progress = Progress::new(1);
         progress.step(&format!("at {x}"));
-        let evaluation = evaluate(&request, &mut sampler, x, args.side, label);
+        let evaluation = evaluate(&request, &mut prepared, x, args.side, label);
         drop(progress);
         output.result(&evaluation)?;
     }
     if let Some(path) = &args.points_file {
-        stream::evaluate_file(path, &request, &mut sampler, args.side, notation, &output)?;
+        stream::evaluate_file(path, &request, &mut prepared, args.side, notation, &output)?;
     }
     Ok(Exit::Holds)
 }
 
 fn evaluate(
     request: &Request<'_>,
-    sampler: &mut Sampler<'_, AnyWeights>,
+    prepared: &mut Prepared<'_>,
     x: &BigRational,
     side: OneSide,
     label: Option<String>,
 ) -> Evaluation {
     Evaluation {
         head: Head::of(request, label),
-        at: request.at(sampler, x.clone(), side),
-        de_boor: request.curve.and_then(|curve| levels(curve, x, side.into())),
+        at: request.at(prepared, x.clone(), side),
+        de_boor: prepared.curve.as_mut().and_then(|curve| levels(curve, x, side.into())),
     }
 }
 
-fn levels(curve: &Curve<AnyWeights>, x: &BigRational, side: Side) -> Option<Vec<Level>> {
+fn levels(curve: &mut CurveEvaluator<'_, AnyWeights>, x: &BigRational, side: Side) -> Option<Vec<Level>> {
     let levels = curve.de_boor(x, side)?;
     let level = |(level, points): (usize, &crate::spline::Active<_>)| Level {
         level,

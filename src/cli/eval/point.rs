@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use crate::meaning::Weighting;
 use crate::scalar::{Jet, integer};
-use crate::spline::{Active, AnyWeights, Basis, Curve, Sampler};
+use crate::spline::{Active, AnyWeights, Basis, Curve, CurveEvaluator, Sampler};
 
 use super::super::exact::Exact;
 use super::OneSide;
@@ -20,6 +20,12 @@ pub(super) struct Request<'a> {
     pub(super) index: Option<usize>,
     /// The highest derivative.
     pub(super) order: usize,
+}
+
+/// What is prepared once for all points.
+pub(super) struct Prepared<'a> {
+    functions: Sampler<'a, AnyWeights>,
+    pub(super) curve: Option<CurveEvaluator<'a, AnyWeights>>,
 }
 
 /// The values at a point: the fields are the JSON.
@@ -42,28 +48,28 @@ pub(in super::super) struct PointValues {
     pub(super) curve_derivatives: Vec<Vec<Exact>>,
 }
 
-impl Request<'_> {
+impl<'a> Request<'a> {
+    /// Prepares the basis and the curve.
+    pub(super) fn prepared(&self) -> Prepared<'a> {
+        Prepared { functions: Sampler::new(self.basis), curve: self.curve.map(CurveEvaluator::new) }
+    }
+
     /// The indices of the functions that are asked for.
     pub(super) fn functions(&self) -> std::ops::RangeInclusive<usize> {
         self.index.map_or(0..=self.basis.n(), |index| index..=index)
     }
 
     /// Values and derivatives at x, as limits from the side.
-    pub(super) fn at(
-        &self,
-        sampler: &mut Sampler<'_, AnyWeights>,
-        x: BigRational,
-        side: OneSide,
-    ) -> PointValues {
+    pub(super) fn at(&self, prepared: &mut Prepared<'_>, x: BigRational, side: OneSide) -> PointValues {
         let zero = Jet::constant(integer(0), self.order);
-        let active = sampler.jets(&x, side.into(), self.order).unwrap_or_else(|| Active::new(0, Vec::new()));
+        let active = prepared
+            .functions
+            .jets(&x, side.into(), self.order)
+            .unwrap_or_else(|| Active::new(0, Vec::new()));
         let functions = self.functions().map(|i| active.get(i).unwrap_or(&zero).clone()).collect::<Vec<_>>();
         let mut derivatives = self.by_order(&functions);
         let values = derivatives.remove(0);
-        let jets = self.curve.map(|curve| {
-            let jets = curve.combine_unchecked(&active);
-            if jets.is_empty() { vec![zero; curve.dimension()] } else { jets }
-        });
+        let jets = prepared.curve.as_mut().map(|curve| curve.jets(&x, side.into(), self.order));
         let mut curve_derivatives = jets.map(|jets| self.by_order(&jets)).unwrap_or_default();
         let curve = (!curve_derivatives.is_empty()).then(|| curve_derivatives.remove(0));
         PointValues { x: Exact(x), side, values, derivatives, curve, curve_derivatives }

@@ -7,8 +7,6 @@ use std::time::{Duration, Instant};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::spline::{AnyWeights, Sampler};
-
 use super::super::error::CliError;
 use super::super::notation::Notation;
 use super::super::of_weights::OfWeights;
@@ -16,7 +14,7 @@ use super::super::on_knots::OnKnots;
 use super::super::output::{Format, Output, Stamped};
 use super::super::progress::Progress;
 use super::input::PointFile;
-use super::point::{PointValues, Request};
+use super::point::{PointValues, Prepared, Request};
 use super::{OneSide, SCHEMA};
 
 /// The time between two steps of the progress bar.
@@ -56,7 +54,7 @@ impl Head {
 pub(super) fn evaluate_file(
     path: &Path,
     request: &Request<'_>,
-    sampler: &mut Sampler<'_, AnyWeights>,
+    prepared: &mut Prepared<'_>,
     side: OneSide,
     notation: Notation,
     output: &Output,
@@ -67,7 +65,7 @@ pub(super) fn evaluate_file(
     let mut shown = Instant::now();
     let write = |to: &mut dyn Write| {
         while let Some(point) = file.next()? {
-            let values = request.at(sampler, point.x, point.side.unwrap_or(side));
+            let values = request.at(prepared, point.x, point.side.unwrap_or(side));
             // Not before: an error in the first line leaves nothing on standard output.
             let first = file.points() == 1;
             match output.format() {
