@@ -1,4 +1,4 @@
-//! Floor 7: all claims judged, as data, as Markdown and against recorded verdicts; basis functions as formulas.
+//! Floor 7: all claims judged, as data, as Markdown and against recorded verdicts; basis functions as formulas, curves as files.
 
 mod baseline;
 mod conjecture;
@@ -9,6 +9,7 @@ pub mod figures;
 mod formula;
 mod heat;
 mod markdown;
+mod nurbs;
 mod opening;
 mod page;
 mod paper;
@@ -41,6 +42,7 @@ pub use figures::PictureError;
 pub use formula::{Counterexample, Definition, Form, Language, Script, ScriptError, expression, formula};
 pub use heat::heat_map;
 pub use markdown::{markdown, verdicts_page};
+pub use nurbs::{NurbsFile, NurbsFileError, nurbs_file};
 pub use opening::opening;
 pub use page::{PageError, PageSource, page};
 pub use picture::dependence_picture;
