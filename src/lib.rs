@@ -99,6 +99,7 @@
 //! | d_i^r, de Boor's points | [`Curve::de_boor`](spline::Curve::de_boor) |
 //! | ω_m and b_m, weights and control points of a span's rational Bézier curve (ours) | [`RationalBezier`](analysis::RationalBezier) |
 //! | how smooth a curve is at its knots (ours) | [`Join`](analysis::Join) |
+//! | τ, w_i and c_i, knots, weights and control points of a NURBS curve (ours) | [`Nurbs`](analysis::Nurbs) |
 //! | D⁺, D⁻ | [`Basis::jets`](spline::Basis::jets) with a [`Side`](spline::Side) |
 //! | every knot vector, every α: windows, sections, goals (ours) | [`Statement`](certificate::Statement) |
 //! | u in (0, ∞), the span's own coordinate (ours) | [`positive_coordinate`](analysis::positive_coordinate) |

@@ -262,6 +262,146 @@ fn the_highest_degree_is_converted() {
     assert_eq!(found["pieces"].as_array().unwrap().len(), 2);
 }
 
+/// r = 5/4: pieces of degree 1, joined at 1 with the weight 5/4.
+#[test]
+fn the_pieces_are_joined_to_one_curve() {
+    let request =
+        ["--degree", "1", "--knots", "0 0 1 3 3", "--alpha", "5", "--points", "0,1 4,5 6,7", "--as", "nurbs"];
+    let expected = json!({
+        "schema": "knotproof.bezier.nurbs/1",
+        "version": env!("CARGO_PKG_VERSION"),
+        "degree": 1,
+        "knots": ["0", "0", "1", "3", "3"],
+        "alpha": "5",
+        "points": [["0", "1"], ["4", "5"], ["6", "7"]],
+        "dimension": 2,
+        "as": "nurbs",
+        "base": ["0", "3"],
+        "standard_form": false,
+        "jumps": [],
+        "curves": [{
+            "degree": 1, "knots": ["0", "0", "1", "3", "3"], "weights": ["1", "5/4", "25/16"],
+            "points": [["0", "1"], ["4", "5"], ["6", "7"]],
+        }],
+        "warnings": [],
+    });
+    assert_eq!(bezier(&request), expected);
+    // In standard form with λ = 4/5 on both spans the weights are all 1; elevated, and cut.
+    let standard = bezier(
+        &[&request[..], &["--standard-form", "--degree-to", "2", "--from", "1/2", "--to", "2"]].concat(),
+    );
+    let curve = &standard["curves"][0];
+    assert_eq!(
+        (&curve["degree"], &curve["knots"]),
+        (&json!(2), &json!(["1/2", "1/2", "1/2", "1", "1", "2", "2", "2"]))
+    );
+    assert_eq!(curve["weights"], json!(["1", "1", "1", "1", "1"]));
+    assert_eq!(
+        curve["points"],
+        json!([["20/9", "29/9"], ["28/9", "37/9"], ["4", "5"], ["41/9", "50/9"], ["46/9", "55/9"]])
+    );
+    let change = |from, to, ratio| json!({"from": from, "to": to, "ratio": ratio, "weight": "1"});
+    assert_eq!(curve["parameter"], json!([change("1/2", "1", "9/10"), change("1", "2", "8/9")]));
+}
+
+/// What is written is an instance: the source can be evaluated again.
+#[test]
+fn a_nurbs_result_turns_back_into_its_source() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("curve.json");
+    let file = path.to_str().unwrap();
+    let on = [&OPEN[..], &POINTS].concat();
+    let written = text(&[&["bezier", "--format", "json", "--as", "nurbs", "--float"], &on[..]].concat());
+    std::fs::write(&path, written).unwrap();
+    let value = |on: &[&str]| text(&[&["eval", "--format", "json", "--x", "1/3"], on].concat());
+    assert_eq!(value(&["--instance", file]), value(&on));
+}
+
+#[test]
+fn files_for_other_programs_have_the_nearest_floats() {
+    let request =
+        ["--degree", "1", "--knots", "0 0 1/3 1/3 2 2", "--alpha", "-2", "--points", "0,1 1/3,5 7,0 1e-7,3"];
+    let geomdl: Value = serde_json::from_str(&text_with_warning(&request, "geomdl")).unwrap();
+    let data = &geomdl["shape"]["data"];
+    assert_eq!((&geomdl["shape"]["count"], data.as_array().map(Vec::len)), (&json!(2), Some(2)));
+    assert_eq!(data[0]["knotvector"], json!([0.0, 0.0, 1.0 / 3.0, 1.0 / 3.0]));
+    assert_eq!(
+        data[1]["control_points"],
+        json!({"points": [[7.0, 0.0], [1e-7, 3.0]], "weights": [1.0, 2.0 / 3.0]})
+    );
+    let step = text_with_warning(&request, "step");
+    for part in [
+        "ISO-10303-21;\nHEADER;\n",
+        "B_SPLINE_CURVE(1,(#18,#19),.UNSPECIFIED.,.F.,.F.)B_SPLINE_CURVE_WITH_KNOTS((2,2),(0.0,0.3333333333333333),",
+        "RATIONAL_B_SPLINE_CURVE((1.0,0.6666666666666666))",
+        "#22=CARTESIAN_POINT('',(1.E-7,3.0,0.0));\n",
+        "#16=GEOMETRIC_CURVE_SET('',(#17,#20));\n",
+    ] {
+        assert!(step.contains(part), "{part} in {step}");
+    }
+    assert!(step.ends_with("ENDSEC;\nEND-ISO-10303-21;\n"), "{step}");
+    // As JSON the same text is one field of the result.
+    let object = bezier(&[&request[..], &["--as", "step"]].concat());
+    assert_eq!((object["source"].as_str(), &object["jumps"]), (Some(&*step), &json!(["1/3"])));
+}
+
+/// The file, with the jump said on standard error.
+fn text_with_warning(request: &[&str], form: &str) -> String {
+    let output =
+        knotproof(&[&["bezier", "--as", form], request].concat()).assert().success().get_output().clone();
+    let warning = "warning: the curve jumps at 1/3: 2 NURBS curves, one for each connected run\n";
+    assert_eq!(String::from_utf8(output.stderr).unwrap(), warning);
+    String::from_utf8(output.stdout).unwrap()
+}
+
+#[test]
+fn what_a_nurbs_curve_can_t_be_is_refused() {
+    let on = [&OPEN[..], &POINTS, &["--as", "nurbs"]].concat();
+    let also = |more: &[&'static str]| [&on[..], more].concat();
+    rejected(
+        &also(&["--degree-to", "2"]),
+        "--degree-to",
+        &["degree 2 is not between 3, the least", "and 300"],
+    );
+    rejected(&also(&["--from", "2"]), "--from", &["2 is not in [0, 2)"]);
+    rejected(&also(&["--from", "1", "--to", "1"]), "--to", &["1 is not in (1, 2]"]);
+    rejected(&also(&["--to", "x"]), "--to", &["x"]);
+    for option in ["--standard-form", "--from=1", "--to=1", "--degree-to=4"] {
+        rejected(&[&OPEN[..], &POINTS, &[option]].concat(), "--as", &["--as"]);
+    }
+    // Two knots that are one as floats; weights beyond the largest float.
+    let near =
+        ["--degree", "1", "--knots", "1 1 1.00000000000000000001 2 2", "--alpha", "2", "--points", "0 1 2"];
+    rejected(
+        &[&near[..], &["--as", "step"]].concat(),
+        "--as",
+        &["the knots 1 and 100000000000000000001/100000000000000000000 are one"],
+    );
+    let far = ["--degree", "1", "--knots", "0 0 1 2 2", "--alpha", "-1e-300", "--points", "0 1 2"];
+    rejected(
+        &[&far[..], &["--as", "geomdl"]].concat(),
+        "--as",
+        &["a weight does not fit", "--standard-form"],
+    );
+    assert!(
+        text(&[&["bezier"], &far[..], &["--as", "geomdl", "--standard-form"]].concat())
+            .contains("\"weights\"")
+    );
+}
+
+/// Degree 28 is more than a widespread kernel takes; and weights can be too far apart.
+#[test]
+fn what_other_programs_may_not_bear_is_said() {
+    let knots = "0 0 0 0 0 0 0 0 1 3 4 8 9 11 13 13 13 13 13 13 13 13";
+    let points = "0 1 2 3 4 5 6 7 8 9 0 1 2 3";
+    let on = ["--degree", "7", "--knots", knots, "--alpha", "100/99", "--points", points, "--as", "nurbs"];
+    let found = bezier(&on);
+    let warnings: Vec<_> =
+        found["warnings"].as_array().unwrap().iter().map(|text| text.as_str().unwrap()).collect();
+    assert!(warnings[0].starts_with("degree 28 is above 25, the highest that Open CASCADE"), "{warnings:?}");
+    assert!(warnings[1].contains("times apart; --standard-form brings them closer"), "{warnings:?}");
+}
+
 #[derive(Deserialize)]
 struct Golden {
     source: String,

@@ -125,7 +125,7 @@ fn beyond_the_span_it_is_the_same_function_and_poles_are_no_points() {
 }
 
 /// Small knot vectors with every kind of multiplicity, open and not, all signs of α, α near 0 and 1.
-fn any_curve(degrees: std::ops::RangeInclusive<usize>) -> impl Strategy<Value = Curve> {
+pub(crate) fn any_curve(degrees: std::ops::RangeInclusive<usize>) -> impl Strategy<Value = Curve> {
     let gap = prop_oneof![3 => Just(0_usize), 3 => Just(1), 1 => Just(2), 1 => Just(9)];
     let index = prop::sample::select(vec!["inf", "-1", "2", "5", "-1/7", "8/7", "-1/100", "101/100"]);
     let coordinate = (-4_i64..=4, 1_i64..=3).prop_map(|(p, q)| rational(p, q));

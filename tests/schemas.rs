@@ -172,6 +172,9 @@ fn examples() -> Vec<(&'static str, Vec<Vec<&'static str>>)> {
             vec![
                 on("bezier", &POINTS),
                 on("bezier", &[POINTS[0], POINTS[1], "--float"]),
+                on("bezier", &[POINTS[0], POINTS[1], "--as", "nurbs"]),
+                on("bezier", &[POINTS[0], POINTS[1], "--as", "nurbs", "--standard-form", "--float"]),
+                on("bezier", &[POINTS[0], POINTS[1], "--as", "step", "--digits", "5"]),
                 of_member("bezier", &POINTS),
             ],
         ),

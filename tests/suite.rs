@@ -50,6 +50,7 @@ mod library;
 mod licences;
 mod monotonicity;
 mod names;
+mod nurbs;
 mod pages;
 mod paper;
 mod partition;

@@ -153,6 +153,25 @@ fn bezier() {
     reads("bezier", &session(&[curve, &format!("{curve} --digits 3")]));
 }
 
+/// One curve, and with jumps; in standard form with a λ that is rational and with one that is not; files for other programs.
+#[test]
+fn bezier_as_nurbs() {
+    let curve = "bezier --degree 2 --knots \"0 0 0 1 2 2 2\" --points \"0,0 1,2 2,2 3,0\"";
+    let jumps = "bezier --degree 1 --knots \"0 0 1 1 2 2\" --alpha -1 --points \"0,0 1,1 2,0 3,3\"";
+    reads(
+        "bezier_as_nurbs",
+        &session(&[
+            &format!("{curve} --alpha 5 --as nurbs"),
+            &format!("{curve} --alpha 5 --as nurbs --standard-form"),
+            &format!("{curve} --alpha inf --as nurbs"),
+            &format!("{jumps} --as nurbs --standard-form"),
+            &format!("{jumps} --as step"),
+            &format!("{curve} --alpha inf --as geomdl --from 1"),
+            "bezier --degree 2 --knots \"0 1 2 3 4 5\" --alpha inf --points \"1 4 2\" --as nurbs",
+        ]),
+    );
+}
+
 /// Corners, a jump and a knot without a tangent, several indices, a closed curve.
 #[test]
 fn joins() {

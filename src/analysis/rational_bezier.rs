@@ -7,6 +7,7 @@ use thiserror::Error;
 use crate::scalar::{Polynomial, RationalAlgebra, Ring, integer};
 use crate::spline::{Curve, HasWeights, Point, Side, Span, WeightKind, binomial};
 
+use super::homogeneous::Homogeneous;
 use super::linear::over_common_denominator;
 use super::pieces::own_pieces;
 use super::span_quotients::OneDenominator;
@@ -111,6 +112,23 @@ impl RationalBezier {
         Ok(Self { span, from, to, weights, points })
     }
 
+    /// A piece, or a part of one, of any degree, from its control points in homogeneous coordinates, all weights positive.
+    pub(super) fn of(piece: Homogeneous) -> Self {
+        let Homogeneous { span, ends: [from, to], net } = piece;
+        let points = net.iter().map(|control| control[1..].iter().map(|c| c / &control[0]).collect());
+        let weights = net.iter().map(|control| &control[0] / &net[0][0]);
+        Self { span, from, to, weights: weights.collect(), points: points.collect() }
+    }
+
+    /// The same in homogeneous coordinates.
+    pub(super) fn homogeneous(&self) -> Homogeneous {
+        let control = |(weight, point): (&BigRational, &Point)| {
+            std::iter::once(weight.clone()).chain(point.iter().map(|c| weight * c)).collect()
+        };
+        let net = self.weights.iter().zip(&self.points).map(control).collect();
+        Homogeneous { span: self.span, ends: [self.from.clone(), self.to.clone()], net }
+    }
+
     /// The span [t_j, t_{j+1}).
     #[must_use]
     pub fn span(&self) -> Span {
@@ -123,7 +141,8 @@ impl RationalBezier {
         (&self.from, &self.to)
     }
 
-    /// N, the least degree of this curve in this parameter.
+    /// N, the least degree of this curve in this parameter; of what a [`Nurbs`](super::Nurbs) is turned back into, that of the NURBS
+    /// curve.
     #[must_use]
     pub fn degree(&self) -> usize {
         self.weights.len() - 1

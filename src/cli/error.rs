@@ -6,13 +6,13 @@ use std::path::PathBuf;
 use num_rational::BigRational;
 use thiserror::Error;
 
-use crate::analysis::{FreeKnotError, RationalBezierError};
+use crate::analysis::{FreeKnotError, NurbsError, RationalBezierError};
 use crate::certificate::CertificateError;
 use crate::formula::ScriptError;
 use crate::json::JsonError;
 use crate::language::Complaint;
 use crate::meaning::MemberError;
-use crate::report::{BaselineError, PageError, PictureError};
+use crate::report::{BaselineError, NurbsFileError, PageError, PictureError};
 use crate::scalar::NumberError;
 use crate::search::{AuditError, MergeError, PortionError, RecordError};
 use crate::settle::SettleError;
@@ -340,6 +340,12 @@ pub enum CliError {
     /// A piece of a curve that has no rational Bézier form with positive weights.
     #[error("--family: {0}; choose other parameters, or a curve over fewer functions")]
     Bezier(#[from] RationalBezierError),
+    /// A NURBS form that the curve has not.
+    #[error("{argument}: {0}", argument = nurbs_argument(.0))]
+    Nurbs(#[from] NurbsError),
+    /// A NURBS curve that no file in floats can hold.
+    #[error("--as: {0}; {advice}", advice = nurbs_advice(.0))]
+    NurbsFile(#[from] NurbsFileError),
     /// Neither a certificate nor a folder of certificates.
     #[error("PATH: {} is no certificate: give files NAME.statement, with NAME.proof beside them, or a folder of such", path.display())]
     NoCertificate {
@@ -519,6 +525,21 @@ fn first(complaints: &[Complaint]) -> String {
     if complaints.len() > 1 { format!("{first} (the first of {})", complaints.len()) } else { first }
 }
 
+fn nurbs_argument(error: &NurbsError) -> &'static str {
+    match error {
+        NurbsError::Degree { .. } => "--degree-to",
+        NurbsError::From { .. } => "--from",
+        NurbsError::To { .. } => "--to",
+    }
+}
+
+fn nurbs_advice(error: &NurbsFileError) -> &'static str {
+    match error {
+        NurbsFileError::Knots(..) => "move the knots nearer to 0, or stretch them; --as nurbs is exact",
+        NurbsFileError::Range { .. } => "weights become smaller with --standard-form; --as nurbs is exact",
+    }
+}
+
 fn list(items: &[impl ToString]) -> String {
     items.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")
 }
@@ -540,6 +561,8 @@ impl CliError {
             Self::Points { .. } | Self::NoPoint { .. } => Some("--points-file"),
             Self::OnlyIndices { option, .. } => Some(option),
             Self::TooHigh { .. } | Self::Quotients { .. } => Some("--degree"),
+            Self::Nurbs(error) => Some(nurbs_argument(error)),
+            Self::NurbsFile(_) => Some("--as"),
             Self::UnknownInstance { .. } | Self::Malformed { .. } => Some("--instance"),
             Self::SeveralIndices { .. } | Self::AllIndices | Self::SymbolicIndex => Some("--alpha"),
             Self::UnknownCommand { .. } => Some("COMMAND"),

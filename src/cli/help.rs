@@ -94,6 +94,21 @@ const TASKS: &[Task] = &[
         ],
     },
     Task {
+        task: "Take a curve to another program",
+        examples: &[
+            example(
+                "knotproof bezier --degree 2 --knots \"0 0 0 1 2 2 2\" --alpha 5 --points \"0,0 1,2 2,2 3,0\" --as nurbs",
+                "The curve as one NURBS curve, exactly.",
+                Exit::Holds,
+            ),
+            example(
+                "knotproof bezier --instance C5 --alpha -4 --as step --standard-form",
+                "A STEP file of it for CAD programs, with weights near 1; --as geomdl is for Python.",
+                Exit::Holds,
+            ),
+        ],
+    },
+    Task {
         task: "Check a claim",
         examples: &[
             example(

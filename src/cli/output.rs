@@ -281,6 +281,15 @@ impl Output {
         self.say(message, argument, None, &[]);
     }
 
+    /// Warns of something in a result that is a file, on standard error, for people; a JSON result has it itself.
+    pub(super) fn warning(&self, message: &str) {
+        if self.format == Format::Text {
+            let yellow = Style::new().bold().fg_color(Some(AnsiColor::Yellow.into()));
+            // Nobody is left to be told that standard error is closed.
+            let _ = writeln!(anstream::stderr(), "{yellow}warning:{yellow:#} {}", visible(message));
+        }
+    }
+
     /// Writes why a request was not carried out: for people with the lines of a text that the message points to.
     pub(super) fn refusal(&self, error: &CliError) {
         self.say(&error.to_string(), error.argument(), error.excerpt(), error.complaints());

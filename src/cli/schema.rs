@@ -71,6 +71,7 @@ enum Written {
 
 const EVAL: &str = "One object for one point. With --points-file JSON lines: the first has what all points share, each other is a point, in the order of the file. With --format text a file of points is answered as CSV, with the columns x, side, G_0, …, G_n (or the one function that was asked for), G_0^(d), …, G_n^(d) for each derivative d from 1, and with control points curve_0, … (the coordinates) and curve_0^(d), … likewise.";
 const FORMULA: &str = "Formulas; with --equals, whether those of a file are the functions.";
+const BEZIER: &str = "The curve as rational Bézier pieces; with --as joined to NURBS curves.";
 const SHAPE: &str = "Extrema; with --alpha all or --free-knot, how their number depends on the parameter.";
 const REPORT: &str = "All verdicts of a run, as in report.json; with --errata the errata from recorded verdicts, as in errata.json.";
 const SEARCH: &str =
@@ -123,7 +124,13 @@ impl Written {
                     titled("A comparison (--equals)", of::<formula::Comparison>(to)),
                 ],
             ),
-            Self::Bezier => ("The curve as rational Bézier pieces.", vec![of::<bezier::Conversion>(to)]),
+            Self::Bezier => (
+                BEZIER,
+                vec![
+                    titled("Pieces", of::<bezier::Conversion>(to)),
+                    titled("NURBS curves (--as)", of::<bezier::Joined>(to)),
+                ],
+            ),
             Self::Joins => (
                 "How smooth a curve is at its knots; with --all, all curves of a paper.",
                 vec![

@@ -1,4 +1,4 @@
-//! Floor 7: all claims judged, as data, as Markdown and against recorded verdicts.
+//! Floor 7: all claims judged, as data, as Markdown and against recorded verdicts; curves as files.
 
 mod baseline;
 mod conjecture;
@@ -8,6 +8,7 @@ mod errata;
 pub mod figures;
 mod heat;
 mod markdown;
+mod nurbs;
 mod opening;
 mod page;
 mod paper;
@@ -40,6 +41,7 @@ pub use errata::{Amendment, Errata, Erratum, ErratumWitness, errata_page};
 pub use figures::PictureError;
 pub use heat::heat_map;
 pub use markdown::{markdown, verdicts_page};
+pub use nurbs::{NurbsFile, NurbsFileError, nurbs_file};
 pub use opening::opening;
 pub use page::{PageError, PageSource, page};
 pub use picture::dependence_picture;
