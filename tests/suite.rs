@@ -42,7 +42,6 @@ mod formula_equals;
 mod formula_languages;
 mod golden;
 mod guide;
-mod interval;
 mod joins;
 mod language;
 mod language_errors;

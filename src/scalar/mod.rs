@@ -4,7 +4,6 @@
 //! |---|---|---|
 //! | [`BigRational`] | exact ordered field | the exact value at a point |
 //! | `f64` | field up to rounding | the value that a CAD program would get |
-//! | [`Interval`] | ring up to rounding | bounds of the exact value: a sign that is certain, or none |
 //! | [`Jet`] over any scalar | algebra | one-sided derivatives of any order |
 //! | [`BigInt`], [`Fixed`] | ring | numerators without a single division |
 //! | [`Polynomial`] | ring | identities in weights that are polynomials |
@@ -25,7 +24,6 @@ mod float;
 mod fraction;
 mod gcd;
 mod integer_polynomial;
-mod interval;
 mod jet;
 mod limbs;
 mod long;
@@ -51,7 +49,6 @@ pub use float::{exact_value, ulp};
 pub(crate) use fraction::over_one_denominator;
 pub(crate) use gcd::{gcd, lcm};
 pub(crate) use integer_polynomial::IntegerPolynomial;
-pub use interval::Interval;
 pub use jet::Jet;
 pub(crate) use limbs::Limbs;
 pub(crate) use long::{LinearDivisor, LongPolynomial};

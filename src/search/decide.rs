@@ -17,7 +17,7 @@ pub struct Count {
 /// What decided a case. Either is a proof.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Means {
-    /// Intervals with outward rounding.
+    /// Intervals around floats, of a proved relative error.
     Intervals,
     /// Exact arithmetic.
     Exact,
