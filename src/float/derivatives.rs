@@ -1,11 +1,13 @@
 //! One-sided derivatives of any order in floats.
 
+use super::accurate::InFrame;
 use super::basis::{FloatBasis, Ratio, length};
 use super::error::{FloatError, HIGHEST_DEGREE};
 use super::machine::Kernel;
-use super::pair::{Pair, Products};
-use super::point::{Column, InFrame};
+use super::pair::Pair;
+use super::point::Column;
 use super::real::Real;
+use super::vectors::{Split, Vectors};
 use crate::spline::{Side, Span};
 
 /// c_0, …, c_D of each function: entry e holds the coefficients of ε^e of all.
@@ -65,9 +67,9 @@ impl<F: Real> FloatBasis<F> {
         let rows = values.chunks_exact_mut(stride).zip(&jets).enumerate().skip(1);
         for (e, (row, coefficients)) in rows {
             // e!·unit^e, and nothing is rounded up to 18!.
-            factor = factor.times::<super::pair::Split>(Pair::of(small(e)));
+            factor = factor.times(Split, Pair::of(small(e))).normal(Split);
             for (value, coefficient) in row.iter_mut().zip(coefficients) {
-                let scaled = coefficient.times::<super::pair::Split>(factor).hi;
+                let scaled = coefficient.times(Split, factor).normal(Split).hi;
                 *value = F::nearest((0..e).fold(scaled, |scaled, _| scaled * unit));
             }
             self.blank(span, row);
@@ -99,29 +101,32 @@ impl<F: Real> Kernel for JetTriangle<'_, F> {
     /// w_{e+1} = −(p − q)/E₀·w_e: products and quotients, so nothing cancels in them. A product w·G then has the
     /// coefficients w_0 g_e + s_e with s_e = w_1 g_{e−1} − (p − q)/E₀·s_{e−1}, and (1 − w)·G has (1 − w_0) g_e − s_e.
     #[inline(always)]
-    fn run<M: Products>(self) -> Jets {
+    fn run<M: Vectors>(self, machine: M) -> Jets {
         let Self { ratio, x, knots, order } = self;
-        let degree = knots.len() / 2;
-        let terms = InFrame::new::<M, F>(ratio, x, knots);
+        let (m, degree) = (machine.single(), knots.len() / 2);
+        let times = |a: Pair, b: Pair| a.times(m, b).normal(m);
+        let over = |a: Pair, b: Pair| a.over(m, b).normal(m);
+        let knot = |i: usize| knots[i].widen();
+        let terms = InFrame::<_, { HIGHEST_DEGREE + 1 }>::new(m, ratio, degree, x.widen(), knot);
         let mut jets = [[Pair::ZERO; HIGHEST_DEGREE + 1]; HIGHEST_DEGREE + 1];
         jets[0][0] = Pair::ONE;
         for d in 1..=degree {
             let mut own = [Pair::ZERO; HIGHEST_DEGREE + 1];
             for c in 0..d {
-                let (rise, fall) = terms.terms(d, c);
-                let (w, complement) = Pair::shares::<M>(rise, fall);
-                let sum = rise.plus_like(fall);
-                let inverse = 1.0 / sum.hi;
-                let width = Pair::difference(knots[degree + c].widen(), knots[degree - d + c].widen());
-                let slope = width.times::<M>(Pair::of(ratio.p)).over::<M>(sum, inverse);
-                let slope = slope.times::<M>(ratio.q.over::<M>(sum, inverse));
-                let bend = Pair::of(-ratio.difference).over::<M>(sum, inverse);
+                let (rise, fall) = terms.parts(d, c);
+                let (rise, fall) = (rise.normal(m), fall.normal(m));
+                let sum = rise.plus_like(m, fall).normal(m);
+                let (w, complement) = (over(rise, sum), over(fall, sum));
+                let width = Pair::difference(m, knots[degree + c].widen(), knots[degree - d + c].widen());
+                let slope = over(times(width, Pair::of(ratio.p)), sum);
+                let slope = times(slope, over(ratio.q, sum));
+                let bend = over(Pair::of(-ratio.difference), sum);
                 let (mut previous, mut series) = (Pair::ZERO, Pair::ZERO);
                 for e in 0..=order {
                     let g = jets[e][c];
-                    series = slope.times::<M>(previous).plus(bend.times::<M>(series));
-                    jets[e][c] = own[e].plus(complement.times::<M>(g).plus(series.negate()));
-                    own[e] = w.times::<M>(g).plus(series);
+                    series = times(slope, previous).plus(m, times(bend, series));
+                    jets[e][c] = own[e].plus(m, times(complement, g).plus(m, series.negate()));
+                    own[e] = times(w, g).plus(m, series);
                     previous = g;
                 }
             }

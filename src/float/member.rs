@@ -2,10 +2,11 @@
 
 use std::collections::BTreeMap;
 
+use super::accurate::Terms;
 use super::basis::FloatBasis;
 use super::error::FloatError;
-use super::pair::{Pair, Products, Split};
-use super::point::Weights;
+use super::pair::Pair;
+use super::vectors::{Split, Vectors};
 use crate::meaning::Weighting;
 use crate::scalar::{BigRational, RationalAlgebra, Ring, exact_value};
 use crate::spline::{Basis, FormTable, Forms, Index, Span};
@@ -84,15 +85,12 @@ pub(super) struct MemberAt<'a> {
     pub(super) x: f64,
 }
 
-impl Weights for MemberAt<'_> {
-    fn shares<M: Products>(&self, d: usize, c: usize) -> (Pair, Pair) {
+impl Terms<f64> for MemberAt<'_> {
+    fn terms(&self, m: impl Vectors<Vector = f64>, d: usize, c: usize) -> [Pair; 3] {
         let Self { member, span, x } = *self;
         let (a, b) = member.ends(span, d, c);
-        let Some(forms) = member.forms(span, d, c) else { return (Pair::ZERO, Pair::ONE) };
-        let [rise, fall, over] =
-            forms.values(&Pair::difference(x, a), &Pair::difference(b, x), |coefficient| *coefficient);
-        let inverse = 1.0 / over.hi;
-        (rise.over::<M>(over, inverse), fall.over::<M>(over, inverse))
+        let Some(forms) = member.forms(span, d, c) else { return [Pair::ZERO, Pair::ONE, Pair::ONE] };
+        forms.values(&Pair::difference(m, x, a), &Pair::difference(m, b, x), |coefficient| *coefficient)
     }
 }
 
@@ -113,10 +111,10 @@ impl Ring for Pair {
         Self::ONE
     }
     fn plus(&self, rhs: &Self) -> Self {
-        Self::plus(*self, *rhs)
+        Self::plus(*self, Split, *rhs)
     }
     fn times(&self, rhs: &Self) -> Self {
-        Self::times::<Split>(*self, *rhs)
+        Self::times(*self, Split, *rhs).normal(Split)
     }
     fn negate(&self) -> Self {
         Self::negate(*self)

@@ -10,6 +10,7 @@ mod curve;
 mod derivatives;
 mod error;
 mod fast;
+mod lanes;
 mod machine;
 mod member;
 mod pair;
@@ -18,6 +19,7 @@ mod power;
 mod real;
 mod scaled;
 mod study;
+mod vectors;
 
 pub use basis::FloatBasis;
 pub use batch::Precision;

@@ -144,8 +144,7 @@ impl Exact {
 pub(super) fn estimate(formula: Method, case: &Probe) -> f64 {
     let exact = match &case.member {
         Some(member) => {
-            let weights = MemberAt { member, span: case.span, x: case.x };
-            point::by_weights(case.basis.degree(), &weights)
+            point::by_terms(case.basis.degree(), &MemberAt { member, span: case.span, x: case.x })
         }
         None => point::unrounded(&case.basis, case.span, case.x),
     };
