@@ -191,11 +191,11 @@ proptest! {
     }
 }
 
-/// Some degrees have code of their own, and all others share one.
+/// Some degrees have code of their own, and all others share one. Short numbers, so that exact values are found soon.
 #[test]
 fn every_degree_keeps_the_bound() {
-    for degree in 0..=HIGHEST_DEGREE {
-        let gaps = [0.7, 0.1, 1.9, 1e-3, 0.0, 2.0 / 3.0].into_iter().cycle();
+    for degree in (0..=9).chain([16, HIGHEST_DEGREE]) {
+        let gaps = [3.0, 1.0, 0.0, 7.0, 0.125, 2.0].into_iter().cycle();
         let knots: Vec<f64> = gaps
             .take(2 * degree + 4)
             .scan(-1.0, |t, gap| {
@@ -203,9 +203,9 @@ fn every_degree_keeps_the_bound() {
                 Some(*t)
             })
             .collect();
-        for alpha in [-0.3, 1e9] {
+        for alpha in [-0.3125, 3.0] {
             let basis = FloatBasis::new(knots.clone(), degree, alpha).unwrap();
-            for part in [0.0, 0.3, 0.5, 0.77] {
+            for part in [0.0, 0.3125, 0.75] {
                 let x = knots[degree] + part * (knots[degree + 3] - knots[degree]);
                 check(&basis, x, Side::Right);
             }

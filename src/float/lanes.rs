@@ -20,6 +20,7 @@ use super::vectors::Vectors;
 pub(super) const LANES: usize = 16;
 
 /// LANES points with what belongs to them.
+#[derive(Clone)]
 pub(super) struct Chunk<F> {
     /// How many there are: nobody looks at what comes of the other lanes.
     pub(super) count: usize,
@@ -228,6 +229,75 @@ impl<F: Real, const K: usize> Lanewise<F> for Fast<F, K> {
             let x = *x * unit;
             for (c, row) in rows.iter_mut().enumerate().take(K + 1) {
                 row[p] = lifted(row[p], c, K, x, |i| local[i]);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::FloatBasis;
+    use super::super::machine::{Kernel, Machine};
+    use super::*;
+
+    /// Both floats of every pair, before anything is rounded.
+    struct Unrounded<const C: usize> {
+        method: Accurate<C>,
+        chunk: Chunk<f64>,
+    }
+
+    impl<const C: usize> Kernel for Unrounded<C> {
+        type Output = Vec<[u64; LANES]>;
+
+        #[inline(always)]
+        fn run<M: Vectors>(self, m: M) -> Self::Output {
+            let mut bits = vec![[0; LANES]; 2 * C];
+            for first in (0..LANES).step_by(M::LANES) {
+                for (c, pair) in self.method.pairs(m, &self.chunk, first).into_iter().enumerate() {
+                    m.store(pair.hi, |l, hi| bits[2 * c][first + l] = hi.to_bits());
+                    m.store(pair.lo, |l, lo| bits[2 * c + 1][first + l] = lo.to_bits());
+                }
+            }
+            bits
+        }
+    }
+
+    fn same_pairs<const C: usize>(degree: usize, alpha: f64) {
+        let gaps = [0.7, 0.1, 1.9, 1e-3, 0.0, 2.0 / 3.0].into_iter().cycle().take(2 * degree + 2);
+        let knots: Vec<f64> = gaps
+            .scan(-1.0, |t, gap| {
+                *t += gap;
+                Some(*t)
+            })
+            .collect();
+        let (start, end) = (knots[degree], knots[degree + 1]);
+        if start < end {
+            let basis = FloatBasis::new(knots.clone(), degree, alpha).expect("a basis");
+            let frame = basis.frame.expect("gaps that are not far apart");
+            let part = |l: usize| f64::from(u32::try_from(l).expect("a lane")) / 15.3;
+            let mut chunk = Chunk::new();
+            chunk.x = from_fn(|l| (start + (end - start) * part(l)) * frame.unit);
+            for (place, t) in chunk.knots.iter_mut().zip(&knots[1..2 * degree + 1]) {
+                *place = [*t * frame.unit; LANES];
+            }
+            let mut results = Machine::all().into_iter().map(|machine| {
+                let method = Accurate::<C> { degree, ratio: basis.ratio };
+                machine.run(Unrounded { method, chunk: chunk.clone() })
+            });
+            let first = results.next();
+            assert!(results.all(|other| first.as_ref() == Some(&other)), "k = {degree}, α = {alpha:e}");
+        }
+    }
+
+    /// With vectors of any width, with products by fused multiply–add or by halves: not one bit of a pair differs.
+    #[test]
+    fn pairs_are_the_same_on_every_machine() {
+        for alpha in [-0.3, 1.7, f64::INFINITY, -1e-9, 1e16] {
+            same_pairs::<2>(1, alpha);
+            same_pairs::<4>(3, alpha);
+            same_pairs::<6>(5, alpha);
+            for degree in 6..=HIGHEST_DEGREE {
+                same_pairs::<{ HIGHEST_DEGREE + 1 }>(degree, alpha);
             }
         }
     }
