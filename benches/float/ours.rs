@@ -53,7 +53,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     })
 }
 
-/// The best of many runs.
+/// The best of many runs, short ones: on a busy machine a long one is always interrupted.
 fn rate<E>(name: &str, points: usize, mut run: impl FnMut() -> Result<(), E>) -> Result<(), E> {
     let repeat = (20_000 / points).max(1);
     let mut best = f64::INFINITY;
