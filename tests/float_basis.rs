@@ -8,7 +8,7 @@
     reason = "small numbers, and rounding that is asked for"
 )]
 
-use knotproof::float::{FAST_DEGREE, FloatBasis, FloatError, Precision, Real};
+use knotproof::float::{FAST_DEGREE, FloatBasis, FloatError, HIGHEST_DEGREE, Precision, Real};
 use knotproof::scalar::{BigRational, exact_value, integer, rational};
 use knotproof::spline::{Side, Span};
 use num_traits::{Float, Pow, Signed, Zero};
@@ -191,6 +191,28 @@ proptest! {
     }
 }
 
+/// Some degrees have code of their own, and all others share one. Short numbers, so that exact values are found soon.
+#[test]
+fn every_degree_keeps_the_bound() {
+    for degree in (0..=9).chain([16, HIGHEST_DEGREE]) {
+        let gaps = [3.0, 1.0, 0.0, 7.0, 0.125, 2.0].into_iter().cycle();
+        let knots: Vec<f64> = gaps
+            .take(2 * degree + 4)
+            .scan(-1.0, |t, gap| {
+                *t += gap;
+                Some(*t)
+            })
+            .collect();
+        for alpha in [-0.3125, 3.0] {
+            let basis = FloatBasis::new(knots.clone(), degree, alpha).unwrap();
+            for part in [0.0, 0.3125, 0.75] {
+                let x = knots[degree] + part * (knots[degree + 3] - knots[degree]);
+                check(&basis, x, Side::Right);
+            }
+        }
+    }
+}
+
 /// Many points at once give what single points give, in any order, past the ends and with functions that are missing.
 #[test]
 fn many_points_are_single_points() {
@@ -235,6 +257,22 @@ fn many_points_are_single_points() {
                     assert_same(&single, &values, precision, basis.degree(), &place);
                 }
             }
+        }
+    }
+}
+
+#[test]
+fn many_points_in_f32_are_single_points() {
+    for degree in 0..=6 {
+        let knots: Vec<f32> = (0..2 * degree + 9).map(|i| (i / 2) as f32 * 0.7).collect();
+        let basis = FloatBasis::new(knots, degree, -0.3_f32).unwrap();
+        let points: Vec<f32> = (0..45).map(|i| -0.3 + 0.11 * i as f32).collect();
+        let (mut spans, mut values) = (vec![None; 45], vec![f32::NAN; 45 * (degree + 1)]);
+        basis.values_at(&points, Precision::Accurate, &mut spans, &mut values).unwrap();
+        for (x, many) in points.iter().zip(values.chunks(degree + 1)) {
+            let mut single = vec![f32::NAN; degree + 1];
+            basis.values(*x, Side::Right, &mut single).unwrap();
+            assert_eq!(single, many, "k = {degree}, x = {x:e}");
         }
     }
 }

@@ -277,6 +277,24 @@ fn halfway_between_two_floats() {
     assert_eq!(point, [1.0]);
 }
 
+/// Coordinates next to the end of the range are divided by 2¹²⁸ on the way, where tiny ones vanish: not in the points, nor in the
+/// bounds.
+#[test]
+fn tiny_points_beside_huge_ones() {
+    let (tiny, huge) = (1.3 * 2.0_f64.powi(-950), 1.9 * 2.0_f64.powi(1023));
+    let basis = FloatBasis::new(vec![0.0, 0.0, 1.0, 2.0, 3.0, 3.0], 1, -1.0).unwrap();
+    let curve = FloatCurve::new(basis, 1, vec![tiny, tiny, huge, huge]).unwrap();
+    assert_eq!(curve.points(), [tiny, tiny, huge, huge]);
+    let (mut point, mut bound, mut nearest) = ([f64::NAN], [f64::NAN], [f64::NAN]);
+    for (x, expected) in [(0.5, tiny), (2.5, huge)] {
+        curve.point(x, Side::Right, &mut point).unwrap();
+        curve.error_bound(x, Side::Right, &mut bound).unwrap();
+        curve.nearest_point(x, Side::Right, &mut nearest).unwrap();
+        assert_eq!(nearest, [expected]);
+        assert!((point[0] - expected).abs() <= bound[0] && bound[0] <= huge * f64::EPSILON);
+    }
+}
+
 #[test]
 fn what_is_wrong_is_said() {
     let curve = parabola(f64::from);

@@ -145,7 +145,7 @@ proptest! {
         let at = |points| Curve::new(basis.exact(), points).unwrap().point(&exact_x, Side::Right);
         for ((value, exact), terms) in point.iter().zip(at(exact)).zip(at(absolute)) {
             let error = (exact_value(*value).unwrap() - &exact).abs();
-            prop_assert!(error <= exact.abs() * power(-53) + integer(k + 1) * power(-99) * terms);
+            prop_assert!(error <= exact.abs() * power(-53) + integer(k + 1) * power(-98) * terms);
         }
     }
 }

@@ -32,7 +32,11 @@ awk -F'  +' -v rows="$rows" '
         ratio("fast, scattered", "SciPy design_matrix")
         ratio("accurate, scattered", "SciPy design_matrix")
         ratio("fast curve, scattered", "SciPy BSpline.__call__")
+        ratio("fast curve, scattered, portable", "SciPy BSpline.__call__")
+        ratio("accurate, scattered", "SciPy BSpline.__call__")
+        ratio("accurate, scattered, portable", "SciPy BSpline.__call__")
         ratio("accurate curve, scattered", "SciPy BSpline.__call__")
+        ratio("accurate curve, scattered, portable", "SciPy BSpline.__call__")
         ratio("fast, one span", "plain triangle, one span")
         ratio("fast, one span, portable", "plain triangle, one span")
     }' "$folder/scipy" "$folder/ours"

@@ -5,7 +5,7 @@ import time
 import numpy as np
 from scipy.interpolate import BSpline
 
-folder, k, count = sys.argv[1], 3, 200_000
+folder, k, count = sys.argv[1], 3, 20_000
 t = np.array([0, 0, 0, 0, 1, 2, 3, 4, 5, 5, 5, 5], float)
 x = np.random.default_rng(0).uniform(0, 5, count)
 x.tofile(f"{folder}/points")
@@ -16,7 +16,7 @@ spline = BSpline(t, np.array([1, -2, 3, -4, 5, -6, 7, -8], float), k)
 
 def rate(name, run):
     best = float("inf")
-    for _ in range(15):
+    for _ in range(150):
         start = time.perf_counter()
         run()
         best = min(best, time.perf_counter() - start)

@@ -1,10 +1,12 @@
 //! The basis in floats: what is prepared once, and values at one point.
 
 use super::error::{FloatError, HIGHEST_DEGREE};
+use super::fast;
 use super::machine::Machine;
-use super::pair::{Pair, Split};
+use super::pair::Pair;
 use super::power::{exponent, power, shifted};
 use super::real::Real;
+use super::vectors::Split;
 use crate::scalar::{BigRational, RationalAlgebra, exact_value};
 use crate::spline::{Basis, Index, KnotVector, Side, Span};
 
@@ -55,7 +57,8 @@ pub struct FloatBasis<F> {
     pub(super) machine: Machine,
 }
 
-/// r = α/(α − 1) = p/q as a quotient that is never rounded: max(p, q) is in [1, 2].
+/// r = α/(α − 1) = p/q as a quotient that is never rounded: max(p, q) is in [2^RAISED, 2^(RAISED + 1)], so that no product with
+/// a difference gets next to underflow.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Ratio {
     pub(super) p: f64,
@@ -77,15 +80,17 @@ pub(super) struct Frame<F> {
     pub(super) fast: bool,
 }
 
+const RAISED: i32 = 300;
+
 impl Ratio {
     /// |α| and |α − 1|, scaled alike. α is in (−∞, 0) ∪ (1, ∞], or −∞.
     fn of(alpha: f64) -> Self {
         if alpha.is_infinite() {
-            return Self { p: 1.0, q: Pair::ONE, difference: 0.0 };
+            return Self { p: power(RAISED), q: Pair::of(power(RAISED)), difference: 0.0 };
         }
-        let q = Pair::difference(alpha, 1.0);
+        let q = Pair::difference(Split, alpha, 1.0);
         let (p, q, difference) = if alpha < 0.0 { (-alpha, q.negate(), -1.0) } else { (alpha, q, 1.0) };
-        let e = -exponent(p.max(q.hi));
+        let e = RAISED - exponent(p.max(q.hi));
         let q = Pair { hi: shifted(q.hi, e), lo: shifted(q.lo, e) };
         Self { p: shifted(p, e), q, difference: shifted(difference, e) }
     }
@@ -260,13 +265,19 @@ impl<F: Real> Frame<F> {
         &self.knots[span.index() + 1..=span.index() + 2 * degree]
     }
 
-    /// The unit in which min(p, q)·(t_{j+1} − t_j) ≥ 1 for every span, if all knots are below 2^LARGEST in it.
+    /// So far from the ends of a span, no value of the fast path comes out as 0.
+    pub(super) fn margin(&self) -> F {
+        let two = F::one() + F::one();
+        two * fast::least_distance::<F>() / (self.unit * self.ratio.min(F::one()))
+    }
+
+    /// The unit in which min(p, q)·(t_{j+1} − t_j) ≥ 2^RAISED for every span, if all knots are below 2^LARGEST in it.
     fn of(padded: &[F], degree: usize, ratio: Ratio) -> Option<Self> {
         let gaps = padded.windows(2).map(|pair| pair[1] - pair[0]).filter(|gap| *gap > F::zero());
         let least = gaps.fold(F::infinity(), F::min);
         let width = padded[padded.len() - 1] - padded[0];
         let largest = padded[padded.len() - 1].abs().max(padded[0].abs());
-        let steepest = exponent(ratio.p.min(ratio.q.hi));
+        let steepest = exponent(ratio.p.min(ratio.q.hi)) - RAISED;
         if !width.is_finite() || steepest < -LARGEST {
             return None;
         }
@@ -276,7 +287,7 @@ impl<F: Real> Frame<F> {
             return None;
         }
         // p/q, to the last bit or so: q.lo is far below that.
-        let exact = Pair::of(ratio.p).over::<Split>(ratio.q, 1.0 / ratio.q.hi);
+        let exact = Pair::of(ratio.p).over(Split, ratio.q).normal(Split);
         let r = F::nearest(exact.hi);
         // No sum rise + fall of the fast path is larger, and it takes a product of so many of them.
         let sum = exponent(width.widen()) + 2 + unit + exponent(exact.hi).max(0) + 1;

@@ -1,12 +1,14 @@
 //! Curves in floats.
 
+use super::accurate::combination;
 use super::basis::{FloatBasis, length};
-use super::batch::Precision;
-use super::error::{FloatError, HIGHEST_DEGREE};
+use super::batch::{Coordinates, Precision};
+use super::error::FloatError;
 use super::pair::Pair;
-use super::point::de_boor;
+use super::point::{Column, unrounded};
 use super::power::power;
 use super::real::Real;
+use super::vectors::Split;
 use crate::spline::{Side, Span};
 
 /// A curve G_α = Σ d_i G_i^k in floats (D3.4), in any number of coordinates.
@@ -26,10 +28,13 @@ use crate::spline::{Side, Span};
 pub struct FloatCurve<F> {
     pub(super) basis: FloatBasis<F>,
     pub(super) dimension: usize,
-    /// The coordinates of d_0, then those of d_1, …
-    pub(super) points: Vec<F>,
+    /// The coordinates of d_{−k}, …, d_{n+k}, one point after the other. Those that there are not are 0: so every span has k + 1 of
+    /// them.
+    padded: Vec<F>,
+    /// The same divided by the unit, unless that is 1: a tiny coordinate can underflow in it.
+    divided: Option<Vec<F>>,
     /// A power of two that brings the points into the range where products are safe.
-    pub(super) scale: f64,
+    pub(super) unit: F,
 }
 
 impl<F: Real> FloatCurve<F> {
@@ -44,8 +49,11 @@ impl<F: Real> FloatCurve<F> {
             return Err(FloatError::Coordinate { position, coordinate, value: points[at].widen() });
         }
         let largest = points.iter().fold(F::zero(), |largest, c| largest.max(c.abs()));
-        let scale = if largest.widen() > power(900) { power(-128) } else { 1.0 };
-        Ok(Self { basis, dimension, points, scale })
+        let unit = F::nearest(if largest.widen() > power(900) { power(128) } else { 1.0 });
+        let missing = std::iter::repeat_n(F::zero(), basis.degree() * dimension);
+        let padded: Vec<F> = missing.clone().chain(points).chain(missing).collect();
+        let divided = (unit > F::one()).then(|| padded.iter().map(|d| *d / unit).collect());
+        Ok(Self { basis, dimension, padded, divided, unit })
     }
 
     /// The basis.
@@ -63,13 +71,36 @@ impl<F: Real> FloatCurve<F> {
     /// The coordinates of d_0, then those of d_1, …
     #[must_use]
     pub fn points(&self) -> &[F] {
-        &self.points
+        let missing = self.basis.degree() * self.dimension;
+        &self.padded[missing..self.padded.len() - missing]
     }
 
-    /// The point of the curve at x, as a limit from the given side, by de Boor's algorithm. `None`, and zeros, outside
-    /// [t_0, t_m].
+    /// The coordinates of d_{−k}, …, d_{n+k} divided by the unit, those that there are not being 0: d_{j−k} is at j.
+    fn controls(&self) -> &[F] {
+        self.divided.as_ref().unwrap_or(&self.padded)
+    }
+
+    /// A coordinate of d_{j−k+c}, divided by the unit, and 0 if there is no such point.
+    pub(super) fn control(&self, span: Span, c: usize, coordinate: usize) -> f64 {
+        self.controls()[(span.index() + c) * self.dimension + coordinate].widen()
+    }
+
+    /// A coordinate divided by the unit, before it is rounded, from the values on the span: a pair that is not normal. The control
+    /// values are replaced by their images.
+    pub(super) fn unrounded(
+        &self,
+        span: Span,
+        values: &Column,
+        coordinate: usize,
+        image: impl Fn(f64) -> f64,
+    ) -> Pair {
+        let control = |c| image(self.control(span, c, coordinate));
+        combination(Split, self.basis.degree(), values, control)
+    }
+
+    /// The point of the curve at x, as a limit from the given side. `None`, and zeros, outside [t_0, t_m].
     ///
-    /// Each coordinate has an error of at most u|v| + (k + 1)·2⁻⁹⁹·Σ|d_i|G_i, barring underflow: it is rounded once, unless
+    /// Each coordinate has an error of at most u|v| + (k + 1)·2⁻⁹⁸·Σ|d_i|G_i, barring underflow: it is rounded once, unless
     /// nearly all of the control points cancel.
     ///
     /// # Errors
@@ -80,22 +111,10 @@ impl<F: Real> FloatCurve<F> {
             point.fill(F::zero());
             return Ok(None);
         };
-        // A few coordinates at a time: their place is fixed, so nothing is allocated.
-        const AT_ONCE: usize = 4;
-        let degree = self.basis.degree();
-        for (group, place) in point.chunks_mut(AT_ONCE).enumerate() {
-            let mut columns = [[Pair::ZERO; HIGHEST_DEGREE + 1]; AT_ONCE];
-            for c in self.basis.existing(span) {
-                let i = span.index() + c - degree;
-                let coordinates = &self.points[i * self.dimension + group * AT_ONCE..];
-                for (column, coordinate) in columns.iter_mut().zip(coordinates).take(place.len()) {
-                    column[c] = Pair::of(coordinate.widen() * self.scale);
-                }
-            }
-            de_boor(&self.basis, span, x, &mut columns[..place.len()]);
-            for (value, column) in place.iter_mut().zip(&columns) {
-                *value = F::nearest(column[0].hi / self.scale);
-            }
+        let values = unrounded(&self.basis, span, x);
+        for (coordinate, place) in point.iter_mut().enumerate() {
+            let sum = self.unrounded(span, &values, coordinate, |d| d);
+            *place = F::nearest(sum.hi + sum.lo) * self.unit;
         }
         Ok(Some(span))
     }
@@ -115,38 +134,18 @@ impl<F: Real> FloatCurve<F> {
         if self.dimension == 0 {
             return Ok(());
         }
-        if precision == Precision::Accurate {
+        let Some(frame) = &self.basis.frame else {
             for (x, point) in xs.iter().zip(points.chunks_exact_mut(self.dimension)) {
                 self.point(*x, Side::Right, point)?;
             }
             return Ok(());
+        };
+        if let Some(x) = xs.iter().find(|x| !x.is_finite()) {
+            return Err(FloatError::Point(x.widen()));
         }
-        const BLOCK: usize = 256;
-        let (degree, stride) = (self.basis.degree(), self.basis.degree() + 1);
-        let (mut spans, mut values) = ([None; BLOCK], [F::zero(); BLOCK * (HIGHEST_DEGREE + 1)]);
-        for (xs, points) in xs.chunks(BLOCK).zip(points.chunks_mut(BLOCK * self.dimension)) {
-            let (spans, values) = (&mut spans[..xs.len()], &mut values[..xs.len() * stride]);
-            self.basis.values_at(xs, precision, spans, values)?;
-            let columns = spans.iter().zip(values.chunks_exact(stride));
-            for ((span, values), point) in columns.zip(points.chunks_exact_mut(self.dimension)) {
-                let Some(span) = span else {
-                    point.fill(F::zero());
-                    continue;
-                };
-                let existing = self.basis.existing(*span);
-                let first = (span.index() + existing.start - degree) * self.dimension;
-                let values = &values[existing];
-                let controls = &self.points[first..first + values.len() * self.dimension];
-                for (coordinate, place) in point.iter_mut().enumerate() {
-                    let mut at = coordinate;
-                    *place = values.iter().fold(F::zero(), |sum, value| {
-                        let d = controls[at];
-                        at += self.dimension;
-                        sum + *value * d
-                    });
-                }
-            }
-        }
+        let Self { dimension, unit, .. } = *self;
+        let into = Coordinates { dimension, controls: self.controls(), unit, points };
+        self.basis.scattered(frame, xs, precision, into);
         Ok(())
     }
 }

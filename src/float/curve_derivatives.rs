@@ -2,13 +2,13 @@
 
 use super::basis::{Ratio, length};
 use super::curve::FloatCurve;
-use super::derivatives::{Jets, WeightJet, small};
+use super::derivatives::{JetFrame, Jets, WeightJet, small};
 use super::error::{FloatError, HIGHEST_DEGREE};
 use super::machine::Kernel;
-use super::pair::{Pair, Products, Split};
-use super::point::InFrame;
+use super::pair::Pair;
 use super::power::{exponent, shifted};
 use super::real::Real;
+use super::vectors::{Split, Vectors};
 use crate::spline::{Side, Span};
 
 /// The Taylor coefficients of orders 1 and 2, times 2^−e, and e.
@@ -66,9 +66,9 @@ impl<F: Real> FloatCurve<F> {
             let mut factor = Pair::ONE;
             for e in 1..=order {
                 // e!·unit^e, and nothing is rounded up to 18!.
-                factor = factor.times::<Split>(Pair::of(small(e)));
-                let scaled = jets[e][0].times::<Split>(factor).hi;
-                let value = F::nearest((0..e).fold(scaled, |scaled, _| scaled * unit) / self.scale);
+                factor = times(factor, Pair::of(small(e)));
+                let scaled = times(jets[e][0], factor).hi;
+                let value = F::nearest((0..e).fold(scaled, |scaled, _| scaled * unit) * self.unit.widen());
                 if !value.is_finite() {
                     return Err(FloatError::Derivative(e));
                 }
@@ -96,7 +96,7 @@ impl<F: Real> FloatCurve<F> {
         }
         // In the unit of the frame, and of the points.
         let unit = self.basis.frame.as_ref().map_or(1.0, |frame| frame.unit.widen());
-        let speed = F::nearest(shifted(speed, e) * unit / self.scale);
+        let speed = F::nearest(shifted(speed, e) * unit * self.unit.widen());
         if speed.is_finite() { Ok(Some(speed)) } else { Err(FloatError::Derivative(1)) }
     }
 
@@ -110,19 +110,18 @@ impl<F: Real> FloatCurve<F> {
     /// Those of [`Self::derivatives`], for the order 2; [`FloatError::Derivative`] for a curvature beyond the range.
     pub fn curvature(&self, x: F, side: Side) -> Result<Option<F>, FloatError> {
         let Some(([velocity, half], e)) = self.scaled_derivatives(x, side, 2)? else { return Ok(None) };
-        let times = |a: &Pair, b: &Pair| a.times::<Split>(*b);
         let (square, speed) = (dot(&velocity, &velocity), norm(&velocity));
         let bend = match (&velocity[..], &half[..]) {
-            ([a, b], [c, d]) => times(a, d).plus(times(b, c).negate()).hi / square.hi,
+            ([a, b], [c, d]) => times(*a, *d).plus(Split, times(*b, *c).negate()).hi / square.hi,
             _ => {
-                let along = dot(&velocity, &half).over::<Split>(square, 1.0 / square.hi);
-                let across: Vec<_> =
-                    half.iter().zip(&velocity).map(|(a, v)| a.plus(times(&along, v).negate())).collect();
+                let along = dot(&velocity, &half).over(Split, square).normal(Split);
+                let across = |(a, v): (&Pair, &Pair)| a.plus(Split, times(along, *v).negate());
+                let across: Vec<_> = half.iter().zip(&velocity).map(across).collect();
                 norm(&across) / speed
             }
         };
         // c″ is twice the coefficient; both are in units of 2^e.
-        let curvature = F::nearest(shifted(2.0 * bend / speed, -e) * self.scale);
+        let curvature = F::nearest(shifted(2.0 * bend / speed, -e) / self.unit.widen());
         if curvature.is_finite() { Ok(Some(curvature)) } else { Err(FloatError::Derivative(2)) }
     }
 
@@ -150,15 +149,14 @@ impl<F: Real> FloatCurve<F> {
         Ok(Some(([velocity, half], e)))
     }
 
-    /// The Taylor coefficients of a coordinate at x of the closed span, in the unit of the frame and times the scale of the
+    /// The Taylor coefficients of a coordinate at x of the closed span, in the unit of the frame and divided by that of the
     /// points: those of order e are entry (e, 0). `None` without a frame.
     fn jets(&self, span: Span, x: F, coordinate: usize, order: usize) -> Option<Jets> {
         let frame = self.basis.frame.as_ref()?;
         let degree = self.basis.degree();
         let mut jets = [[Pair::ZERO; HIGHEST_DEGREE + 1]; HIGHEST_DEGREE + 1];
         for c in self.basis.existing(span) {
-            let i = span.index() + c - degree;
-            jets[0][c] = Pair::of(self.points[i * self.dimension + coordinate].widen() * self.scale);
+            jets[0][c] = Pair::of(self.control(span, c, coordinate));
         }
         let knots = frame.local(span, degree);
         self.basis.machine.run(JetDeBoor {
@@ -172,9 +170,14 @@ impl<F: Real> FloatCurve<F> {
     }
 }
 
+/// The product as a normal pair.
+fn times(a: Pair, b: Pair) -> Pair {
+    a.times(Split, b).normal(Split)
+}
+
 /// a·b, by pairs.
 fn dot(a: &[Pair], b: &[Pair]) -> Pair {
-    a.iter().zip(b).fold(Pair::ZERO, |sum, (a, b)| sum.plus(a.times::<Split>(*b)))
+    a.iter().zip(b).fold(Pair::ZERO, |sum, (a, b)| sum.plus(Split, times(*a, *b)))
 }
 
 /// |a|.
@@ -196,17 +199,18 @@ impl<F: Real> Kernel for JetDeBoor<'_, F> {
 
     /// As left + w(own − left): derivatives depend on differences only, and those of equal points are 0.
     #[inline(always)]
-    fn run<M: Products>(self) {
+    fn run<M: Vectors>(self, machine: M) {
         let Self { ratio, x, knots, order, jets } = self;
-        let terms = InFrame::new::<M, F>(ratio, x, knots);
-        for d in (1..=knots.len() / 2).rev() {
+        let (m, degree) = (machine.single(), knots.len() / 2);
+        let terms = JetFrame::new(m, ratio, degree, x.widen(), |i| knots[i].widen());
+        for d in (1..=degree).rev() {
             for c in 0..d {
-                let weight = WeightJet::new::<M, F>(&terms, ratio, knots, d, c);
+                let weight = WeightJet::new(m, &terms, ratio, knots, d, c);
                 let (mut previous, mut series) = (Pair::ZERO, Pair::ZERO);
                 for row in jets.iter_mut().take(order + 1) {
-                    let difference = row[c + 1].plus(row[c].negate());
-                    series = weight.series::<M>(previous, series);
-                    row[c] = row[c].plus(weight.w.times::<M>(difference).plus(series));
+                    let difference = row[c + 1].plus(m, row[c].negate());
+                    series = weight.series(m, previous, series);
+                    row[c] = row[c].plus(m, weight.w.times(m, difference).normal(m).plus(m, series));
                     previous = difference;
                 }
             }

@@ -1,15 +1,20 @@
 //! One-sided derivatives of any order in floats.
 
+use super::accurate::InFrame;
 use super::basis::{FloatBasis, Ratio, length};
 use super::error::{FloatError, HIGHEST_DEGREE};
 use super::machine::Kernel;
-use super::pair::{Pair, Products};
-use super::point::{Column, InFrame};
+use super::pair::Pair;
+use super::point::Column;
 use super::real::Real;
+use super::vectors::{Split, Vectors};
 use crate::spline::{Side, Span};
 
 /// c_0, …, c_D of each function: entry e holds the coefficients of ε^e of all.
 pub(super) type Jets = [Column; HIGHEST_DEGREE + 1];
+
+/// What the weights at x are made of, in any degree.
+pub(super) type JetFrame = InFrame<f64, { HIGHEST_DEGREE + 1 }>;
 
 impl<F: Real> FloatBasis<F> {
     /// The functions that live on the span at x and their derivatives up to an order of at most
@@ -65,9 +70,9 @@ impl<F: Real> FloatBasis<F> {
         let rows = values.chunks_exact_mut(stride).zip(&jets).enumerate().skip(1);
         for (e, (row, coefficients)) in rows {
             // e!·unit^e, and nothing is rounded up to 18!.
-            factor = factor.times::<super::pair::Split>(Pair::of(small(e)));
+            factor = factor.times(Split, Pair::of(small(e))).normal(Split);
             for (value, coefficient) in row.iter_mut().zip(coefficients) {
-                let scaled = coefficient.times::<super::pair::Split>(factor).hi;
+                let scaled = coefficient.times(Split, factor).normal(Split).hi;
                 *value = F::nearest((0..e).fold(scaled, |scaled, _| scaled * unit));
             }
             self.blank(span, row);
@@ -99,29 +104,29 @@ pub(super) struct WeightJet {
 impl WeightJet {
     /// The weight at place c of level d, with the 2k local knots in the unit of a frame.
     #[inline(always)]
-    pub(super) fn new<M: Products, F: Real>(
-        terms: &InFrame,
+    pub(super) fn new<F: Real>(
+        m: impl Vectors<Vector = f64>,
+        terms: &JetFrame,
         ratio: Ratio,
         knots: &[F],
         d: usize,
         c: usize,
     ) -> Self {
         let degree = knots.len() / 2;
-        let (rise, fall) = terms.terms(d, c);
-        let (w, complement) = Pair::shares::<M>(rise, fall);
-        let sum = rise.plus_like(fall);
-        let inverse = 1.0 / sum.hi;
-        let width = Pair::difference(knots[degree + c].widen(), knots[degree - d + c].widen());
-        let slope = width.times::<M>(Pair::of(ratio.p)).over::<M>(sum, inverse);
-        let slope = slope.times::<M>(ratio.q.over::<M>(sum, inverse));
-        let bend = Pair::of(-ratio.difference).over::<M>(sum, inverse);
-        Self { w, complement, slope, bend }
+        let over = |a: Pair, b: Pair| a.over(m, b).normal(m);
+        let (rise, fall) = terms.parts(d, c);
+        let (rise, fall) = (rise.normal(m), fall.normal(m));
+        let sum = rise.plus_like(m, fall).normal(m);
+        let width = Pair::difference(m, knots[degree + c].widen(), knots[degree - d + c].widen());
+        let slope = over(width.by(m, ratio.p).normal(m), sum).times(m, over(ratio.q, sum)).normal(m);
+        let bend = over(Pair::of(-ratio.difference), sum);
+        Self { w: over(rise, sum), complement: over(fall, sum), slope, bend }
     }
 
     /// s_e = w_1 g_{e−1} + … + w_e g_0 = w_1 g_{e−1} − (p − q)/E₀·s_{e−1}: the coefficient of w·G but for w_0 g_e.
     #[inline(always)]
-    pub(super) fn series<M: Products>(&self, previous: Pair, series: Pair) -> Pair {
-        self.slope.times::<M>(previous).plus(self.bend.times::<M>(series))
+    pub(super) fn series(&self, m: impl Vectors<Vector = f64>, previous: Pair, series: Pair) -> Pair {
+        self.slope.times(m, previous).normal(m).plus(m, self.bend.times(m, series).normal(m))
     }
 }
 
@@ -138,22 +143,23 @@ impl<F: Real> Kernel for JetTriangle<'_, F> {
 
     /// A product w·G has the coefficients w_0 g_e + s_e, and (1 − w)·G has (1 − w_0) g_e − s_e.
     #[inline(always)]
-    fn run<M: Products>(self) -> Jets {
+    fn run<M: Vectors>(self, machine: M) -> Jets {
         let Self { ratio, x, knots, order } = self;
-        let degree = knots.len() / 2;
-        let terms = InFrame::new::<M, F>(ratio, x, knots);
+        let (m, degree) = (machine.single(), knots.len() / 2);
+        let terms = JetFrame::new(m, ratio, degree, x.widen(), |i| knots[i].widen());
         let mut jets = [[Pair::ZERO; HIGHEST_DEGREE + 1]; HIGHEST_DEGREE + 1];
         jets[0][0] = Pair::ONE;
         for d in 1..=degree {
             let mut own = [Pair::ZERO; HIGHEST_DEGREE + 1];
             for c in 0..d {
-                let weight = WeightJet::new::<M, F>(&terms, ratio, knots, d, c);
+                let weight = WeightJet::new(m, &terms, ratio, knots, d, c);
                 let (mut previous, mut series) = (Pair::ZERO, Pair::ZERO);
                 for (row, own) in jets.iter_mut().zip(&mut own).take(order + 1) {
                     let g = row[c];
-                    series = weight.series::<M>(previous, series);
-                    row[c] = own.plus(weight.complement.times::<M>(g).plus(series.negate()));
-                    *own = weight.w.times::<M>(g).plus(series);
+                    series = weight.series(m, previous, series);
+                    let stays = weight.complement.times(m, g).normal(m).plus(m, series.negate());
+                    row[c] = own.plus(m, stays);
+                    *own = weight.w.times(m, g).normal(m).plus(m, series);
                     previous = g;
                 }
             }

@@ -5,9 +5,9 @@ use num_traits::Signed;
 use super::basis::{FloatBasis, length};
 use super::curve::FloatCurve;
 use super::derivatives::small;
-use super::error::{FloatError, HIGHEST_DEGREE};
+use super::error::FloatError;
 use super::pair::Pair;
-use super::point::de_boor;
+use super::point::{Column, unrounded};
 use super::power::power;
 use super::real::Real;
 use crate::scalar::{BigRational, RationalAlgebra, exact_value};
@@ -29,13 +29,13 @@ impl<F: Real> FloatCurve<F> {
     /// [`CurveError::Dimension`] unless it is one in 1 to 3 coordinates.
     pub fn exact(&self) -> Result<Curve, CurveError> {
         let point =
-            |i: usize| self.points[i * self.dimension..][..self.dimension].iter().map(exact).collect();
+            |i: usize| self.points()[i * self.dimension..][..self.dimension].iter().map(exact).collect();
         Curve::new(self.basis.exact(), (0..=self.basis.n()).map(point).collect())
     }
 
     /// Bounds of the errors of [`Self::point`] at the same place, one for each coordinate:
     ///
-    /// u|v̂| + (k + 1)·2⁻⁹⁹·Σ|d_i|G_i, and a little more for what is rounded here and for underflow.
+    /// u|v̂| + (k + 1)·2⁻⁹⁸·Σ|d_i|G_i, and a little more for what is rounded here and for underflow.
     ///
     /// Zeros outside of [t_0, t_m], where the points are.
     ///
@@ -44,9 +44,10 @@ impl<F: Real> FloatCurve<F> {
     pub fn error_bound(&self, x: F, side: Side, bound: &mut [F]) -> Result<Option<Span>, FloatError> {
         let span = self.point(x, side, bound)?;
         let Some(at) = span else { return Ok(None) };
+        let values = unrounded(&self.basis, at, x);
         for (coordinate, place) in bound.iter_mut().enumerate() {
             let unit = F::epsilon().widen() / 2.0;
-            let far = self.terms(at, x, coordinate);
+            let far = self.terms(at, &values, coordinate);
             let sum = place.widen().abs() * unit + far;
             // Rounded up, whichever way the sum and the conversion have been.
             *place = F::nearest(sum * (1.0 + 4.0 * unit)) + F::LEAST;
@@ -66,11 +67,11 @@ impl<F: Real> FloatCurve<F> {
             point.fill(F::zero());
             return Ok(None);
         };
-        let mut basis = None;
+        let (values, mut basis) = (unrounded(&self.basis, span, x), None);
         for (coordinate, place) in point.iter_mut().enumerate() {
-            let (pair, margin) = (self.pair(span, x, coordinate, |d| d), self.terms(span, x, coordinate));
-            *place = match settled(pair, margin * self.scale) {
-                Some(value) if self.scale >= 1.0 => value,
+            let pair = self.unrounded(span, &values, coordinate, |d| d);
+            *place = match settled(pair, self.terms(span, &values, coordinate)) {
+                Some(value) if self.unit == F::one() => value,
                 _ => {
                     let basis = basis.get_or_insert_with(|| self.basis.exact());
                     rounded(&self.exact_coordinate(basis, span, x, coordinate))
@@ -84,36 +85,21 @@ impl<F: Real> FloatCurve<F> {
     fn exact_coordinate(&self, basis: &Basis, span: Span, x: F, coordinate: usize) -> BigRational {
         let own = basis.knots().span(span.index());
         let active = own.and_then(|own| basis.active(own, &exact(&x)).ok());
-        let term = |(i, g): (usize, &BigRational)| g * exact(&self.points[i * self.dimension + coordinate]);
+        let term = |(i, g): (usize, &BigRational)| g * exact(&self.points()[i * self.dimension + coordinate]);
         active.iter().flat_map(|active| active.iter()).map(term).sum()
     }
 
-    /// How far the pair is from the exact value at most: (k + 1)·2⁻⁹⁸·Σ|d_i|G_i, twice what is proved, which covers the rounding
-    /// here; and what may underflow. 0 if all control points are 0.
-    fn terms(&self, span: Span, x: F, coordinate: usize) -> f64 {
-        let sum = self.pair(span, x, coordinate, f64::abs).hi / self.scale;
-        let of_span = self.basis.existing(span).map(|c| self.control(span, c, coordinate).abs());
-        let largest = of_span.fold(0.0, f64::max);
+    /// How far a coordinate is from the exact value at most before it is rounded: (k + 1)·2⁻⁹⁷·Σ|d_i|G_i, twice what is proved, which
+    /// covers the rounding here; and what may underflow. 0 if all control points are 0.
+    fn terms(&self, span: Span, values: &Column, coordinate: usize) -> f64 {
+        let point = |c: usize| span.index() + c - self.basis.degree();
+        let control = |c: usize| self.points()[point(c) * self.dimension + coordinate].abs();
+        let largest = self.basis.existing(span).map(control).fold(F::zero(), F::max).widen();
         if largest == 0.0 {
             return 0.0;
         }
-        small(self.basis.degree() + 1) * power(-98) * sum + power(-1020) * (1.0 + largest)
-    }
-
-    /// The coordinate of the control point at place c.
-    fn control(&self, span: Span, c: usize, coordinate: usize) -> f64 {
-        let i = span.index() + c - self.basis.degree();
-        self.points[i * self.dimension + coordinate].widen()
-    }
-
-    /// A coordinate by de Boor's algorithm before it is rounded, times the scale, for the images of the control points.
-    fn pair(&self, span: Span, x: F, coordinate: usize, image: impl Fn(f64) -> f64) -> Pair {
-        let mut columns = [[Pair::ZERO; HIGHEST_DEGREE + 1]];
-        for c in self.basis.existing(span) {
-            columns[0][c] = Pair::of(image(self.control(span, c, coordinate)) * self.scale);
-        }
-        de_boor(&self.basis, span, x, &mut columns);
-        columns[0][0]
+        let (sum, unit) = (self.unrounded(span, values, coordinate, f64::abs).hi, self.unit.widen());
+        small(self.basis.degree() + 1) * power(-97) * sum * unit + power(-1020) * (unit + largest)
     }
 }
 

@@ -13,12 +13,14 @@ mod error;
 mod exact_curve;
 mod fast;
 mod hexadecimal;
+mod lanes;
 mod machine;
 pub(crate) mod pair;
 pub(crate) mod point;
 pub(crate) mod power;
 mod real;
 mod scaled;
+pub(crate) mod vectors;
 
 pub use basis::FloatBasis;
 pub use batch::Precision;

@@ -1,49 +1,16 @@
 //! Pairs of floats that stand for their unevaluated sum: about 106 bits, from additions and multiplications alone.
 //!
-//! The algorithms and their bounds: Joldes, Muller and Popescu, "Tight and rigorous error bounds for basic building
-//! blocks of double-word arithmetic" (2017). With u = 2⁻⁵³, each operation here has a relative error of at most 10u²,
-//! [`Pair::shares`] of at most 40u², barring underflow.
+//! The algorithms: Joldes, Muller and Popescu, "Tight and rigorous error bounds for basic building blocks of double-word
+//! arithmetic" (2017), without the last step of each, which [`Pair::normal`] is. So sums, products and quotients can be
+//! chained and made normal once. `docs/float.md` has the bounds.
 
-/// How the exact product of two floats is found. Both ways give the same two floats, so the results of this
-/// module do not depend on the machine.
-pub(crate) trait Products {
-    /// (p, e) with p the rounded product and p + e the product itself.
-    fn two_product(a: f64, b: f64) -> (f64, f64);
-}
+use super::vectors::Vectors;
 
-/// By fused multiply–add, where the machine has one.
-pub(crate) struct Fused;
-
-/// By Dekker's splitting (1971), on any machine; for |a|, |b| < 2^996.
-pub(crate) struct Split;
-
-impl Products for Fused {
-    #[inline(always)]
-    fn two_product(a: f64, b: f64) -> (f64, f64) {
-        let p = a * b;
-        (p, a.mul_add(b, -p))
-    }
-}
-
-impl Products for Split {
-    #[inline(always)]
-    fn two_product(a: f64, b: f64) -> (f64, f64) {
-        let split = |x: f64| {
-            let high = 134_217_729.0 * x;
-            let high = high - (high - x);
-            (high, x - high)
-        };
-        let ((a1, a2), (b1, b2)) = (split(a), split(b));
-        let p = a * b;
-        (p, ((a1 * b1 - p) + a1 * b2 + a2 * b1) + a2 * b2)
-    }
-}
-
-/// hi + lo with hi the float nearest to the sum.
+/// hi + lo. It is *normal* where hi is the float nearest to the sum; else |lo| is at most a few units in the last place of hi.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Pair {
-    pub(crate) hi: f64,
-    pub(crate) lo: f64,
+pub(crate) struct Pair<V = f64> {
+    pub(crate) hi: V,
+    pub(crate) lo: V,
 }
 
 impl Pair {
@@ -55,70 +22,80 @@ impl Pair {
         Self { hi: value, lo: 0.0 }
     }
 
-    /// a + b, exactly (Knuth's two-sum).
-    #[inline(always)]
-    pub(crate) fn sum(a: f64, b: f64) -> Self {
-        let hi = a + b;
-        let b_part = hi - a;
-        Self { hi, lo: (a - (hi - b_part)) + (b - b_part) }
-    }
-
-    /// a − b, exactly.
-    #[inline(always)]
-    pub(crate) fn difference(a: f64, b: f64) -> Self {
-        Self::sum(a, -b)
-    }
-
-    /// a + b, exactly, where b is not larger than a.
-    #[inline(always)]
-    fn ordered_sum(a: f64, b: f64) -> Self {
-        let hi = a + b;
-        Self { hi, lo: b - (hi - a) }
-    }
-
-    /// The sum of two pairs of one sign: at most 3u² off.
-    #[inline(always)]
-    pub(crate) fn plus_like(self, rhs: Self) -> Self {
-        let high = Self::sum(self.hi, rhs.hi);
-        Self::ordered_sum(high.hi, high.lo + (self.lo + rhs.lo))
-    }
-
-    /// The sum of two pairs of any signs: at most 4u² off, relative to the sum, however much cancels.
-    #[inline(always)]
-    pub(crate) fn plus(self, rhs: Self) -> Self {
-        let (high, low) = (Self::sum(self.hi, rhs.hi), Self::sum(self.lo, rhs.lo));
-        let once = Self::ordered_sum(high.hi, high.lo + low.hi);
-        Self::ordered_sum(once.hi, low.lo + once.lo)
-    }
-
     /// −self.
     #[inline(always)]
     pub(crate) fn negate(self) -> Self {
         Self { hi: -self.hi, lo: -self.lo }
     }
+}
 
-    /// The product of two pairs: at most 7u² off.
+impl<V: Copy> Pair<V> {
+    /// The same pair in every lane.
     #[inline(always)]
-    pub(crate) fn times<M: Products>(self, rhs: Self) -> Self {
-        let (p, e) = M::two_product(self.hi, rhs.hi);
-        Self::ordered_sum(p, e + (self.hi * rhs.lo + self.lo * rhs.hi))
+    pub(super) fn splat(m: impl Vectors<Vector = V>, value: Pair) -> Self {
+        Self { hi: m.splat(value.hi), lo: m.splat(value.lo) }
     }
 
-    /// rise/(rise + fall) and fall/(rise + fall), for two numbers ≥ 0 that are not both 0: at most 40u² off. The share
-    /// of 0 is 0.
+    /// a + b, exactly and normal (Knuth's two-sum).
     #[inline(always)]
-    pub(crate) fn shares<M: Products>(rise: Self, fall: Self) -> (Self, Self) {
-        let sum = rise.plus_like(fall);
-        let inverse = 1.0 / sum.hi;
-        (rise.over::<M>(sum, inverse), fall.over::<M>(sum, inverse))
+    fn sum(m: impl Vectors<Vector = V>, a: V, b: V) -> Self {
+        let hi = m.add(a, b);
+        let b_part = m.sub(hi, a);
+        Self { hi, lo: m.add(m.sub(a, m.sub(hi, b_part)), m.sub(b, b_part)) }
     }
 
-    /// self/rhs, by one step of Newton's method from 1/rhs as a float.
+    /// a − b, exactly and normal.
     #[inline(always)]
-    pub(crate) fn over<M: Products>(self, rhs: Self, inverse: f64) -> Self {
-        let quotient = self.hi * inverse;
-        let (p, e) = M::two_product(quotient, rhs.hi);
-        let rest = ((self.hi - p) - e) + (self.lo - quotient * rhs.lo);
-        Self::ordered_sum(quotient, rest * inverse)
+    pub(crate) fn difference(m: impl Vectors<Vector = V>, a: V, b: V) -> Self {
+        let hi = m.sub(a, b);
+        let b_part = m.sub(hi, a);
+        Self { hi, lo: m.sub(m.sub(a, m.sub(hi, b_part)), m.add(b, b_part)) }
+    }
+
+    /// The same number as a normal pair, for |lo| ≤ |hi|: exact.
+    #[inline(always)]
+    pub(crate) fn normal(self, m: impl Vectors<Vector = V>) -> Self {
+        let hi = m.add(self.hi, self.lo);
+        Self { hi, lo: m.sub(self.lo, m.sub(hi, self.hi)) }
+    }
+
+    /// The sum; its error is relative to the sum of the absolute values.
+    #[inline(always)]
+    pub(crate) fn plus_like(self, m: impl Vectors<Vector = V>, rhs: Self) -> Self {
+        let high = Self::sum(m, self.hi, rhs.hi);
+        Self { hi: high.hi, lo: m.add(high.lo, m.add(self.lo, rhs.lo)) }
+    }
+
+    /// The sum of two normal pairs of any signs, normal: at most 4u² off, relative to the sum, however much cancels.
+    #[inline(always)]
+    pub(crate) fn plus(self, m: impl Vectors<Vector = V>, rhs: Self) -> Self {
+        let (high, low) = (Self::sum(m, self.hi, rhs.hi), Self::sum(m, self.lo, rhs.lo));
+        let once = Self { hi: high.hi, lo: m.add(high.lo, low.hi) }.normal(m);
+        Self { hi: once.hi, lo: m.add(low.lo, once.lo) }.normal(m)
+    }
+
+    /// The product.
+    #[inline(always)]
+    pub(crate) fn times(self, m: impl Vectors<Vector = V>, rhs: Self) -> Self {
+        let (hi, e) = m.two_product(self.hi, rhs.hi);
+        Self { hi, lo: m.add(e, m.add(m.mul(self.hi, rhs.lo), m.mul(self.lo, rhs.hi))) }
+    }
+
+    /// The product with a float.
+    #[inline(always)]
+    pub(crate) fn by(self, m: impl Vectors<Vector = V>, rhs: V) -> Self {
+        let (hi, e) = m.two_product(self.hi, rhs);
+        Self { hi, lo: m.add(e, m.mul(self.lo, rhs)) }
+    }
+
+    /// The quotient, by one step of Newton's method from 1/rhs as a float. 0 over anything is 0.
+    #[inline(always)]
+    pub(crate) fn over(self, m: impl Vectors<Vector = V>, rhs: Self) -> Self {
+        let inverse = m.div(m.splat(1.0), rhs.hi);
+        let quotient = m.mul(self.hi, inverse);
+        let (p, e) = m.two_product(quotient, rhs.hi);
+        let rest = m.sub(self.lo, m.mul(quotient, rhs.lo));
+        let rest = m.add(m.sub(m.sub(self.hi, p), e), rest);
+        Self { hi: quotient, lo: m.mul(rest, inverse) }
     }
 }

@@ -1,7 +1,8 @@
 //! Differences that are too far apart for one exponent range: each has an exponent of its own.
 
-use super::pair::{Pair, Products};
+use super::pair::Pair;
 use super::power::{exponent, power, shifted};
+use super::vectors::Vectors;
 
 /// pair·2^exponent, with the high part in [1, 4), or 0.
 #[derive(Debug, Clone, Copy)]
@@ -23,28 +24,28 @@ impl Scaled {
     }
 
     /// a − b ≥ 0.
-    pub(super) fn difference(a: f64, b: f64) -> Self {
+    pub(super) fn difference(m: impl Vectors<Vector = f64>, a: f64, b: f64) -> Self {
         // A difference of the largest floats would overflow. What a tiny one loses by this is nothing beside them.
         let shift = if a.abs().max(b.abs()) > power(1000) { 2 } else { 0 };
-        Self::of(Pair::difference(a * power(-shift), b * power(-shift)), shift)
+        Self::of(Pair::difference(m, a * power(-shift), b * power(-shift)), shift)
     }
 
     /// The product of two.
-    pub(super) fn times<M: Products>(self, rhs: Pair) -> Self {
+    pub(super) fn times(self, m: impl Vectors<Vector = f64>, rhs: Pair) -> Self {
         if self.pair.hi <= 0.0 {
             return self;
         }
         let rhs = Self::of(rhs, 0);
-        Self { pair: self.pair.times::<M>(rhs.pair), exponent: self.exponent + rhs.exponent }
+        Self { pair: self.pair.times(m, rhs.pair), exponent: self.exponent + rhs.exponent }
     }
 
-    /// The two shares of the sum, in the unit of the larger one: what underflows then underflows as a share.
-    pub(super) fn shares<M: Products>(rise: Self, fall: Self) -> (Pair, Pair) {
+    /// Both in the unit of the larger one: what underflows then underflows as a share of their sum.
+    pub(super) fn in_one_unit(rise: Self, fall: Self) -> (Pair, Pair) {
         let unit = rise.exponent.max(fall.exponent);
         let inside = |term: Self| {
             let e = (term.exponent - unit).max(-2200);
             Pair { hi: shifted(term.pair.hi, e), lo: shifted(term.pair.lo, e) }
         };
-        Pair::shares::<M>(inside(rise), inside(fall))
+        (inside(rise), inside(fall))
     }
 }

@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use thiserror::Error;
 
-use crate::float::pair::{Pair, Split};
+use crate::float::pair::Pair;
+use crate::float::vectors::Split;
 use crate::float::{FloatBasis, FloatError};
 use crate::meaning::{MemberError, Weighting};
 use crate::scalar::{BigRational, RationalAlgebra, Ring, exact_value};
@@ -87,9 +88,9 @@ impl FloatMember {
             let (a, b) = self.ends(span, d, c);
             let Some(forms) = self.forms(span, d, c) else { return (Pair::ZERO, Pair::ONE) };
             let [rise, fall, over] =
-                forms.values(&Pair::difference(x, a), &Pair::difference(b, x), |coefficient| *coefficient);
-            let inverse = 1.0 / over.hi;
-            (rise.over::<Split>(over, inverse), fall.over::<Split>(over, inverse))
+                forms.values(&Pair::difference(Split, x, a), &Pair::difference(Split, b, x), |c| *c);
+            let share = |part: Pair| part.over(Split, over).normal(Split);
+            (share(rise), share(fall))
         };
         let (degree, m) = (self.exact.degree(), self.exact.knots().m());
         triangle(&Pairs::new(&Pair::ONE, shares), span, degree, m).values().to_vec()
@@ -123,10 +124,10 @@ impl Ring for Pair {
         Self::ONE
     }
     fn plus(&self, rhs: &Self) -> Self {
-        Self::plus(*self, *rhs)
+        Self::plus(*self, Split, *rhs)
     }
     fn times(&self, rhs: &Self) -> Self {
-        Self::times::<Split>(*self, *rhs)
+        Self::times(*self, Split, *rhs).normal(Split)
     }
     fn negate(&self) -> Self {
         Self::negate(*self)
