@@ -80,6 +80,7 @@ pub(super) struct Frame<F> {
     pub(super) fast: bool,
 }
 
+/// `docs/float.md`, Range: differences up to 2^LARGEST leave so much room above, and it is needed below.
 const RAISED: i32 = 300;
 
 impl Ratio {
