@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::analysis::{Piece, Sign, constant};
 use crate::language::{Argument, Definition, Function, Int, Name, Pattern, Side};
-use crate::scalar::{BigRational, Polynomial, RationalAlgebra, Ring, integer};
+use crate::scalar::{BigRational, Jet, Polynomial, RationalAlgebra, Ring, integer};
 use crate::spline::{self, FormTable, Forms};
 
 use super::cell::Cell;
@@ -25,6 +25,32 @@ pub(super) enum Where {
 
 /// A recursion of definitions that falls on no literal.
 const DEEPEST: usize = 60;
+
+/// The derivative of an order by x of a function of u, x = (a + bu)/(1 + u), at a or at b, the left or the right end of an interval
+/// of this width; `None`, if it is not finite there.
+///
+/// By Taylor's series: at a, u = s/(h − s) for s = x − a and h = b − a; at b, 1/u is the same of s = b − x.
+fn limit_at(f: &Fraction, width: &BigRational, end: Side, order: usize) -> Option<BigRational> {
+    let (p, q) = f.parts();
+    let n = p.degree().max(q.degree());
+    let [p, q] = [p, q].map(|polynomial| match end {
+        Side::Left => polynomial.clone(),
+        Side::Right => polynomial.reversed(n),
+    });
+    // A power of u or 1/u that both have cancels.
+    let common = q.coefficients().iter().take_while(|c| Ring::is_zero(*c)).count();
+    if p.coefficients().iter().take(common).any(|c| !Ring::is_zero(c)) {
+        return None;
+    }
+    let s = Jet::variable(integer(0), order);
+    let u = s.over(&s.embed(width).minus(&s))?;
+    let [p, q] = [p, q].map(|polynomial| {
+        let rest = polynomial.coefficients().iter().skip(common).rev();
+        rest.fold(s.zero(), |sum, c| sum.times(&u).plus(&s.embed(c)))
+    });
+    let derivative = p.over(&q)?.derivatives().pop()?;
+    Some(if end == Side::Right && order % 2 == 1 { -derivative } else { derivative })
+}
 
 impl Reading<'_> {
     pub(super) fn apply(&mut self, f: &Function, argument: &Argument) -> Result<Value, Stop> {
@@ -165,16 +191,17 @@ impl Reading<'_> {
             let cell = Cell::Open(Some(from.clone()), Some(to.clone()));
             let value = self.within(&Name::from(""), &cell, |own| {
                 let coordinate = Value::from(cell.coordinate());
-                own.function(f, order, &coordinate, None)
+                own.function(f, 0, &coordinate, None)
             });
             match value {
                 Err(Stop::Cut) => beyond = (x + beyond) / integer(2),
                 Err(stop) => return Err(stop),
-                Ok(Value { plain: Plain::Number(q), root: None }) => return Ok(q.into()),
-                Ok(Value { plain, root: None }) => {
-                    let limit =
-                        if left { plain.piece().at_infinity() } else { plain.piece().evaluate(&integer(0)) };
-                    return limit
+                Ok(Value { plain: Plain::Number(q), root: None }) => {
+                    return Ok(if order == 0 { q.into() } else { 0.into() });
+                }
+                Ok(Value { plain: Plain::Piece(f), root: None }) => {
+                    let end = if left { Side::Right } else { Side::Left };
+                    return limit_at(&f, &(to - from), end, order)
                         .map(Value::from)
                         .ok_or_else(|| Stop::Undefined(format!("there is no finite limit at {x}")));
                 }

@@ -358,10 +358,17 @@ fn words_look_at_the_weights_of_the_point() {
         of_weights(family, refuted, &sentence, &format!("(point {point})"), "(proof 1)")
     };
     let maxima = "(chain (int (maxima (function (G i)))) (= (int 1)))";
-    let turns = r#"(family "turns" (rise (* (- (var x) (var a)) (+ (^ (- (var x) (var a)) 2) (^ (- (var b) (var x)) 2))))
-        (fall (* (- (var b) (var x)) (+ (^ (- (var x) (var a)) 2) (^ (- (var b) (var x)) 2)))))"#;
+    let weights = |name: &str, p: &str, q: &str| {
+        let [from, to] = ["(- (var x) (var a))", "(- (var b) (var x))"];
+        let share =
+            |own: &str, other: &str| format!("(* {own} (+ (* {p} (^ {own} 2)) (* {q} (^ {other} 2))))");
+        format!("(family \"{name}\" (rise {}) (fall {}))", share(from, to), share(to, from))
+    };
+    let (rises, turns) = (&*weights("rises", "1", "1"), &*weights("turns", "1", "100"));
     let jump = "(k 1) (knots 0 1 1 2) (real s 1/2)";
     let found = point(MOBIUS, maxima, &format!("{jump} (parameter r 1/2) (integer i 0)"));
+    assert!(found.starts_with("accepted"), "{found}");
+    let found = point(rises, maxima, &format!("{jump} (integer i 0)"));
     assert!(found.starts_with("accepted"), "{found}");
     let found = point(turns, maxima, &format!("{jump} (integer i 0)"));
     assert!(found.contains("no conclusion fails"), "{found}");
