@@ -257,21 +257,44 @@ fn knot_weights_keep_the_order_of_continuity() {
 
 /// φ and f of a sentence about weights alone are those of D2.3, which those of another family are not.
 #[test]
-fn weights_alone_are_those_of_an_index() {
-    let of = |rise: &str, fall: &str| {
+fn weights_alone_are_those_of_the_family() {
+    let of = |[rise, fall]: [&str; 2], conclusion: &str| {
         let statement = format!(
             "(statement 2 (claim \"X\") (form printed) (verdict proved) (scope knots) (degrees 1)
                 (family \"own\" (parameter r () (> 0)) (rise {rise}) (fall {fall}))
-                (sentence (for (real a) (real b) (point x (open (var a) open (var b)))) (if)
-                    (then (chain (of (f (var a) (var b)) (at (var x))) (= (/ (* ratio (- (var x) (var a)))
-                        (+ (* ratio (- (var x) (var a))) (- (var b) (var x)))))))))"
+                (sentence (for (real a) (real b) (point x (open (var a) open (var b)))) (if) (then {conclusion})))"
         );
         found(&[statement, "(proof 1)".to_owned()])
     };
-    let own = of("(* (parameter r) (- (var x) (var a)))", "(- (var b) (var x))");
-    assert!(own.starts_with("accepted"), "{own}");
-    let other = of("(* (parameter r) (^ (- (var x) (var a)) 2))", "(^ (- (var b) (var x)) 2)");
-    assert!(other.contains("not decided"), "{other}");
+    let [p, q] = ["(- (var x) (var a))", "(- (var b) (var x))"];
+    let linear = [&*format!("(* (parameter r) {p})"), q];
+    let square = [&*format!("(* (parameter r) (^ {p} 2))"), &*format!("(^ {q} 2)")];
+    let at = |function: &str| format!("(of {function} (at (var x)))");
+    let (f, slope, bend) =
+        (at("(f (var a) (var b))"), at("(D (f (var a) (var b)) 1)"), at("(D (f (var a) (var b)) 2)"));
+    let value =
+        |rise: &str, fall: &str| format!("(chain {f} (= (/ (* ratio {rise}) (+ (* ratio {rise}) {fall}))))");
+    let squared = [p, q].map(|part| format!("(* {part} {part})"));
+    let (once, twice) = (value(p, q), value(&squared[0], &squared[1]));
+    let turned = format!("(/ (* ratio (- (var b) (var a))) (* (+ (* ratio {p}) {q}) (+ (* ratio {p}) {q})))");
+    let (exact, rises) = (format!("(chain {slope} (= {turned}))"), format!("(chain {slope} (> (int 0)))"));
+    let bends = format!("(chain {bend} (> (int 0)))");
+    for (family, conclusion, known) in [
+        (linear, &once, true),
+        (linear, &twice, false),
+        (square, &once, false),
+        (square, &twice, true),
+        (linear, &exact, true),
+        (square, &exact, false),
+        (linear, &rises, true),
+        (square, &rises, true),
+        (linear, &bends, false),
+        (square, &bends, false),
+    ] {
+        let found = of(family, conclusion);
+        assert_eq!(found.starts_with("accepted"), known, "{family:?}: {conclusion}: {found}");
+        assert!(known || found.contains("not decided"), "{found}");
+    }
 }
 
 #[test]
