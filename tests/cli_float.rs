@@ -226,6 +226,7 @@ fn what_floats_cannot_hold_is_refused() {
         (&["--degree", "40"], "--degree"),
         (&["--degree", "3", "--count", "0"], "--count"),
         (&["--degree", "3", "--x", "1"], "--knots"),
+        (&["--degree", "3", "--alpha", "-1"], "--knots"),
         (&[], "--degree"),
     ] {
         let (code, error, _) = run(arguments);

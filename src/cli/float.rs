@@ -182,6 +182,10 @@ impl Args {
                 let purpose = "random cases are those of an index; give the knots of the family, such as --knots \"0 0 0 1 2 2 2\"";
                 return Err(CliError::Needed { argument: "--knots", purpose });
             }
+            if self.instance.indices()?.is_some() {
+                let purpose = "random cases have random indices; to measure one, give knots, such as --knots \"0 0 0 1 2 2 2\"";
+                return Err(CliError::Needed { argument: "--knots", purpose });
+            }
             // The floats have a highest degree; its error names it.
             let knots = (0..2 * degree.min(1000) + 2).map(|_| 0.0).chain([1.0]).collect();
             let refused = FloatBasis::new(knots, degree, f64::INFINITY).err();

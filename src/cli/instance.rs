@@ -286,7 +286,7 @@ impl InstanceArgs {
     }
 
     /// The indices of `--alpha`, if there are any.
-    fn indices(&self) -> Result<Option<Vec<Index>>, CliError> {
+    pub(super) fn indices(&self) -> Result<Option<Vec<Index>>, CliError> {
         let one = |choice: &IndexChoice| match choice {
             IndexChoice::One(index) => Ok(index.clone()),
             IndexChoice::All => Err(CliError::AllIndices),
