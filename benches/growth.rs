@@ -37,7 +37,7 @@ const ROWS: [Row; 8] = [
     Row {
         what: "`check --degree 8`, uniform knots",
         size: "spans",
-        sizes: &[10, 20, 40],
+        sizes: &[20, 40],
         arguments: |spans| command("check", 8, &uniform(spans), &[]),
     },
     Row {
@@ -50,24 +50,16 @@ const ROWS: [Row; 8] = [
         what: "`check --degree 3`, α = 10^n",
         size: "n",
         sizes: &[1, 10, 60, 300],
-        arguments: |n| {
-            let mut all = command("check", 3, &open(3), &[]);
-            all.extend(["--alpha".to_owned(), format!("1e{n}")]);
-            all
-        },
+        arguments: |n| with_index("check", 3, &open(3), &format!("1e{n}"), &[]),
     },
     Row {
         what: "`check --degree 3`, α = 1 + 10^−n",
         size: "n",
         sizes: &[1, 10, 60, 300],
-        arguments: |n| {
-            let mut all = command("check", 3, &open(3), &[]);
-            all.extend(["--alpha".to_owned(), format!("1.{}1", "0".repeat(n - 1))]);
-            all
-        },
+        arguments: |n| with_index("check", 3, &open(3), &format!("1.{}1", "0".repeat(n - 1)), &[]),
     },
     Row {
-        what: "`eval`, x = 1/3, uniform knots",
+        what: "`eval`, x = k + 1/3, uniform knots",
         size: "k",
         sizes: &[50, 100, 200, 300, 500],
         arguments: |k| {
@@ -76,7 +68,7 @@ const ROWS: [Row; 8] = [
         },
     },
     Row {
-        what: "`eval --degree 3`, x with n digits below",
+        what: "`eval --degree 3`, x = 10^−n",
         size: "n",
         sizes: &[1_000, 10_000, 100_000],
         arguments: |n| command("eval", 3, &open(3), &[("--x", format!("1/1{}", "0".repeat(n)))]),
@@ -93,10 +85,15 @@ fn uniform(spans: usize) -> String {
     (0..=spans).map(|t| t.to_string()).collect::<Vec<_>>().join(" ")
 }
 
-/// With α = −1, unless another one follows.
+/// For α = −1.
 fn command(name: &str, degree: usize, knots: &str, more: &[(&str, String)]) -> Vec<String> {
-    let mut all: Vec<String> =
-        [name, "--degree", &degree.to_string(), "--knots", knots].map(str::to_owned).to_vec();
+    with_index(name, degree, knots, "-1", more)
+}
+
+fn with_index(name: &str, degree: usize, knots: &str, alpha: &str, more: &[(&str, String)]) -> Vec<String> {
+    let degree = degree.to_string();
+    let mut all: Vec<_> =
+        [name, "--degree", &degree, "--knots", knots, "--alpha", alpha].map(str::to_owned).to_vec();
     for (option, value) in more {
         all.extend([(*option).to_owned(), value.clone()]);
     }
