@@ -437,3 +437,45 @@ fn composed(f: &Fraction, x: &Piece, a: &BigRational, b: &BigRational) -> Fracti
         None => unreachable!("a denominator without zeros stays one"),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::rational;
+
+    fn polynomial(coefficients: &[i64]) -> Polynomial<BigRational> {
+        Polynomial::new(integer(coefficients[0]), coefficients[1..].iter().map(|c| integer(*c)))
+    }
+
+    /// The derivative for every x, in lowest terms, and then its value at the end.
+    fn slowly(f: &Fraction, slope: &Piece, end: Side, order: usize) -> Option<BigRational> {
+        let derivative = |f: Piece| f.derivative().over(slope);
+        let f = (0..order).try_fold((**f.piece()).clone(), |f, _| derivative(f))?;
+        if end == Side::Right { f.at_infinity() } else { f.evaluate(&integer(0)) }
+    }
+
+    #[test]
+    fn limits_of_derivatives_are_those_of_the_derivatives() {
+        let (a, b) = (rational(-1, 3), rational(5, 2));
+        let slope = Cell::Open(Some(a.clone()), Some(b.clone())).coordinate().derivative();
+        let mut poles = 0;
+        for (p, q) in [
+            (&[3, -1, 4][..], &[1, 5, 9, 2][..]),
+            (&[2, 7, 1, 8], &[2, 8]),
+            (&[0, 0, 3, 1], &[0, 2, 5]),
+            (&[1, 2], &[0, 3, 1]),
+            (&[0, 1, 1], &[1, 2, 1]),
+            (&[5], &[1, 1, 0, 4]),
+        ] {
+            let f = Fraction::sum(polynomial(p), &Arc::new(polynomial(q)));
+            for end in [Side::Left, Side::Right] {
+                for order in 0..5 {
+                    let found = limit_at(&f, &(&b - &a), end, order);
+                    assert_eq!(found, slowly(&f, &slope, end, order), "{p:?}/{q:?} at {end:?}, {order}");
+                    poles += usize::from(found.is_none());
+                }
+            }
+        }
+        assert!(poles >= 10, "{poles}");
+    }
+}
