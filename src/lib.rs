@@ -43,7 +43,7 @@
 //! | values at many points, exactly | [`Evaluator::values`](spline::Evaluator::values) | 1 |
 //! | signs and sums only, not in lowest terms | [`Evaluator::at`](spline::Evaluator::at) | 0.2 |
 //! | values at one point | [`Basis::values`](spline::Basis::values), which prepares an evaluator each time: the more knots, the longer | 5 |
-//! | values, whether the weights are those of an index or of forms | [`Sampler::values`](spline::Sampler::values) | 1; forms 8 and more |
+//! | values for any weights | [`Sampler::values`](spline::Sampler::values) | 1, also where each weight has a ratio of its own; forms that are not linear 8 and more |
 //! | one-sided derivatives at many points | [`Evaluator::jets`](spline::Evaluator::jets) | 14 |
 //! | the same at one point | [`Basis::jets`](spline::Basis::jets) | 19 |
 //! | points of a curve, many | [`Evaluator::values`](spline::Evaluator::values) and [`Curve::combine`](spline::Curve::combine) | 4 |

@@ -168,7 +168,8 @@ impl<R: Ring> LocalKnots<R> {
     #[must_use]
     pub fn on_span(&self, s: usize) -> Option<SpanQuotient<R>> {
         self.gaps.get(s).filter(|gap| !gap.is_zero())?;
-        let factors = Factors::in_positive_coordinate(&self.gaps, s, self.degree(), self.ratio())?;
+        let factors =
+            Factors::in_positive_coordinate(&self.gaps, s, self.degree(), std::slice::from_ref(&self.ratio))?;
         let one = Polynomial::constant(self.ratio.0.one());
         let weights = FractionFree::new(&factors, &one);
         let function = triangle(&weights, factors.span(), self.degree(), self.gaps.len());

@@ -46,7 +46,9 @@ pub use monotonicity::{Monotonicity, Route, SpanMonotonicity};
 pub use nurbs::{Nurbs, NurbsError, NurbsRequest, SpanParameter};
 pub use partition::{FreeKnotError, Partition, PartitionEnd, PartitionEvent, RatioCell};
 pub use piece::{Piece, constant};
-pub use pieces::{Pieces, SpanPieces, coordinate_between, coordinate_of, positive_coordinate};
+pub use pieces::{
+    Pieces, SpanPieces, coordinate_between, coordinate_of, function_quotients, positive_coordinate,
+};
 pub use rational_bezier::{RationalBezier, RationalBezierError};
 pub use roots::{IsolatedRoot, count_positive_roots, count_roots_between, positive_roots};
 pub use shape::Shape;

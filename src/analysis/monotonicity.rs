@@ -163,7 +163,7 @@ impl Floats {
     /// The signs of the coefficients of the slope on a span, as far as they are certain.
     fn slope_signs(&mut self, span: usize) -> Option<impl Iterator<Item = Option<Ordering>>> {
         let Self { gaps, ratio, factors, triangle, one, denominator, room } = self;
-        factors.fill_in_positive_coordinate(gaps, span, (&ratio.0, &ratio.1))?;
+        factors.fill_in_positive_coordinate(gaps, span, std::slice::from_ref(ratio))?;
         triangle.run(&FractionFree::new(factors, one), factors.span(), factors.degree(), gaps.len());
         denominator.clone_from(one);
         denominator.scale_by(factors.denominator(0));

@@ -1,5 +1,6 @@
 //! The basis functions as exact rational functions, span by span: statements about every x.
 
+use num_bigint::BigInt;
 use num_rational::BigRational;
 
 use crate::scalar::{Polynomial, RationalAlgebra, RationalFunction, Ring, spend};
@@ -7,7 +8,7 @@ use crate::spline::{Active, Basis, HasWeights, KnotVector, Pairs, Span, SpanErro
 
 use super::local_knots::SpanQuotient;
 use super::piece::{Piece, constant};
-use super::span_quotients::own_quotients;
+use super::span_quotients::{own_quotient, own_quotients};
 
 /// x = (t_j + u·t_{j+1})/(1 + u) as a function of u: the **positive coordinate** of a span.
 ///
@@ -62,7 +63,7 @@ pub struct SpanPieces {
     ends: (BigRational, BigRational),
 }
 
-/// All pieces of a basis, which they know: for an index [`span_quotients`](super::span_quotients()) on every span.
+/// All pieces of a basis, which they know: for linear weights as [`span_quotients`](super::span_quotients()) on every span.
 ///
 /// They are what the triangle gives over rational functions of u, `basis.active(span, &positive_coordinate(…)?)`.
 ///
@@ -131,13 +132,13 @@ impl Pieces {
     }
 }
 
-/// The pieces of the functions on a span of the basis: of forms by the recursion over functions of u.
+/// The pieces of the functions on a span of the basis: of weights that are not linear by the recursion over functions of u.
 pub(super) fn own_pieces<W: HasWeights>(basis: &Basis<W>, span: Span) -> Active<Piece> {
     let (knots, j) = (basis.knots(), span.index());
-    let table = match basis.weights().kind() {
-        WeightKind::Index(index) => return own_quotients(basis, index, span).map(SpanQuotient::piece),
-        WeightKind::Forms(table) => table,
-    };
+    if let Some(slopes) = basis.slopes(span) {
+        return own_quotients(basis, slopes, span).map(SpanQuotient::piece);
+    }
+    let WeightKind::Forms(table) = basis.weights().kind() else { unreachable!("an index is linear") };
     let (start, end, zero) = (knots.t(j), knots.t(j + 1), constant(knots.first().zero()));
     // p and q times 1 + u, which cancels: forms are homogeneous.
     let linear = |at_start: BigRational, at_end: BigRational| Polynomial::new(at_start, [at_end]);
@@ -149,6 +150,23 @@ pub(super) fn own_pieces<W: HasWeights>(basis: &Basis<W>, span: Span) -> Active<
     };
     let weights = Pairs::new(&zero, |i, d| share(i, d).unwrap_or_else(|| (zero.clone(), zero.one())));
     triangle(&weights, span, basis.degree(), knots.m())
+}
+
+/// G_i^k alone, on each span of its support that is not empty, in lowest terms: what [`Pieces`] have of it, for less.
+///
+/// # Panics
+/// If i > n.
+pub fn function_quotients<W: HasWeights>(basis: &Basis<W>, i: usize) -> Vec<(Span, SpanQuotient<BigInt>)> {
+    assert!(i <= basis.n(), "there is no function {i}: the basis has the functions 0 to {}", basis.n());
+    let support = i..=i + basis.degree();
+    let quotient = |span: Span| {
+        let own = match basis.slopes(span) {
+            Some(slopes) => own_quotient(basis, slopes, (span, i)),
+            None => own_pieces(basis, span).get(i).map(SpanQuotient::of),
+        };
+        Some((span, own?))
+    };
+    basis.knots().spans().filter(|span| support.contains(&span.index())).filter_map(quotient).collect()
 }
 
 impl SpanPieces {

@@ -4,11 +4,12 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 
 use crate::scalar::integer;
+use crate::spline::{Basis, HasWeights, Span};
 
 use super::contenders::{Attained, attained, attained_once};
 use super::extremum::{Extremum, ExtremumKind, Jump};
 use super::local_knots::{LocalKnots, SpanQuotient};
-use super::pieces::Pieces;
+use super::pieces::{Pieces, function_quotients};
 use super::profile::{Features, Profile, Segment};
 
 /// The local extrema and jumps of one G_i^k.
@@ -58,6 +59,24 @@ impl Shape {
                 quotient: SpanQuotient::of(&on_span.function(i)),
             })
         });
+        Self::in_basis(basis, i, segments)
+    }
+
+    /// The shape of G_i^k alone, without the pieces of the others.
+    ///
+    /// # Panics
+    /// If i > n.
+    #[must_use]
+    pub fn of_function<W: HasWeights>(basis: &Basis<W>, i: usize) -> Self {
+        let segment = |(span, quotient): (Span, SpanQuotient<BigInt>)| {
+            let [start, end] = [span.index(), span.index() + 1].map(|j| basis.knots().t(j).clone());
+            Segment { start, end, quotient }
+        };
+        Self::in_basis(basis, i, function_quotients(basis, i).into_iter().map(segment))
+    }
+
+    fn in_basis<W>(basis: &Basis<W>, i: usize, segments: impl Iterator<Item = Segment>) -> Self {
+        let to = basis.support(i).1;
         let inside = to < basis.knots().last();
         let mut features = Profile::of(segments, inside).features();
         // At the ends of [t_0, t_m] there is nothing to be continuous with.
@@ -137,13 +156,16 @@ mod tests {
     use super::*;
     use crate::analysis::Location;
     use crate::scalar::{integer, rational};
-    use crate::spline::{Basis, Index, KnotVector};
+    use crate::spline::{Index, KnotVector};
 
     fn shapes(degree: usize, knots: &[usize], index: &str) -> Vec<Shape> {
         let knots = KnotVector::new(knots.iter().map(|&t| integer(t)).collect()).unwrap();
         let basis = Basis::new(knots, degree, index.parse().unwrap()).unwrap();
         let pieces = Pieces::of(&basis);
-        (0..=basis.n()).map(|i| Shape::of(&pieces, i)).collect()
+        let shapes: Vec<_> = (0..=basis.n()).map(|i| Shape::of(&pieces, i)).collect();
+        let alone: Vec<_> = (0..=basis.n()).map(|i| Shape::of_function(&basis, i)).collect();
+        assert_eq!(shapes, alone);
+        shapes
     }
 
     fn maxima(shape: &Shape) -> Vec<Location> {

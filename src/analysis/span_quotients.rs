@@ -51,12 +51,30 @@ struct FactoredQuotient<R = BigInt> {
 /// [`SpanError::Foreign`] for a span of another knot vector.
 pub fn span_quotients(basis: &Basis, span: Span) -> Result<Active<SpanQuotient<BigInt>>, SpanError> {
     basis.knots().ends(span)?;
-    Ok(own_quotients(basis, basis.index(), span))
+    Ok(own_quotients(basis, slopes(basis.index()), span))
 }
 
-/// [`span_quotients`] on a span of the basis, for the weights of an index.
-pub(super) fn own_quotients<W>(basis: &Basis<W>, index: &Index, span: Span) -> Active<SpanQuotient<BigInt>> {
-    let near = Neighbourhood::of_basis(basis, index, span);
+/// [`span_quotients`] on a span of the basis, for linear weights with these [slopes](Basis::slopes).
+pub(super) fn own_quotients<W>(
+    basis: &Basis<W>,
+    slopes: Vec<(BigInt, BigInt)>,
+    span: Span,
+) -> Active<SpanQuotient<BigInt>> {
+    in_lowest_terms(&Neighbourhood::of_span(basis.knots(), basis.degree(), span, slopes))
+}
+
+/// G_i^k alone, on a span of its support, likewise.
+pub(super) fn own_quotient<W>(
+    basis: &Basis<W>,
+    slopes: Vec<(BigInt, BigInt)>,
+    (span, i): (Span, usize),
+) -> Option<SpanQuotient<BigInt>> {
+    let (knots, k) = (basis.knots(), basis.degree());
+    let near = Neighbourhood::of(knots, k, span, (i, i + k + 1), slopes);
+    in_lowest_terms(&near).into_pairs().next().map(|(_, quotient)| quotient)
+}
+
+fn in_lowest_terms(near: &Neighbourhood<BigInt>) -> Active<SpanQuotient<BigInt>> {
     match near.short_quotients() {
         Some(all) => all.into_map(|function| function.quotient),
         None => near.quotients().into_map(|function| function.quotient),
@@ -95,7 +113,7 @@ pub fn symbolic_quotients(
     if degree >= knots.m() {
         return Err(SpanError::Degree { degree, m: knots.m() });
     }
-    let near = Neighbourhood::of(knots, degree, span, (1.into(), 1.into()));
+    let near = Neighbourhood::of_span(knots, degree, span, vec![(1.into(), 1.into())]);
     Ok(if let Some(words) = near.in_words::<i64>() {
         words.symbolic()
     } else if let Some(words) = near.in_words::<i128>() {
@@ -107,7 +125,7 @@ pub fn symbolic_quotients(
 
 /// [`span_quotients`] with the factors of the denominators.
 fn factored_quotients<W>(basis: &Basis<W>, index: &Index, span: Span) -> Active<FactoredQuotient> {
-    let near = Neighbourhood::of_basis(basis, index, span);
+    let near = Neighbourhood::of_span(basis.knots(), basis.degree(), span, slopes(index));
     let long = |FactoredQuotient { quotient, constant, factors }: FactoredQuotient<u64>| {
         let factors = factors.into_iter().map(|(a, b)| (a.into(), b.into())).collect();
         FactoredQuotient { quotient, constant, factors }
@@ -115,26 +133,39 @@ fn factored_quotients<W>(basis: &Basis<W>, index: &Index, span: Span) -> Active<
     near.short_quotients().map_or_else(|| near.quotients(), |all| all.into_map(long))
 }
 
+/// The one pair (p, q) of an index.
+fn slopes(index: &Index) -> Vec<(BigInt, BigInt)> {
+    vec![(index.ratio().numer().clone(), index.ratio().denom().clone())]
+}
+
 /// The gaps around a span, from the knot t_low on.
 #[derive(Debug)]
 struct Neighbourhood<R> {
     gaps: Vec<R>,
-    ratio: (R, R),
+    /// (p, q) of all weights, or of each by its place.
+    slopes: Vec<(R, R)>,
     low: usize,
     j: usize,
     k: usize,
 }
 
 impl Neighbourhood<BigInt> {
-    fn of_basis<W>(basis: &Basis<W>, index: &Index, span: Span) -> Self {
-        let ratio = (index.ratio().numer().clone(), index.ratio().denom().clone());
-        Self::of(basis.knots(), basis.degree(), span, ratio)
+    /// With the knots t_{j−k}, …, t_{j+k+1}, as far as there are any.
+    fn of_span(knots: &KnotVector, k: usize, span: Span, slopes: Vec<(BigInt, BigInt)>) -> Self {
+        let j = span.index();
+        Self::of(knots, k, span, (j.saturating_sub(k), (j + k + 1).min(knots.m())), slopes)
     }
 
-    fn of(knots: &KnotVector, k: usize, span: Span, ratio: (BigInt, BigInt)) -> Self {
+    /// With the knots t_low, …, t_high.
+    fn of(
+        knots: &KnotVector,
+        k: usize,
+        span: Span,
+        (low, high): (usize, usize),
+        slopes: Vec<(BigInt, BigInt)>,
+    ) -> Self {
         let j = span.index();
-        // The knots t_{j−k}, …, t_{j+k+1}, of which the first and the last do not matter on the span.
-        let (low, high) = (j.saturating_sub(k), (j + k + 1).min(knots.m()));
+        // t_{j−k} and t_{j+k+1} do not matter on the span.
         let matters = |i: usize| i + k > j && i < j + k;
         let mut gaps = integer_gaps(&knots.knots()[low..=high]);
         for (gap, i) in gaps.iter_mut().zip(low..) {
@@ -143,7 +174,7 @@ impl Neighbourhood<BigInt> {
             }
         }
         make_coprime(&mut gaps);
-        Self { gaps, ratio, low, j, k }
+        Self { gaps, slopes, low, j, k }
     }
 
     /// The same in a fixed width, if all that is computed from it fits.
@@ -155,12 +186,15 @@ impl Neighbourhood<BigInt> {
     fn with_factors_in<W: Width>(&self) -> Option<Neighbourhood<Fixed<W>>> {
         let word = |number: &BigInt| W::try_from(i128::try_from(number).ok()?).ok().map(Fixed::new);
         let gaps = self.gaps.iter().map(word).collect::<Option<Vec<_>>>()?;
-        let ratio = (word(&self.ratio.0)?, word(&self.ratio.1)?);
+        let pair = |(p, q): &(BigInt, BigInt)| Some((word(p)?, word(q)?));
+        let slopes = self.slopes.iter().map(pair).collect::<Option<Vec<_>>>()?;
         // Twice (p + q) times the length of the neighbourhood is more than a factor, and than all it is computed from.
         let length = gaps.iter().try_fold(W::zero(), |sum, gap| sum.checked_add(&gap.value()))?;
-        let sum = ratio.0.value().checked_add(&ratio.1.value())?;
-        sum.product(length.checked_add(&length)?)?;
-        Some(Neighbourhood { gaps, ratio, low: self.low, j: self.j, k: self.k })
+        let length = length.checked_add(&length)?;
+        for (p, q) in &slopes {
+            p.value().checked_add(&q.value())?.product(length)?;
+        }
+        Some(Neighbourhood { gaps, slopes, low: self.low, j: self.j, k: self.k })
     }
 
     /// All functions in integers of a fixed width; `None` if they are too long, or if a division can't be settled there.
@@ -232,7 +266,7 @@ impl<W: Width> Neighbourhood<Fixed<W>> {
 
 impl<R: Ring + Into<BigInt>> Neighbourhood<R> {
     fn factors(&self) -> Option<Factors<(R, R)>> {
-        Factors::in_positive_coordinate(&self.gaps, self.j - self.low, self.k, (&self.ratio.0, &self.ratio.1))
+        Factors::in_positive_coordinate(&self.gaps, self.j - self.low, self.k, &self.slopes)
     }
 
     /// The indices of the functions that live on the span, counted from `low`.
@@ -472,7 +506,7 @@ mod tests {
     use super::*;
     use crate::analysis::positive_coordinate;
     use crate::scalar::{RationalFunction, integer, rational};
-    use crate::spline::Index;
+    use crate::spline::{FormTable, Forms, Index};
     use proptest::prelude::*;
 
     fn over_rationals(p: &Polynomial<BigInt>) -> Polynomial<BigRational> {
@@ -513,6 +547,27 @@ mod tests {
                     q.scale_by(factors.iter());
                     assert_eq!(one.numerators.map(|p| RationalFunction::new(p, &q).unwrap()), reference);
                 }
+            }
+        }
+    }
+
+    /// So are those of linear weights with a ratio each.
+    #[test]
+    fn linear_forms_have_such_quotients() {
+        let knots = KnotVector::new([0, 0, 0, 0, 1, 2, 2, 5, 5, 6, 9].map(integer).to_vec()).unwrap();
+        for degree in 1..=4 {
+            let slope = |a: usize, b: usize| rational(i64::try_from(a * 7 % 5 + b).unwrap_or(1), 3);
+            let forms = |j: usize, i: usize, d: usize| {
+                Forms::new(vec![integer(0), slope(i, d)], vec![slope(d, j + 1), integer(0)], None).ok_or(())
+            };
+            let basis =
+                Basis::over(knots.clone(), degree, FormTable::new(&knots, degree, forms).unwrap()).unwrap();
+            for span in knots.spans() {
+                let reference = basis.active(span, &positive_coordinate(&knots, span).unwrap()).unwrap();
+                let slopes = basis.slopes(span).unwrap();
+                assert!(degree == 1 || slopes.len() > 1);
+                let quotients = own_quotients(&basis, slopes, span);
+                assert_eq!(quotients.map(SpanQuotient::piece), reference, "{degree}, {}", span.index());
             }
         }
     }
@@ -563,7 +618,7 @@ mod tests {
     fn words_are_left_at_the_very_bound() {
         let near = |p: BigInt| Neighbourhood {
             gaps: vec![BigInt::ZERO, 1.into(), BigInt::ZERO],
-            ratio: (p, 1.into()),
+            slopes: vec![(p, 1.into())],
             low: 0,
             j: 1,
             k: 1,
@@ -579,7 +634,7 @@ mod tests {
         // Degree 2, Bernstein: the middle function has the denominator (q + pu)^3, for the largest p with (p + 1)^3 < 2^127.
         let near = |p: i64| Neighbourhood {
             gaps: [0, 0, 1, 0, 0].map(BigInt::from).to_vec(),
-            ratio: (p.into(), 1.into()),
+            slopes: vec![(p.into(), 1.into())],
             low: 0,
             j: 2,
             k: 2,
@@ -608,7 +663,7 @@ mod tests {
             let knots = KnotVector::new(knots).unwrap();
             let span = knots.spans().nth(usize::try_from(inner / 2).unwrap()).unwrap();
             let k = usize::try_from(k).unwrap();
-            let near = Neighbourhood::of(&knots, k, span, (1.into(), 3.into()));
+            let near = Neighbourhood::of_span(&knots, k, span, vec![(1.into(), 3.into())]);
             let short = near.short_quotients().map(long).unwrap();
             let count = |(c, function): (usize, &FactoredQuotient)| {
                 (k + 1 - c) * (c + 1) - 1 - function.factors.len()
@@ -634,7 +689,11 @@ mod tests {
             gaps in prop::collection::vec(prop_oneof![
                 Just(0_u64), Just(1), 1_u64..4, Just(6), 1_u64..100, (0_u32..55).prop_map(|e| 1 << e), 1_u64..(1 << 40)
             ], 1..20),
-            ratio in (prop_oneof![1_u64..5, 1_u64..1000, Just(1 << 20)], prop_oneof![1_u64..5, 1_u64..1000]),
+            slopes in prop::collection::vec(
+                (prop_oneof![1_u64..5, 1_u64..1000, Just(1 << 20)], prop_oneof![1_u64..5, 1_u64..1000]),
+                36,
+            ),
+            same in any::<bool>(),
             j in 0_usize..20,
         ) {
             let (j, k) = (j % gaps.len(), k.min(gaps.len() - 1));
@@ -642,14 +701,17 @@ mod tests {
             if gaps[j].is_zero() {
                 gaps[j] = BigInt::from(1);
             }
-            let near = Neighbourhood { gaps, ratio: (ratio.0.into(), ratio.1.into()), low: 3, j: j + 3, k };
+            let count = if same { 1 } else { k * (k + 1) / 2 };
+            let slopes = slopes.into_iter().take(count).map(|(p, q)| (p.into(), q.into())).collect();
+            let near = Neighbourhood { gaps, slopes, low: 3, j: j + 3, k };
             let long_way = near.quotients();
             if let Some(short) = near.short_quotients() {
                 prop_assert_eq!(long(short), long_way);
             } else {
                 // Only long factors, or long products of them, are left to the other way.
                 let length: BigInt = near.gaps.iter().sum();
-                let all: BigInt = (&near.ratio.0 + &near.ratio.1) * length * 2;
+                let steepest = near.slopes.iter().map(|(p, q)| p + q).max().unwrap_or_default();
+                let all: BigInt = steepest * length * 2;
                 prop_assert!(all.bits() * (k as u64 + 1) * (k as u64 + 1) > 63, "{near:?}");
             }
         }

@@ -11,8 +11,8 @@ use crate::analysis::{
 use crate::language::Name;
 use crate::scalar::{BigInt, BigRational, Jet, Polynomial, RationalAlgebra, Ring, integer};
 use crate::spline::{
-    Active, AnyWeights, Basis, FormTable, Index, KnotVector, Obligation, Point, Sampler, Side, Span,
-    SpanError, by_definition, by_weights, weight,
+    Active, AnyWeights, Basis, Evaluator, FormTable, Index, KnotVector, Obligation, Point, Sampler, Side,
+    Span, SpanError, by_definition, by_weights, weight,
 };
 
 use super::family::{MemberError, Weighting};
@@ -48,6 +48,7 @@ struct Known {
     over_one: Kept<(Weighting, usize, usize), OverOne>,
     weights: Kept<(Weighting, usize, usize, usize), Fraction>,
     derivatives: Kept<(Weighting, usize, usize, usize, usize), Fraction>,
+    kernels: Kept<(Weighting, usize), Option<Kernel>>,
     jets: Kept<JetsKey, Option<Jets>>,
     ties: Kept<(Weighting, usize, usize), Option<Tie>>,
     suprema: Kept<(Parts, Parts, bool), Option<Greatest>>,
@@ -63,6 +64,26 @@ type JetsKey = (Weighting, usize, BigRational, bool, usize, bool);
 type OverOne = (Arc<Polynomial<BigRational>>, Active<Polynomial<BigRational>>);
 /// All functions of a degree that live at a point.
 type Jets = Active<Jet<BigRational>>;
+
+/// A basis with the fast kernel for its weights, if there is one.
+#[derive(Debug)]
+struct Kernel {
+    basis: Basis<AnyWeights>,
+    fast: Option<Mutex<Evaluator>>,
+}
+
+impl Kernel {
+    fn of(basis: Basis<AnyWeights>) -> Self {
+        Self { fast: Evaluator::of(&basis).map(Mutex::new), basis }
+    }
+
+    fn jets(&self, x: &BigRational, side: Side, order: usize) -> Option<Jets> {
+        match &self.fast {
+            Some(fast) => fast.lock().unwrap_or_else(PoisonError::into_inner).jets(x, side, order),
+            None => Sampler::new(&self.basis).jets(x, side, order),
+        }
+    }
+}
 
 /// Computed when first asked for.
 #[derive(Debug)]
@@ -388,7 +409,9 @@ impl Instance {
                 let table = self.defined(weights, d, span, &Jet::variable(x.clone(), order))?.ok()?.pop()?;
                 return Some(Active::new(0, table));
             }
-            Sampler::new(&self.any_basis_of(weights, d)?).jets(x, side, order)
+            let of_degree = (weights.clone(), d);
+            let kernel = self.known.kernels.get(of_degree, |_| self.any_basis_of(weights, d).map(Kernel::of));
+            (*kernel).as_ref()?.jets(x, side, order)
         });
         let jet = (*jets).as_ref().and_then(|jets| jets.get(i));
         jet.and_then(|jet| jet.derivatives().pop()).unwrap_or_else(|| integer(0))

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Arc;
 
-use crate::analysis::{Pieces, Shape, Sign, is_continuous, sign_pattern};
+use crate::analysis::{Shape, Sign, function_quotients, is_continuous, sign_pattern};
 use crate::judge::OfFamily;
 use crate::language::{Family, Parameter};
 use crate::meaning::{Instance, Values, Weighting};
@@ -311,19 +311,18 @@ impl MemberFunction {
     /// Its shape, from the pieces that its weights give.
     pub(super) fn shape(&self) -> Result<Shape, String> {
         let (basis, i) = (self.basis(&self.weights()?)?, self.full_knots().index);
-        let pieces = Pieces::of(&basis);
         if let Some(((_, j, d), fault)) = own_fault(&basis, i) {
-            let negative = pieces.spans().iter().any(|on| {
-                on.functions.get(i).is_some_and(|g| {
-                    let pattern = sign_pattern(&g.numerator().times(g.denominator()));
-                    !g.is_zero() && pattern.between().iter().any(|(_, sign)| *sign == Sign::Negative)
-                })
+            let negative = function_quotients(&basis, i).iter().any(|(_, g)| {
+                // The sign of P/Q is that of PQ.
+                let product = g.numerator.times(&g.denominator).map(|c| c.clone().into());
+                !product.is_zero()
+                    && sign_pattern(&product).between().iter().any(|(_, sign)| *sign == Sign::Negative)
             });
             if negative {
                 return Err(format!("the function is negative somewhere: of w[{j},{d}] {fault}"));
             }
         }
-        let shape = Shape::of(&pieces, i);
+        let shape = Shape::of_function(&basis, i);
         match shape.jumps().first() {
             Some(jump) => Err(format!("the function jumps at {}", jump.at)),
             None => Ok(shape),

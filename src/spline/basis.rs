@@ -3,7 +3,6 @@
 use num_rational::BigRational;
 use thiserror::Error;
 
-use super::evaluator::Evaluator;
 use super::index::Index;
 use super::knots::KnotVector;
 use super::triangle::Active;
@@ -126,13 +125,5 @@ impl Basis {
     #[must_use]
     pub fn with_index(&self, index: Index) -> Self {
         self.with(index)
-    }
-}
-
-impl Evaluator {
-    /// Brings the knots of a basis to a common denominator.
-    #[must_use]
-    pub fn new(basis: &Basis) -> Self {
-        Self::of(basis.knots.knots(), basis.weights.ratio(), basis.degree)
     }
 }

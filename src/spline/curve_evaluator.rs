@@ -112,7 +112,7 @@ impl<'a, W: HasWeights> CurveEvaluator<'a, W> {
 
     /// All points of de Boor's algorithm at x, level by level: those of [`Curve::de_boor`], `None` outside of [t_k, t_{n+1}].
     ///
-    /// With an index, w = rise/L and 1 − w = fall/L in integers, and each coordinate is brought to lowest terms once.
+    /// With linear weights, w = rise/L and 1 − w = fall/L in integers, and each coordinate is brought to lowest terms once.
     pub fn de_boor(&mut self, x: &BigRational, side: Side) -> Option<Vec<Active<Point>>> {
         let Some(kernel) = self.sampler.kernel() else { return self.curve.de_boor(x, side) };
         let span = self.curve.basis().knots().span_at(x, side)?;

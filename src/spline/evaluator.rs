@@ -3,11 +3,14 @@
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
-use crate::scalar::{Fixed, Jet, Natural, Ring, ScaleBy, gcd, integer, lcm};
+use crate::scalar::{Fixed, Jet, Natural, Ring, ScaleBy, gcd, integer, over_one_denominator};
 
+use super::basis::Basis;
 use super::factors::Factors;
 use super::fraction_free::FractionFree;
+use super::kind::HasWeights;
 use super::knots::{Side, Span};
+use super::linear_weights::LinearWeights;
 use super::reducer::Reducer;
 use super::triangle::{Active, Triangle, triangle};
 
@@ -17,7 +20,7 @@ use super::triangle::{Active, Triangle, triangle};
 ///
 /// rise_a = p(DX − ξT_a),  fall_b = q(ξT_b − DX),
 ///
-/// and the [recursion without a division](FractionFree) runs over their products. Numbers are machine words, of 64 and
+/// with p and q of each weight where linear weights have no common ratio. The [recursion without a division](FractionFree) runs over their products. Numbers are machine words, of 64 and
 /// of 128 bits, as far as a bound that is computed first says that they fit, and integers of any size beyond; what
 /// comes out does not depend on that. The cost of a point is that of its span: the search for it is logarithmic
 /// in the number of knots, and nothing else depends on it.
@@ -45,7 +48,7 @@ pub struct Evaluator {
     /// T_0, …, T_m.
     knots: Vec<BigInt>,
     /// (p, q).
-    ratio: (BigInt, BigInt),
+    slopes: LinearWeights<BigInt>,
     /// The same in machine words, if all of it fits.
     words: Option<InWords>,
     short: Room<u64, Fixed>,
@@ -59,7 +62,7 @@ pub struct Evaluator {
 struct InWords {
     scale: i64,
     knots: Vec<i64>,
-    ratio: (u64, u64),
+    slopes: LinearWeights<u64>,
 }
 
 /// What one run of the recursion writes to.
@@ -83,26 +86,31 @@ impl<F: Clone, S: ScaleBy<F>> Room<F, S> {
 }
 
 impl Evaluator {
-    /// For the knots, the slope ratio r and the degree of a basis.
-    pub(super) fn of(knots: &[BigRational], ratio: &BigRational, degree: usize) -> Self {
-        let one = BigInt::from(1);
-        let scale = knots
-            .iter()
-            .fold(one.clone(), |common, t| if t.denom() == &one { common } else { lcm(&common, t.denom()) });
-        let integral = |t: &BigRational| t.numer() * (&scale / t.denom());
-        let knots: Vec<_> = knots.iter().map(integral).collect();
-        let ratio = (ratio.numer().clone(), ratio.denom().clone());
-        Self {
+    /// Brings the knots of a basis to a common denominator.
+    #[must_use]
+    pub fn new(basis: &Basis) -> Self {
+        match Self::of(basis) {
+            Some(evaluator) => evaluator,
+            None => unreachable!("the weights of an index are linear"),
+        }
+    }
+
+    /// The same for any weights; `None` unless all of them are linear.
+    #[must_use]
+    pub fn of<W: HasWeights>(basis: &Basis<W>) -> Option<Self> {
+        let (slopes, degree) = (LinearWeights::of(basis)?, basis.degree());
+        let (knots, scale) = over_one_denominator(basis.knots().knots());
+        Some(Self {
             degree,
-            words: InWords::of(&scale, &knots, &ratio),
+            words: InWords::of(&scale, &knots, &slopes),
             scale,
             knots,
-            ratio,
+            slopes,
             short: Room::new(degree, Fixed::new(1_i128)),
             long: Room::new(degree, Natural::from(1)),
             big: Room::new(degree, BigInt::from(1)),
             reducer: Reducer::default(),
-        }
+        })
     }
 
     /// The functions that live at x, as limits from the given side; `None` where all are 0, that is, outside of
@@ -165,13 +173,18 @@ impl Evaluator {
         let m = self.knots.len() - 1;
         let (dx, xi) = (&self.scale * x.numer(), x.denom());
         let span = span(m, side, |i| (&self.knots[i] * xi).cmp(&dx))?;
-        self.big_factors(span, x);
-        let (p, q) = &self.ratio;
-        let factors = self.big.factors.map(
-            |rise| (rise.clone(), p.clone()),
-            |fall| (fall.clone(), -q),
-            |a, b| (&a.0 + &b.0, &a.1 + &b.1),
+        let (one, minus_one) = (BigInt::from(1), BigInt::from(-1));
+        let [before, after] = self.distances(span, x);
+        let mut factors = Factors::empty(self.degree);
+        let filled = factors.fill(
+            span,
+            self.slopes.on(span.index()),
+            before.map(|distance| Some((distance, &one))),
+            after.map(|distance| Some((distance, &minus_one))),
+            |slope, (distance, sign)| Some((slope * distance, slope * *sign)),
+            |a, b| Some((&a.0 + &b.0, &a.1 + &b.1)),
         );
+        debug_assert!(filled.is_some());
         let one = Jet::constant(BigInt::from(1), order);
         let numerators = triangle(&FractionFree::new(&factors, &one), span, self.degree, m);
         let unit = &self.scale * xi;
@@ -185,26 +198,34 @@ impl Evaluator {
     }
 
     fn big_factors(&mut self, span: Span, x: &BigRational) {
-        let (j, m) = (span.index(), self.knots.len() - 1);
-        let (dx, xi, (p, q)) = (&self.scale * x.numer(), x.denom(), &self.ratio);
-        let steps = self.degree.max(1);
-        let rises = (0..steps.min(j + 1)).map(|s| Some(p * (&dx - xi * &self.knots[j - s])));
-        let falls = (0..steps.min(m - j)).map(|w| Some(q * (xi * &self.knots[j + 1 + w] - &dx)));
+        let mut factors = std::mem::replace(&mut self.big.factors, Factors::empty(0));
+        let [before, after] = self.distances(span, x);
+        let slopes = self.slopes.on(span.index());
         // Integers of any size always fit.
-        let filled = self.big.factors.fill(span, rises, falls, |rise, fall| Some(rise + fall));
+        let times = |slope: &BigInt, distance: &BigInt| Some(slope * distance);
+        let filled = factors
+            .fill(span, slopes, before.map(Some), after.map(Some), times, |rise, fall| Some(rise + fall));
         debug_assert!(filled.is_some());
+        self.big.factors = factors;
+    }
+
+    /// Dξ(x − t_j), Dξ(x − t_{j−1}), … and Dξ(t_{j+1} − x), Dξ(t_{j+2} − x), …
+    fn distances(&self, span: Span, x: &BigRational) -> [impl Iterator<Item = BigInt> + use<>; 2] {
+        let (j, m) = (span.index(), self.knots.len() - 1);
+        let (dx, xi) = (&self.scale * x.numer(), x.denom());
+        let steps = self.degree.max(1);
+        let before: Vec<_> = (0..steps.min(j + 1)).map(|s| &dx - xi * &self.knots[j - s]).collect();
+        let after: Vec<_> = (0..steps.min(m - j)).map(|w| xi * &self.knots[j + 1 + w] - &dx).collect();
+        [before.into_iter(), after.into_iter()]
     }
 }
 
 impl InWords {
-    fn of(scale: &BigInt, knots: &[BigInt], (p, q): &(BigInt, BigInt)) -> Option<Self> {
+    fn of(scale: &BigInt, knots: &[BigInt], slopes: &LinearWeights<BigInt>) -> Option<Self> {
         let word = |number: &BigInt| i64::try_from(number).ok();
         let knots: Option<Vec<_>> = knots.iter().map(word).collect();
-        Some(Self {
-            scale: word(scale)?,
-            knots: knots?,
-            ratio: (u64::try_from(p).ok()?, u64::try_from(q).ok()?),
-        })
+        let slopes = slopes.map(|slope| u64::try_from(slope).ok())?;
+        Some(Self { scale: word(scale)?, knots: knots?, slopes })
     }
 
     /// (DX, ξ) of x = X/ξ.
@@ -217,12 +238,12 @@ impl InWords {
     fn factors(&self, factors: &mut Factors<u64>, span: Span, dx: i128, xi: i64) -> Option<usize> {
         let (j, m) = (span.index(), self.knots.len() - 1);
         let steps = factors.degree().max(1);
-        let part = |ratio: u64, distance: i128| u64::try_from(distance).ok()?.checked_mul(ratio);
         let at = |i: usize| i128::from(self.knots[i]) * i128::from(xi);
-        let (p, q) = self.ratio;
-        let rises = (0..steps.min(j + 1)).map(|s| part(p, dx - at(j - s)));
-        let falls = (0..steps.min(m - j)).map(|w| part(q, at(j + 1 + w) - dx));
-        factors.fill(span, rises, falls, |rise, fall| rise.checked_add(*fall))?;
+        let before = (0..steps.min(j + 1)).map(|s| u64::try_from(dx - at(j - s)).ok());
+        let after = (0..steps.min(m - j)).map(|w| u64::try_from(at(j + 1 + w) - dx).ok());
+        let times = |slope: &u64, distance: &u64| slope.checked_mul(*distance);
+        let sum = |rise: &u64, fall: &u64| rise.checked_add(*fall);
+        factors.fill(span, self.slopes.on(j), before, after, times, sum)?;
         let all_bits = factors.all().fold(0, |bits, factor| bits | factor);
         Some(64 - all_bits.leading_zeros() as usize)
     }

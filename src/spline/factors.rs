@@ -15,13 +15,20 @@ use super::knots::Span;
 /// at a point x, in the jet of one, or as polynomials in a coordinate of the span. The weight of [t_a, t_b] is
 /// rise_a/L_{a,b} (D2.3), and all three are positive inside the span. The denominator of G_i^d is the product of L_{a,b}
 /// over all i ≤ a ≤ j < b ≤ i + d + 1 but (a, b) = (i, i + d + 1).
+///
+/// Weights may each have a ratio of their own, as those of any family with linear forms: then rise and fall are those of
+/// the weight, rise_{a,b} = p_{a,b}(x − t_a) and fall_{a,b} = q_{a,b}(t_b − x), and all else is the same.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Factors<F> {
     span: Span,
     degree: usize,
-    /// Place s is that of the knot t_{j−s}.
+    /// How many knots t_j, t_{j−1}, … and t_{j+1}, t_{j+2}, … there are.
+    sides: (usize, usize),
+    /// Does each weight have a rise and a fall of its own? Then they stand like `sums`.
+    of_weights: bool,
+    /// Else place s is that of the knot t_{j−s}.
     rises: Vec<F>,
-    /// Place w is that of the knot t_{j+1+w}.
+    /// And place w that of the knot t_{j+1+w}.
     falls: Vec<F>,
     /// L of the knots at the places s and w, s + w < k, row after row of rising w: that is all up to degree k.
     sums: Vec<F>,
@@ -32,49 +39,96 @@ impl<F: Clone> Factors<F> {
     /// there are knots. `sum` adds two factors.
     #[must_use]
     pub fn new(span: Span, degree: usize, rises: Vec<F>, falls: Vec<F>, sum: impl Fn(&F, &F) -> F) -> Self {
-        let mut factors = Self::empty(degree);
-        let (rises, falls) = (rises.into_iter().map(Some), falls.into_iter().map(Some));
-        let filled = factors.fill(span, rises, falls, |rise, fall| Some(sum(rise, fall)));
-        debug_assert!(filled.is_some());
+        let sides = (rises.len(), falls.len());
+        let mut factors = Self { span, degree, sides, of_weights: false, rises, falls, sums: Vec::new() };
+        let added = factors.add_up(|rise, fall| Some(sum(rise, fall)));
+        debug_assert!(added.is_some());
         factors
     }
 
     /// Room for the factors up to degree k.
     pub(crate) fn empty(degree: usize) -> Self {
-        let (rises, falls, sums) = (Vec::new(), Vec::new(), Vec::new());
-        Self { span: Span::assumed(0), degree, rises, falls, sums }
+        Self {
+            span: Span::assumed(0),
+            degree,
+            sides: (0, 0),
+            of_weights: false,
+            rises: Vec::new(),
+            falls: Vec::new(),
+            sums: Vec::new(),
+        }
     }
 
-    /// [`new`](Self::new) in the room that is there, for factors that may not exist in their type; `None` if one does
-    /// not.
-    pub(super) fn fill(
+    /// From the distances x − t_j, x − t_{j−1}, … and t_{j+1} − x, t_{j+2} − x, …, at least one of each, in the room that is
+    /// there: `times` a slope they are rises and falls. The [slopes](super::LinearWeights) are (p, q) of all weights, if there
+    /// is one pair, or else one for each weight. `None` if a factor does not exist in its type.
+    pub(super) fn fill<R, D>(
         &mut self,
         span: Span,
-        rises: impl Iterator<Item = Option<F>>,
-        falls: impl Iterator<Item = Option<F>>,
+        slopes: &[(R, R)],
+        before: impl Iterator<Item = Option<D>>,
+        after: impl Iterator<Item = Option<D>>,
+        times: impl Fn(&R, &D) -> Option<F>,
         sum: impl Fn(&F, &F) -> Option<F>,
     ) -> Option<()> {
         self.span = span;
+        self.of_weights = slopes.len() > 1;
         self.rises.clear();
         self.falls.clear();
+        if let [(p, q)] = slopes {
+            self.rises.reserve(before.size_hint().0);
+            self.falls.reserve(after.size_hint().0);
+            for distance in before {
+                self.rises.push(times(p, &distance?)?);
+            }
+            for distance in after {
+                self.falls.push(times(q, &distance?)?);
+            }
+            self.sides = (self.rises.len(), self.falls.len());
+        } else {
+            let after = after.collect::<Option<Vec<_>>>()?;
+            self.sides = (0, after.len());
+            for (s, distance) in before.enumerate() {
+                let distance = distance?;
+                self.sides.0 += 1;
+                let row = row_start(self.degree, s)..row_start(self.degree, s + 1);
+                // Beyond the last knot nothing is ever asked for: what stands there is without meaning.
+                let after = after.iter().chain(std::iter::repeat_with(|| &after[after.len() - 1]));
+                for ((p, q), other) in slopes[row].iter().zip(after) {
+                    self.rises.push(times(p, &distance)?);
+                    self.falls.push(times(q, other)?);
+                }
+            }
+        }
+        self.add_up(sum)
+    }
+
+    /// All L from rises and falls.
+    fn add_up(&mut self, sum: impl Fn(&F, &F) -> Option<F>) -> Option<()> {
         self.sums.clear();
-        self.rises.reserve(rises.size_hint().0);
-        self.falls.reserve(falls.size_hint().0);
-        for rise in rises {
-            self.rises.push(rise?);
-        }
-        for fall in falls {
-            self.falls.push(fall?);
-        }
-        self.sums.reserve(row_start(self.degree, self.rises.len().min(self.degree)));
-        for (s, rise) in self.rises.iter().enumerate().take(self.degree) {
+        let rows = self.sides.0.min(self.degree);
+        self.sums.reserve(row_start(self.degree, rows));
+        for s in 0..rows {
             for w in 0..self.degree - s {
+                let rise = self.rise(s, w);
                 // Beyond the last knot nothing is ever asked for.
-                let fall = self.falls.get(w);
-                self.sums.push(fall.map_or_else(|| Some(rise.clone()), |fall| sum(rise, fall))?);
+                let added = self.fall(s, w).map_or_else(|| Some(rise.clone()), |fall| sum(rise, fall));
+                self.sums.push(added?);
             }
         }
         Some(())
+    }
+
+    /// The rise of the weight of the knots at the places s and w.
+    #[inline]
+    fn rise(&self, s: usize, w: usize) -> &F {
+        &self.rises[if self.of_weights { row_start(self.degree, s) + w } else { s }]
+    }
+
+    /// Its fall.
+    #[inline]
+    fn fall(&self, s: usize, w: usize) -> Option<&F> {
+        self.falls.get(if self.of_weights { row_start(self.degree, s) + w } else { w })
     }
 
     /// The same in another form, of which `sum` adds two.
@@ -85,7 +139,11 @@ impl<F: Clone> Factors<F> {
         sum: impl Fn(&T, &T) -> T,
     ) -> Factors<T> {
         let (rises, falls) = (self.rises.iter().map(rise).collect(), self.falls.iter().map(fall).collect());
-        Factors::new(self.span, self.degree, rises, falls, sum)
+        let mut factors = Factors { rises, falls, ..Factors::empty(self.degree) };
+        (factors.span, factors.sides, factors.of_weights) = (self.span, self.sides, self.of_weights);
+        let added = factors.add_up(|rise, fall| Some(sum(rise, fall)));
+        debug_assert!(added.is_some());
+        factors
     }
 
     /// The span.
@@ -135,7 +193,7 @@ impl<F: Clone> Factors<F> {
     /// Unless G_i^k lives on the span: j − k ≤ i ≤ j.
     pub fn cofactor(&self, i: usize) -> impl Iterator<Item = &F> {
         let (last_row, last_column) = self.last_places(i);
-        (0..self.rises.len().min(self.degree)).flat_map(move |s| {
+        (0..self.sides.0.min(self.degree)).flat_map(move |s| {
             let known = if s <= last_row { last_column + usize::from(s < last_row) } else { 0 };
             let end = self.row(s, self.degree - s).len();
             &self.row(s, end)[known.min(end)..]
@@ -144,13 +202,16 @@ impl<F: Clone> Factors<F> {
 
     /// All L_{a,b} with b − a ≤ k.
     pub fn all(&self) -> impl Iterator<Item = &F> {
-        (0..self.rises.len().min(self.degree)).flat_map(|s| self.row(s, self.degree - s))
+        (0..self.sides.0.min(self.degree)).flat_map(|s| self.row(s, self.degree - s))
     }
 
     /// rise_a and fall_b of the weight of [t_i, t_{i+d}], which contains the span.
     pub(super) fn shares(&self, i: usize, d: usize) -> (&F, &F) {
-        let j = self.span.index();
-        (&self.rises[j - i], &self.falls[i + d - j - 1])
+        let (s, w) = (self.span.index() - i, i + d - self.span.index() - 1);
+        match self.fall(s, w) {
+            Some(fall) => (self.rise(s, w), fall),
+            None => unreachable!("t_{} is a knot", i + d),
+        }
     }
 
     /// rise_a and what else G_i^{d−1} is multiplied by on its way to G_i^d, a = i at place s, t_{i+d} at place w:
@@ -159,19 +220,19 @@ impl<F: Clone> Factors<F> {
         // From one row to the next a column moves by the length of the row.
         let next =
             |place: &mut usize, s: usize| self.sums.get(std::mem::replace(place, *place + self.degree - s));
-        std::iter::once(&self.rises[s]).chain((0..s).scan(w + 1, next))
+        std::iter::once(self.rise(s, w)).chain((0..s).scan(w + 1, next))
     }
 
     /// fall_b and what else G_i^{d−1} is multiplied by on its way to G_{i−1}^d, b = i + d at place w, t_i at place s:
     /// L of the knot before and all from t_{j+1} to t_{b−1}.
     pub(super) fn for_rest(&self, s: usize, w: usize) -> impl Iterator<Item = &F> {
-        std::iter::once(&self.falls[w]).chain(self.row(s + 1, w))
+        self.fall(s, w).into_iter().chain(self.row(s + 1, w))
     }
 
     /// The first `count` of L of the knot at place s.
     fn row(&self, s: usize, count: usize) -> &[F] {
         let start = row_start(self.degree, s);
-        self.sums.get(start..start + count.min(self.falls.len())).unwrap_or(&[])
+        self.sums.get(start..start + count.min(self.sides.1)).unwrap_or(&[])
     }
 }
 
@@ -182,14 +243,15 @@ fn row_start(degree: usize, s: usize) -> usize {
 
 impl<R: Ring> Factors<(R, R)> {
     /// The factors as polynomials A + Bu, written (A, B), in the span's positive coordinate u, times (1 + u): from
-    /// the gaps t_1 − t_0, …, t_m − t_{m−1}, the number j of the span's own, and r = p/q as (p, q). Here
+    /// the gaps t_1 − t_0, …, t_m − t_{m−1}, the number j of the span's own, and r = p/q as (p, q), of all weights or of each
+    /// by its place. Here
     ///
     /// rise_a = p((t_j − t_a) + (t_{j+1} − t_a)u),  fall_b = q((t_b − t_j) + (t_b − t_{j+1})u).
     ///
     /// `None` if there is no such gap.
-    pub fn in_positive_coordinate(gaps: &[R], j: usize, degree: usize, ratio: (&R, &R)) -> Option<Self> {
+    pub fn in_positive_coordinate(gaps: &[R], j: usize, degree: usize, slopes: &[(R, R)]) -> Option<Self> {
         let mut factors = Self::empty(degree);
-        factors.fill_in_positive_coordinate(gaps, j, ratio)?;
+        factors.fill_in_positive_coordinate(gaps, j, slopes)?;
         Some(factors)
     }
 
@@ -198,25 +260,28 @@ impl<R: Ring> Factors<(R, R)> {
         &mut self,
         gaps: &[R],
         j: usize,
-        (p, q): (&R, &R),
+        slopes: &[(R, R)],
     ) -> Option<()> {
         let gap = gaps.get(j)?;
         let steps = self.degree.max(1);
-        let mut before = gap.zero();
-        let rises = (0..steps.min(j + 1)).map(|s| {
+        let mut sum = gap.zero();
+        let before = (0..steps.min(j + 1)).map(|s| {
             if s > 0 {
-                before.increase(&gaps[j - s]);
+                sum.increase(&gaps[j - s]);
             }
-            Some((p.times(&before), p.times(&before.plus(gap))))
+            Some((sum.clone(), sum.plus(gap)))
         });
-        let mut after = gap.zero();
-        let falls = (0..steps.min(gaps.len() - j)).map(|w| {
+        let mut sum = gap.zero();
+        let after = (0..steps.min(gaps.len() - j)).map(|w| {
             if w > 0 {
-                after.increase(&gaps[j + w]);
+                sum.increase(&gaps[j + w]);
             }
-            Some((q.times(&after.plus(gap)), q.times(&after)))
+            Some((sum.plus(gap), sum.clone()))
         });
-        self.fill(Span::assumed(j), rises, falls, |a, b| Some((a.0.plus(&b.0), a.1.plus(&b.1))))
+        let times =
+            |slope: &R, (at_start, at_end): &(R, R)| Some((slope.times(at_start), slope.times(at_end)));
+        let span = Span::assumed(j);
+        self.fill(span, slopes, before, after, times, |a, b| Some((a.0.plus(&b.0), a.1.plus(&b.1))))
     }
 }
 
@@ -231,7 +296,8 @@ mod tests {
         let gaps: Vec<BigInt> = [1, 2, 3, 4, 5, 6].map(BigInt::from).to_vec();
         let one = BigInt::from(1);
         for j in 0..6 {
-            let factors = Factors::in_positive_coordinate(&gaps, j, 3, (&one, &one)).unwrap();
+            let factors =
+                Factors::in_positive_coordinate(&gaps, j, 3, &[(one.clone(), one.clone())]).unwrap();
             let functions = j.saturating_sub(3)..=j.min(2);
             for i in functions {
                 let mut both: Vec<_> = factors.denominator(i).chain(factors.cofactor(i)).collect();

@@ -21,8 +21,8 @@ use super::weight::Split;
 /// let knots = KnotVector::new([0, 1, 3, 6].map(integer).to_vec())?;
 /// let span = knots.spans().nth(1).unwrap();
 /// let gaps = [1, 2, 3].map(BigInt::from);
-/// let ratio = (&BigInt::from(1), &BigInt::from(2));
-/// let factors = Factors::in_positive_coordinate(&gaps, span.index(), 1, ratio).unwrap();
+/// let ratio = [(BigInt::from(1), BigInt::from(2))];
+/// let factors = Factors::in_positive_coordinate(&gaps, span.index(), 1, &ratio).unwrap();
 /// assert_eq!(factors.denominator(0).collect::<Vec<_>>(), [&(BigInt::from(4), BigInt::from(2))]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

@@ -63,8 +63,8 @@ impl<W: HasWeights> Basis<W> {
     /// A variable, such as a [`RationalFunction`](crate::scalar::RationalFunction), stands for the points of the span:
     /// the result is the functions as formulas.
     ///
-    /// Over exact numbers this is the reference: every operation is reduced at once, and slow. For an index,
-    /// [`Evaluator`] gives the same values and jets.
+    /// Over exact numbers this is the reference: every operation is reduced at once, and slow. For linear weights,
+    /// those of an index among them, [`Evaluator`] gives the same values and jets.
     ///
     /// # Errors
     /// [`SpanError`] for a span of another knot vector, and for a point outside of the closed span, NaN included.
@@ -122,7 +122,7 @@ impl<W: HasWeights> Basis<W> {
     }
 }
 
-/// A basis at many points: the knots of an index are brought to a common denominator once.
+/// A basis at many points: where all weights are linear, by an [`Evaluator`], which prepares the knots once.
 #[derive(Debug, Clone)]
 pub struct Sampler<'a, W> {
     basis: &'a Basis<W>,
@@ -133,16 +133,10 @@ impl<'a, W: HasWeights> Sampler<'a, W> {
     /// Prepares what can be prepared.
     #[must_use]
     pub fn new(basis: &'a Basis<W>) -> Self {
-        let kernel = match basis.weights().kind() {
-            WeightKind::Index(index) => {
-                Some(Evaluator::of(basis.knots().knots(), index.ratio(), basis.degree()))
-            }
-            WeightKind::Forms(_) => None,
-        };
-        Self { basis, kernel }
+        Self { basis, kernel: Evaluator::of(basis) }
     }
 
-    /// The fast kernel, of an index.
+    /// The fast kernel, of linear weights.
     pub(super) fn kernel(&mut self) -> Option<&mut Evaluator> {
         self.kernel.as_mut()
     }
@@ -173,7 +167,7 @@ impl<'a, W: HasWeights> Sampler<'a, W> {
 mod tests {
     use super::*;
     use crate::scalar::rational;
-    use crate::spline::{Forms, KnotVector};
+    use crate::spline::{Curve, CurveEvaluator, Forms, KnotVector};
 
     /// Linear forms with one ratio are an index: the same functions as by its own kernels.
     #[test]
@@ -193,5 +187,60 @@ mod tests {
                 }
             }
         }
+    }
+
+    /// Every weight with a ratio of its own, on knots of every kind: the kernel gives what the recursion gives, at points, as jets, and
+    /// for curves, in words and beyond.
+    #[test]
+    fn linear_forms_have_a_kernel() {
+        let knots = KnotVector::new([0, 0, 0, 1, 1, 2, 4, 4, 5, 7, 7].map(integer).to_vec()).unwrap();
+        for (degree, scale) in [(0, 1), (1, 1), (2, 3), (3, 1), (4, 1_i64 << 40)] {
+            let slope =
+                |a: usize, b: usize| rational(i64::try_from(a * 7 % 5 + b).unwrap_or(1), 3) * integer(scale);
+            let forms = |j: usize, i: usize, d: usize| {
+                Forms::new(vec![integer(0), slope(i, d)], vec![slope(d, j + 1), integer(0)], None).ok_or(())
+            };
+            let table = FormTable::new(&knots, degree, forms).unwrap();
+            let basis = Basis::over(knots.clone(), degree, table).unwrap();
+            let points =
+                (0..=basis.n()).map(|i| vec![integer(i64::try_from(i * i % 7).unwrap_or(0))]).collect();
+            let curve = Curve::new(basis.clone(), points).unwrap();
+            let (mut sampler, mut evaluator) = (Sampler::new(&basis), CurveEvaluator::new(&curve));
+            assert!(sampler.kernel().is_some());
+            for x in [
+                rational(0, 1),
+                rational(1, 3),
+                rational(1, 1),
+                rational(9, 2),
+                rational(5, 1),
+                rational(7, 1),
+            ] {
+                for side in [Side::Left, Side::Right] {
+                    let recursion = |order| sampler.recursion(&x, side, &Jet::variable(x.clone(), order));
+                    let (values, jets) = (recursion(0), recursion(2));
+                    assert_eq!(sampler.jets(&x, side, 2), jets, "{degree}, {x}");
+                    let values = values.map(|all| all.into_map(|jet| jet.coefficients()[0].clone()));
+                    assert_eq!(sampler.values(&x, side), values, "{degree}, {x}");
+                    assert_eq!(evaluator.point(&x, side), curve.point(&x, side), "{degree}, {x}");
+                    assert_eq!(evaluator.jets(&x, side, 2), curve.jets(&x, side, 2), "{degree}, {x}");
+                    assert_eq!(evaluator.de_boor(&x, side), curve.de_boor(&x, side), "{degree}, {x}");
+                }
+            }
+        }
+    }
+
+    /// One weight that is not linear, and all of them are left to the recursion.
+    #[test]
+    fn other_forms_have_none() {
+        let knots = KnotVector::new([0, 0, 0, 1, 1, 1].map(integer).to_vec()).unwrap();
+        let square = |d: usize| {
+            let (rise, fall) = (vec![integer(0), integer(1)], vec![integer(1), integer(0)]);
+            let squared =
+                (vec![integer(0), integer(0), integer(1)], vec![integer(1), integer(0), integer(0)]);
+            let (rise, fall) = if d == 2 { squared } else { (rise, fall) };
+            Forms::new(rise, fall, None).ok_or(())
+        };
+        let table = FormTable::new(&knots, 2, |_, _, d| square(d)).unwrap();
+        assert!(Sampler::new(&Basis::over(knots, 2, table).unwrap()).kernel().is_none());
     }
 }

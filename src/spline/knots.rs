@@ -2,6 +2,7 @@
 
 use std::fmt;
 use std::hash::{DefaultHasher, Hash, Hasher};
+use std::sync::Arc;
 
 use num_rational::BigRational;
 use thiserror::Error;
@@ -84,7 +85,8 @@ impl Span {
 /// ```
 #[derive(Debug, Clone)]
 pub struct KnotVector {
-    knots: Vec<BigRational>,
+    /// Shared: every basis on the same knots has them.
+    knots: Arc<[BigRational]>,
     /// Tells its spans from those of other vectors; never 0.
     fingerprint: u64,
 }
@@ -162,7 +164,7 @@ impl KnotVector {
         for t in &knots {
             (t.numer(), t.denom()).hash(&mut hasher);
         }
-        Self { knots, fingerprint: hasher.finish().max(1) }
+        Self { knots: knots.into(), fingerprint: hasher.finish().max(1) }
     }
 
     /// The knot vector of the Bernstein case of P3.3: a and b, k + 1 times each.
@@ -326,7 +328,7 @@ impl KnotVector {
     /// The vector with one more knot at x, in its place.
     #[must_use]
     pub fn with_knot(&self, x: &BigRational) -> Self {
-        let mut knots = self.knots.clone();
+        let mut knots = self.knots.to_vec();
         knots.insert(knots.partition_point(|t| t <= x), x.clone());
         Self::of(knots)
     }

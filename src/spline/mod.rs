@@ -12,6 +12,7 @@ mod fraction_free;
 mod index;
 mod kind;
 mod knots;
+mod linear_weights;
 mod reducer;
 mod triangle;
 mod weight;

@@ -233,11 +233,15 @@ fn shapes(
     notation: Notation,
     progress: &Progress,
 ) -> Vec<FunctionRecord> {
-    let pieces = Pieces::of(basis);
+    // One function alone, or what all of them share only once.
+    let pieces = (chosen.start() != chosen.end()).then(|| Pieces::of(basis));
     chosen
         .map(|i| {
             progress.step(&format!("G_{i}, α = {}", basis.index()));
-            let mut shape = FunctionShape::of(&pieces, i);
+            let mut shape = match &pieces {
+                Some(pieces) => FunctionShape::of(pieces, i),
+                None => FunctionShape::of_function(basis, i),
+            };
             shape.refine_to(width);
             let weights = Weighting::Index(basis.index().clone());
             FunctionRecord::new((basis, &weights), i, &shape, notation)
