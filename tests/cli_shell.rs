@@ -75,6 +75,7 @@ fn calls(files: &Files) -> Vec<Vec<String>> {
     call(&["prove", "--claim", "P2.1.1", "--out"], &[], &[files.text("certificates")]);
     call(&["verify"], &[], &[files.text("statement.statement")]);
     call(&["families"], &[], &[files.text("family.toml")]);
+    call(&["vectors", "--degree", "1", "--out"], &[], &[files.text("vectors.json")]);
     let knots = ["--degree", "1", "--knots", "0 0 1 1", "--classical", "--family"];
     call(&["check"], &knots, &[files.text("family.toml")]);
     call(&["search", "--degree", "3", "--limit", "7"], &[], &[]);

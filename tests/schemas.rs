@@ -239,6 +239,7 @@ fn examples() -> Vec<(&'static str, Vec<Vec<&'static str>>)> {
             ],
         ),
         ("figures", vec![vec!["figures", "7", "--out", "pictures"]]),
+        ("vectors", vec![vec!["vectors", "--degree", "1", "--out", "vectors.json"]]),
         (
             "judge",
             vec![
@@ -470,5 +471,23 @@ fn instance_files_are_as_their_schema_says() {
         let read = here(&[&arguments[..], if given { &[] } else { &["--alpha", "-1"] }].concat());
         assert_eq!(validator.is_valid(&instance), good, "the schema on {instance}");
         assert_eq!(!read.stdout.is_empty(), good, "the program on {instance}: {}", read.stderr);
+    }
+}
+
+/// The file that is written beside the answer.
+#[test]
+fn a_file_of_vectors_is_as_its_schema_says() {
+    let folder = tempfile::tempdir().unwrap();
+    for of in [&["--degree", "2"][..], &["--family", "knot-weights", "--degree", "1"]] {
+        let mut command = crate::program();
+        command.current_dir(folder.path()).arg("vectors").args(of).args(["--out", "vectors.json"]);
+        command.assert().success();
+        let file: Value =
+            serde_json::from_str(&fs::read_to_string(folder.path().join("vectors.json")).unwrap()).unwrap();
+        let strict = strict("vectors");
+        assert!(errors(&strict, &file).is_empty(), "{:#?}", errors(&strict, &file));
+        for (what, object, less) in changed(&file) {
+            assert!(!strict.is_valid(&object) || less, "nobody notices {what}");
+        }
     }
 }

@@ -26,6 +26,7 @@ mod cli_report;
 mod cli_search;
 mod cli_shape;
 mod cli_shell;
+mod cli_vectors;
 mod conjecture_page;
 mod corners;
 mod curve_evaluator;

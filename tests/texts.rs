@@ -278,6 +278,12 @@ fn figures() {
     reads("figures", &session(&["figures 7 two-maxima --out pictures", "figures 8 nine --out pictures"]));
 }
 
+#[test]
+fn vectors() {
+    let of_index = "vectors --alpha -4 --degree 2 --derivatives 1 --out vectors.json";
+    reads("vectors", &session(&[of_index, "vectors --degree 99 --out vectors.json"]));
+}
+
 /// A theorem that is proved, one that is refuted and amended, a question with hypotheses.
 #[test]
 fn explain() {

@@ -159,11 +159,13 @@ pub enum CliError {
         /// n.
         n: usize,
     },
-    /// More derivatives than the program is willing to compute.
-    #[error("--derivatives: {order} is too many: at most {limit}")]
-    Derivatives {
+    /// More than the program is willing to compute.
+    #[error("{argument}: {given} is too many: at most {limit}")]
+    TooMany {
+        /// Which argument.
+        argument: &'static str,
         /// What was given.
-        order: usize,
+        given: usize,
         /// The most that is allowed.
         limit: usize,
     },
@@ -571,8 +573,8 @@ impl CliError {
             Self::Function { .. } | Self::NoDefinition { .. } => Some("--index"),
             Self::Expression { .. } => Some("--equals"),
             Self::NoSpan { .. } => Some("--span"),
-            Self::Derivatives { .. } => Some("--derivatives"),
             Self::UnknownClaim { argument, .. }
+            | Self::TooMany { argument, .. }
             | Self::File { argument, .. }
             | Self::NoPaper { argument, .. }
             | Self::Windows { argument, .. } => Some(argument),

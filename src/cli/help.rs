@@ -109,6 +109,14 @@ const TASKS: &[Task] = &[
         ],
     },
     Task {
+        task: "Test a spline library of your own",
+        examples: &[example(
+            "knotproof vectors --out vectors.json",
+            "Exact values and one-sided derivatives on knots of every kind, as a file for your tests.",
+            Exit::Holds,
+        )],
+    },
+    Task {
         task: "Check a claim",
         examples: &[
             example(

@@ -43,6 +43,7 @@ mod search;
 mod shape;
 mod table;
 mod usage;
+mod vectors;
 mod verdict;
 mod verify;
 mod visible;
@@ -98,6 +99,7 @@ enum Command {
     Prove(prove::Args),
     Verify(verify::Args),
     Families(families::Args),
+    Vectors(vectors::Args),
     Search(Box<search::Args>),
     Merge(merge::Args),
     Schema(schema::Args),
@@ -124,6 +126,7 @@ impl Command {
             Self::Prove(args) => prove::run(args, output),
             Self::Verify(args) => verify::run(args, output),
             Self::Families(args) => families::run(args, output),
+            Self::Vectors(args) => vectors::run(args, output),
             Self::Search(args) => search::run(args, output),
             Self::Merge(args) => merge::run(args, output),
             Self::Schema(args) => schema::run(args, output),

@@ -15,7 +15,7 @@ use super::file::InstanceFile;
 use super::output::{ErrorReport, OfPaper, Output, Stamped};
 use super::{
     bezier, check, completions, eval, explain, families, figures, float, formula, help, joins, judge, man,
-    merge, new, prove, report, shape, verify,
+    merge, new, prove, report, shape, vectors, verify,
 };
 
 /// Prints a JSON Schema: of instance files (for --instance FILE), of files of claims (for check --claims FILE), of families (for
@@ -56,6 +56,7 @@ enum Written {
     Prove,
     Verify,
     Families,
+    Vectors,
     Search,
     Merge,
     Completions,
@@ -79,6 +80,7 @@ const SEARCH: &str =
 const HELP: &str = "All tasks, or the help of one command.";
 const CLAIMS: &str = "Files of claims, for check --claims: TOML, here as the data that it stands for. docs/language.md says how sentences are written.";
 const FAMILY: &str = "Files of families, for --family: TOML, here as the data that it stands for. docs/language.md says how weights are written.";
+const VECTORS: &str = "What was written, and the file: exact values for the tests of other spline libraries.";
 const FAMILIES: &str = "Families of splines; with --table the page of their classical properties.";
 const ERROR: &str = "The object on standard error, with exit code 2, or 4 for a bug of the program.";
 
@@ -174,6 +176,13 @@ impl Written {
                 vec![
                     titled("Families", of::<families::Families>(to)),
                     titled("The page of properties (--table)", of::<families::Page>(to)),
+                ],
+            ),
+            Self::Vectors => (
+                VECTORS,
+                vec![
+                    titled("What was written", of::<vectors::Written>(to)),
+                    titled("The file", of::<Stamped<vectors::Vectors>>(to)),
                 ],
             ),
             Self::Search => (

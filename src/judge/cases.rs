@@ -368,10 +368,15 @@ fn family_knots() -> Vec<(usize, KnotVector)> {
 /// Numbers for parameters, simplest first.
 const NUMBERS: [(i64, i64); 9] = [(0, 1), (1, 1), (2, 1), (1, 2), (3, 1), (1, 3), (-1, 1), (3, 2), (-2, 1)];
 
-/// The simplest parameters of a family that are not all the same, on knots of these m and k.
+/// The simplest parameters of a family that are not all the same, on knots of these m and k; those that are given are kept.
 #[must_use]
-pub fn simplest_member(family: &Family, m: usize, k: usize) -> Vec<(String, Values)> {
-    let mut all = members(family, &[], m, k);
+pub fn simplest_member(
+    family: &Family,
+    given: &[(String, Values)],
+    m: usize,
+    k: usize,
+) -> Vec<(String, Values)> {
+    let mut all = members(family, given, m, k);
     all.truncate(2);
     all.pop().unwrap_or_default()
 }

@@ -16,6 +16,7 @@ mod picture;
 mod record;
 mod summary;
 mod theory;
+mod vectors;
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::ops::RangeInclusive;
@@ -48,6 +49,7 @@ pub use picture::dependence_picture;
 pub use record::{DegreeFinding, Finding, Grounds, Record, Stated, THEORY, TheoremRecord, by_severity};
 pub use summary::{Counts, Refutations, Summary};
 pub use theory::{examples_in_coq, stanzas_in_coq, theory_tables, with_theory_tables};
+pub use vectors::{OneSided, VectorCase, VectorPoint, vectors};
 
 /// All that one run found: the data of `report.json`.
 #[derive(Debug, Clone, Serialize, JsonSchema)]

@@ -144,7 +144,11 @@ struct Level {
 /// Evaluates and prints.
 pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     if args.derivatives > DERIVATIVES_LIMIT {
-        return Err(CliError::Derivatives { order: args.derivatives, limit: DERIVATIVES_LIMIT });
+        return Err(CliError::TooMany {
+            argument: "--derivatives",
+            given: args.derivatives,
+            limit: DERIVATIVES_LIMIT,
+        });
     }
     let notation = args.notation.notation()?;
     let output = output.in_notation(notation);

@@ -105,7 +105,7 @@ fn weights(family: &Family, knots: &str) -> String {
         }
         Some(None) => "alpha = \"inf\"".to_owned(),
         None => {
-            let set = simplest_member(family, knots.split(' ').count() - 1, 2);
+            let set = simplest_member(family, &[], knots.split(' ').count() - 1, 2);
             let set: Vec<_> = set.iter().map(|(name, values)| format!("{name} = \"{values}\"")).collect();
             format!("# The parameters of the family, as behind --set.\nset = {{ {} }}", set.join(", "))
         }
