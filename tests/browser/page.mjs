@@ -72,7 +72,7 @@ try {
   await answered();
   const first = await evaluate(`(async () => { modules.panel.stop(); const began = performance.now(); await modules.panel.ask(JSON.stringify({ ask: "values", degree: "3", knots: "0 0 0 0 1 2 4 4 4 4", alpha: "5/2", x: "3/2" })); return performance.now() - began; })()`);
   console.log(`a first answer of the panel, with its module begun anew, takes ${Math.round(first)} ms`);
-  const requests = browser.events.filter(({ method, params }) => method === "Network.requestWillBeSent" && !params.request.url.startsWith("data:"));
+  const requests = browser.events.filter(({ method, params }) => method === "Network.requestWillBeSent" && !/^(data|blob):/.test(params.request.url));
   check("it asks for nothing but itself", requests.length === 1, requests.map(({ params }) => params.request.url));
 
   // ---- Filter
@@ -206,9 +206,12 @@ try {
   await click("#judge");
   await until(`document.getElementById("judge-count").textContent.startsWith("For every x")`);
   const here = await evaluate(`Object.fromEntries([...document.querySelectorAll("#verdicts-here tr")].map((row) => [row.dataset.claim, row.cells[1].textContent]))`);
-  const recorded = Object.fromEntries(program("check", "--degree", 2, "--knots", "0 0 0 1 2 2 2", "--alpha", -1, "--all").properties.map(({ id, status }) => [id, status]));
+  const recorded = Object.fromEntries(program("check", "--degree", 2, "--knots", "0 0 0 1 2 2 2", "--alpha", -1).properties.map(({ id, status }) => [id, status]));
   const differing = Object.entries(here).filter(([id, status]) => recorded[id] !== status);
   check(`the verdicts on ${Object.keys(here).length} claims are those of check`, Object.keys(here).length > 30 && differing.length === 0, differing.map(([id, status]) => [id, status, recorded[id]]));
+  // These are made of other claims, which the judge of the page does not know.
+  const missing = Object.keys(recorded).filter((id) => !(id in here));
+  check("on all but two", equal(missing, ["abstract.classical", "C6.classical"]), missing);
   await evaluate(`document.getElementById("sentence").value = "i in 0..n : G[i](t[m]) = 0"`);
   await click("#own-form button");
   await until(`/refuted|proved/.test(document.querySelector("#verdicts-here tr")?.cells[1].textContent)`);
@@ -280,9 +283,12 @@ try {
   const trap = [0, 97, 115, 109, 1, 0, 0, 0, 1, 10, 2, 96, 1, 127, 1, 127, 96, 0, 1, 127, 3, 5, 4, 0, 1, 1, 1, 5, 3, 1, 0, 1,
     7, 45, 5, 6, ...Buffer.from("memory"), 2, 0, 8, ...Buffer.from("question"), 0, 0, 6, ...Buffer.from("answer"), 0, 1, 4, ...Buffer.from("text"), 0, 2, 5, ...Buffer.from("fault"), 0, 3,
     10, 21, 4, 5, 0, 65, 128, 8, 11, 3, 0, 0, 11, 4, 0, 65, 16, 11, 4, 0, 65, 4, 11, 11, 10, 1, 0, 65, 16, 11, 4, ...Buffer.from("oops")];
-  await evaluate(`modules.panel.stop(); document.getElementById("module-panel").textContent = ${JSON.stringify(gzipSync(Buffer.from(trap)).toString("base64"))};`);
+  await evaluate(`globalThis.sound = document.getElementById("module-panel").textContent; modules.panel.stop(); document.getElementById("module-panel").textContent = ${JSON.stringify(gzipSync(Buffer.from(trap)).toString("base64"))};`);
   await set("x", "1");
   check("a panic is told on the page", (await text("#panel-error")) === "internal error: oops", await text("#panel-error"));
+  await evaluate(`modules.panel.stop(); document.getElementById("module-panel").textContent = sound;`);
+  await set("x", "3/2");
+  check("and the next question is answered", (await text("#panel-error")) === "" && /At x = 3\/2/.test(await text("#panel-sum")), await text("#panel-error"));
 
   if (pictures) {
     const shot = async (name) => {

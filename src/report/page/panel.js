@@ -124,7 +124,7 @@ const panel = (() => {
     frames.basis = { x: (at) => first + (at - left) / (right - left) * (last - first), step: (last - first) / (right - left) };
     for (const value of [0, 0.5, 1]) {
       element(svg, "line", { x1: left, x2: right, y1: py(value), y2: py(value), class: value === 0 ? "axis" : "tick" });
-      element(svg, "text", { x: left - 10, y: py(value) + 4, "text-anchor": "end" }, String(value));
+      element(svg, "text", { x: left - 12, y: py(value) + 4, "text-anchor": "end" }, String(value));
     }
     const x = float(values.x);
     if (x >= first && x <= last) element(svg, "line", { x1: px(x), x2: px(x), y1: top, y2: bottom, class: "at" });
@@ -291,7 +291,8 @@ const panel = (() => {
   const rowOf = (id, title) => {
     const row = byId("verdicts-here").tBodies[0].insertRow();
     const name = row.insertCell();
-    if (byId(id)) {
+    const general = document.querySelector(`tr[data-claim="${id}"] .badge`)?.cloneNode(true);
+    if (general) {
       row.dataset.claim = id;
       const link = document.createElement("a");
       link.href = `#${id}`;
@@ -302,6 +303,7 @@ const panel = (() => {
     }
     row.insertCell();
     row.insertCell().className = "told";
+    if (general) row.insertCell().append("in general: ", general);
     return row;
   };
 

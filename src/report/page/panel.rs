@@ -2,13 +2,16 @@
 
 use serde_json::{Value, json};
 
-use crate::language::{Claim, Definition, Form, Paper, classical, source};
+use crate::language::{Claim, Definition, Form, Paper, Source, classical, source};
 use crate::meaning::examples_of;
 
 /// A JSON object that may stand in a `script` element; numbers as they are written.
 pub(super) fn json(paper: &Paper) -> String {
     let properties = paper.with(classical().clone());
-    let about_knots = |claim: &Claim<'_>| claim.is_general() && claim.is_about_knots();
+    // Those of `check`.
+    let about_knots = |claim: &Claim<'_>| {
+        claim.source() == Source::Paper && claim.is_general() && claim.is_about_knots()
+    };
     let all = json!({
         "instances": instances(paper),
         "claims": Claim::of(paper).filter(about_knots).filter_map(sentence).collect::<Vec<_>>(),
