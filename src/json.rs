@@ -3,8 +3,13 @@
 //! What a text says of a number is taken from the text itself (`serde_json`'s raw values), never by way of a type that
 //! stands for "any value": such a type has keys of its own that turn an object into a number.
 
-use serde::de::DeserializeOwned;
+use num_rational::BigRational;
+use serde::de::{DeserializeOwned, Error as _};
+use serde::{Deserialize, Deserializer};
+use serde_json::value::RawValue;
 use thiserror::Error;
+
+use crate::scalar::parse_rational;
 
 /// Why a text is not the JSON that is wanted.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -44,6 +49,49 @@ impl From<serde_json::Error> for JsonError {
 /// [`JsonError`], with line and column.
 pub fn read<T: DeserializeOwned>(text: &str) -> Result<T, JsonError> {
     Ok(serde_json::from_str(text)?)
+}
+
+/// An exact number: a JSON number, which counts with all its digits (0.4 is 2/5), or a string that holds one.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Number(pub BigRational);
+
+impl<'de> Deserialize<'de> for Number {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let text = number_text(&raw(deserializer)?).map_err(D::Error::custom)?;
+        parse_rational(&text).map(Self).map_err(D::Error::custom)
+    }
+}
+
+/// The text of a value: whatever is in it, an object stays an object.
+pub(crate) fn raw<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Box<RawValue>, D::Error> {
+    Box::deserialize(deserializer)
+}
+
+/// The text of a JSON number, or of a string that should hold one.
+pub(crate) fn number_text(value: &RawValue) -> Result<String, String> {
+    let text = value.get();
+    match text.as_bytes() {
+        _ if is_number(text) => Ok(text.to_owned()),
+        [b'"', ..] => read(text).map_err(|error| error.message().to_owned()),
+        _ => Err(format!("expected a number or a string with a number, and found {}", kind(text))),
+    }
+}
+
+/// Does the text of a value begin like a number?
+pub(crate) fn is_number(text: &str) -> bool {
+    text.starts_with(|c: char| c == '-' || c.is_ascii_digit())
+}
+
+/// What a text of a value is, in words.
+pub(crate) fn kind(text: &str) -> &'static str {
+    match text.as_bytes().first() {
+        Some(b'n') => "null",
+        Some(b't' | b'f') => "a truth value",
+        Some(b'"') => "a string",
+        Some(b'[') => "a list",
+        Some(b'{') => "an object",
+        _ => "a number",
+    }
 }
 
 /// Serde names types of the program; a user knows those of JSON.

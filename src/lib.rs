@@ -72,7 +72,7 @@
 //! | feature | opens | crates in all |
 //! |---|---|---|
 //! | `float` | [`float`] | 22 |
-//! | `claims` | [`json`], [`language`], [`meaning`], [`judge`] | 45 |
+//! | `claims` | [`json`], [`language`], [`meaning`], [`judge`], [`typed`] | 45 |
 //! | `prove`, with `claims` | [`certificate`], [`settle`] | 52 |
 //! | `search`, with `claims` | [`search`] | 52 |
 //! | `study`, with `claims` and `float` | [`study`] | 60 |
@@ -116,7 +116,8 @@
 //! 4. [`formula`]: basis functions as text, and whether what somebody wrote is one; [`meaning`]: what a formula of the claim
 //!    language says on an instance.
 //! 5. [`judge`]: sentences on instances in order of size, and typed witnesses; [`certificate`]: proofs of formal statements,
-//!    for every knot vector or every α, which an independent checker reads; [`search`]: counterexamples to the conjecture.
+//!    for every knot vector or every α, which an independent checker reads; [`search`]: counterexamples to the conjecture;
+//!    [`typed`]: what people type.
 //! 6. [`settle`]: a claim judged, proved and checked; [`float`]: values and curves in `f64` and `f32`; [`study`]: how far they
 //!    are from the exact ones.
 //! 7. [`report`]: what the reader gets to see.
@@ -182,3 +183,5 @@ pub mod settle;
 pub mod spline;
 #[cfg(feature = "study")]
 pub mod study;
+#[cfg(feature = "claims")]
+pub mod typed;

@@ -11,7 +11,7 @@ const FLOORS: &[&[&str]] = &[
     &["language", "spline"],
     &["analysis"],
     &["meaning", "formula"],
-    &["judge", "certificate", "search"],
+    &["judge", "certificate", "search", "typed"],
     &["settle", "float", "study"],
     &["report"],
     &["cli"],

@@ -1,9 +1,13 @@
 //! The page of the report: complete, self-contained, escaped, and with witnesses worked out to the exact values.
 
+use std::io::Read;
 use std::sync::LazyLock;
 
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use flate2::read::GzDecoder;
 use knotproof::judge::{Bind, Bound, Shows};
-use knotproof::language::{Severity, Source, claims, paper};
+use knotproof::language::{Known, Severity, Source, claims, paper};
 use knotproof::report::{
     Baseline, Dependence, Difference, Errata, PageSource, Record, Report, Summary, by_severity, corners,
     errata_page, markdown, opening, page,
@@ -77,6 +81,50 @@ fn the_page_stands_alone_and_is_the_same_every_time() {
     let alone = PageSource { certificates: None, theory: None, ..SOURCE };
     assert!(!page(&REPORT, &alone).unwrap().contains("../proofs"));
     assert_eq!(html, page(&REPORT, &SOURCE).unwrap());
+}
+
+/// What a `script` element of the page carries in letters, and how many bytes it is compressed.
+fn carried(html: &str, id: &str) -> (Vec<u8>, usize) {
+    let start = format!("id=\"{id}\">");
+    let rest = &html[html.find(&start).expect("the element is there") + start.len()..];
+    let packed = STANDARD.decode(&rest[..rest.find('<').expect("it ends")]).expect("letters of base 64");
+    let mut bytes = Vec::new();
+    GzDecoder::new(packed.as_slice()).read_to_end(&mut bytes).expect("it is compressed");
+    (bytes, packed.len())
+}
+
+#[test]
+fn the_page_carries_the_program_and_the_certificates() {
+    let html = page(&REPORT, &SOURCE).unwrap();
+    for (module, most) in [("panel", 400_000), ("judge", 600_000), ("checker", 400_000)] {
+        let (bytes, packed) = carried(&html, &format!("module-{module}"));
+        assert!(bytes.starts_with(b"\0asm") && packed < most, "{module}: {packed}");
+    }
+    let (texts, _) = carried(&html, "certificates");
+    let texts: std::collections::BTreeMap<String, (String, String)> = serde_json::from_slice(&texts).unwrap();
+    assert!(texts.len() > 3 && texts.keys().eq(REPORT.certificates.keys()));
+    for (name, (statement, proof)) in &texts {
+        assert!(knotproof_checker::check(statement, proof).is_ok(), "{name}");
+        assert!(html.contains(&format!("data-certificate=\"{name}\">Check it here")), "{name}");
+    }
+}
+
+#[test]
+fn the_panel_is_offered_the_sentences_that_are_about_knots() {
+    let html = page(&RECORDED, &SOURCE).unwrap();
+    let start = html.find("id=\"paper\">").unwrap() + "id=\"paper\">".len();
+    let data: serde_json::Value =
+        serde_json::from_str(html[start..].split("</script>").next().unwrap()).unwrap();
+    let sentences = |of: &str| data[of].as_array().unwrap().clone();
+    assert!(sentences("claims").len() > 30 && sentences("classical").len() > 5);
+    for one in sentences("claims").iter().chain(&sentences("classical")) {
+        let definitions: Vec<(String, String)> = serde_json::from_value(one["definitions"].clone()).unwrap();
+        let definitions: Vec<_> =
+            definitions.iter().map(|(head, body)| (head.as_str(), body.as_str())).collect();
+        let known = Known::defining(&definitions).unwrap();
+        let read = known.one_line_on_knots(one["sentence"].as_str().unwrap());
+        assert!(read.is_ok(), "{one}: {read:?}");
+    }
 }
 
 #[test]

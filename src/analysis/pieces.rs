@@ -6,8 +6,10 @@ use num_rational::BigRational;
 use crate::scalar::{Polynomial, RationalAlgebra, RationalFunction, Ring, spend};
 use crate::spline::{Active, Basis, HasWeights, KnotVector, Pairs, Span, SpanError, WeightKind, triangle};
 
+use super::decision::sign_pattern;
 use super::local_knots::SpanQuotient;
 use super::piece::{Piece, constant};
+use super::sign::Sign;
 use super::span_quotients::{own_quotient, own_quotients};
 
 /// x = (t_j + u·t_{j+1})/(1 + u) as a function of u: the **positive coordinate** of a span.
@@ -117,6 +119,17 @@ impl Pieces {
     #[must_use]
     pub fn on(&self, span: Span) -> Option<&SpanPieces> {
         self.spans.binary_search_by_key(&span, |pieces| pieces.span).ok().map(|at| &self.spans[at])
+    }
+
+    /// Is G_i^k nowhere negative?
+    #[must_use]
+    pub fn is_nonnegative(&self, i: usize) -> bool {
+        let below = |g: &Piece| {
+            let pattern = sign_pattern(&g.numerator().times(g.denominator()));
+            pattern.between().iter().any(|(_, sign)| *sign == Sign::Negative)
+        };
+        let mut own = self.spans.iter().filter_map(|on| on.functions.get(i));
+        !own.any(|g| !g.is_zero() && below(g))
     }
 
     /// The function 0.

@@ -16,6 +16,7 @@ use crate::language::{Claim, Family, File, Form, Known, Paper, Said, Source, Sta
 use crate::meaning::{Instance, Weighting, examples_of, setting};
 use crate::report::{Baseline, Finding};
 use crate::settle::{Proving, settle_form};
+use crate::typed::TypedError;
 
 use super::error::CliError;
 use super::exit::Exit;
@@ -172,7 +173,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     };
     let mut all = Vec::new();
     let chosen_family = args.instance.family(own_family)?;
-    let member = |error| CliError::Member { argument: "--family", error };
+    let member = |error| TypedError::Member { argument: "--family", error };
     if let (Some(_), Some(of), true) = (&library, &chosen_family, args.instance.is_without_knots()) {
         check.of = Some(of.family.name.clone());
         all.push((None, None, Cases::of_family(&of.family, &of.given).map_err(member)?));

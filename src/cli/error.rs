@@ -11,83 +11,28 @@ use crate::certificate::CertificateError;
 use crate::formula::ScriptError;
 use crate::json::JsonError;
 use crate::language::Complaint;
-use crate::meaning::MemberError;
 use crate::report::{BaselineError, NurbsFileError, PageError, PictureError};
-use crate::scalar::NumberError;
 use crate::search::{AuditError, MergeError, PortionError, RecordError};
 use crate::settle::SettleError;
-use crate::spline::{Basis, BasisError, CurveError, HasWeights, KnotError};
+use crate::spline::{Basis, HasWeights};
 use crate::study::FloatMemberError;
+use crate::typed::{Provenance, TypedError};
 
 use super::exit::Exit;
 use super::point_error::PointError;
-use super::provenance::Provenance;
 
 /// Why a request was not carried out.
 #[derive(Debug, Error)]
 pub enum CliError {
-    /// An entry of a list is not a number.
-    #[error("{place}: {error}")]
-    Number {
-        /// Where it stands.
-        place: Provenance,
-        /// What is wrong with it.
-        error: NumberError,
-    },
-    /// A comma that may be a decimal point, or the end of an entry.
-    #[error(
-        "{place}: `{entry}` has a comma without a space after it, in a list with spaces between its entries: write a \
-         decimal point, as in 1.5, or the same separator everywhere"
-    )]
-    DecimalComma {
-        /// Where it stands.
-        place: Provenance,
-        /// The entry.
-        entry: String,
-    },
-    /// The numbers are no knot vector.
-    #[error("{place}: {error}")]
-    Knots {
-        /// Where they stand.
-        place: Provenance,
-        /// What is wrong with them.
-        error: Box<KnotError>,
-    },
-    /// Too few knots for the degree.
-    #[error("{place}: {error}")]
-    Basis {
-        /// What to change: the degree or the knots.
-        place: Provenance,
-        /// How many are needed.
-        error: BasisError,
-    },
-    /// The points are no control polygon for the basis.
-    #[error("{place}: {error}")]
-    Curve {
-        /// Where they stand.
-        place: Provenance,
-        /// What is wrong with them.
-        error: CurveError,
-    },
+    /// What is typed is no number, no list, no basis, no curve or no member of a family.
+    #[error(transparent)]
+    Typed(#[from] TypedError),
     /// A list of indices in an instance file is empty.
     #[error("{place}: the list is empty; leave the field out, or name an index")]
     NoIndices {
         /// Where it stands.
         place: Provenance,
     },
-    /// Parentheses around points that do not match.
-    #[error(
-        "--points, position {position}: expected `(…)` and found `{found}`; write (0,2),(3/2,5) or 0,2 3/2,5"
-    )]
-    Parentheses {
-        /// The point, from 0.
-        position: usize,
-        /// The text from there on.
-        found: String,
-    },
-    /// `--points` looks like JSON and is not a list of lists of numbers.
-    #[error("--points: {0}; write [[\"0\",\"2\"],[\"3/2\",\"5\"]]")]
-    PointsJson(JsonError),
     /// Something that is needed was not given.
     #[error("{argument} is missing: {purpose}; or name an example with --instance")]
     Missing {
@@ -459,39 +404,6 @@ pub enum CliError {
         /// What is wrong, each with its place and what to write instead.
         complaints: Vec<Complaint>,
     },
-    /// A setting that is none of the family's, or weights that it does not give.
-    #[error("{argument}: {error}")]
-    Member {
-        /// `--set`, or `--family`.
-        argument: &'static str,
-        /// What is wrong.
-        error: MemberError,
-    },
-    /// A setting that is not written as one.
-    #[error("--set: `{0}` has no `=`: write NAME=VALUES, such as q=1/3 or omega=1,2,1/2")]
-    Setting(String),
-    /// A parameter that is to stay a letter.
-    #[error(
-        "--set: `{name}` has to be a number, and here is `{value}`: only α can stay unknown (`knotproof formula --alpha \
-         symbolic`, `knotproof shape --alpha all`); give numbers, one run for each"
-    )]
-    Letter {
-        /// The parameter.
-        name: String,
-        /// What was given.
-        value: String,
-    },
-    /// Two settings of one name.
-    #[error("--set: `{0}` is set twice: give it once")]
-    SetTwice(String),
-    /// Neither the name of a family nor a file.
-    #[error("--family: there is no family `{name}`, and no such file; there are {}", list(names))]
-    UnknownFamily {
-        /// What was given.
-        name: String,
-        /// The families that come with the program.
-        names: Vec<String>,
-    },
     /// An option that is about an index.
     #[error(
         "{option}: it is for the weights of an index only (families classical and mobius), and {family} has others; leave it \
@@ -551,15 +463,10 @@ impl CliError {
     #[must_use]
     pub fn argument(&self) -> Option<&str> {
         match self {
-            Self::Number { place, .. }
-            | Self::DecimalComma { place, .. }
-            | Self::Knots { place, .. }
-            | Self::Basis { place, .. }
-            | Self::Curve { place, .. }
-            | Self::Float { place, .. }
-            | Self::NoIndices { place } => Some(place.argument()),
+            Self::Typed(error) => Some(error.argument()),
+            Self::Float { place, .. } | Self::NoIndices { place } => Some(place.argument()),
             Self::Missing { argument, .. } | Self::Degree { argument, .. } => Some(argument),
-            Self::Parentheses { .. } | Self::PointsJson(_) | Self::NoPoints { .. } => Some("--points"),
+            Self::NoPoints { .. } => Some("--points"),
             Self::Points { .. } | Self::NoPoint { .. } => Some("--points-file"),
             Self::OnlyIndices { option, .. } => Some(option),
             Self::TooHigh { .. } | Self::Quotients { .. } => Some("--degree"),
@@ -590,11 +497,8 @@ impl CliError {
             Self::Merge(_) => Some("FILE"),
             Self::Audit(_) => Some("--audit"),
             Self::Threads { .. } => Some("--threads"),
-            Self::Claim { argument, .. } | Self::Member { argument, .. } | Self::Foreign { argument, .. } => {
-                Some(argument)
-            }
-            Self::Setting(_) | Self::Letter { .. } | Self::SetTwice(_) => Some("--set"),
-            Self::UnknownFamily { .. } | Self::Negative { .. } | Self::Bezier(_) => Some("--family"),
+            Self::Claim { argument, .. } | Self::Foreign { argument, .. } => Some(argument),
+            Self::Negative { .. } | Self::Bezier(_) => Some("--family"),
             Self::Recorded(_)
             | Self::NotRecorded(_)
             | Self::Conversion { .. }

@@ -10,7 +10,7 @@ use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::value::RawValue;
 
-use crate::json;
+use crate::json::{self, is_number, kind, number_text, raw};
 use crate::scalar::parse_rational;
 use crate::spline::Index;
 
@@ -38,8 +38,7 @@ impl Serialize for Exact {
 
 impl<'de> Deserialize<'de> for Exact {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let text = number_text(&raw(deserializer)?).map_err(D::Error::custom)?;
-        parse_rational(&text).map(Self).map_err(D::Error::custom)
+        json::Number::deserialize(deserializer).map(|json::Number(number)| Self(number))
     }
 }
 
@@ -134,35 +133,5 @@ impl JsonSchema for Indices {
             "description": "An index is less than 0 or greater than 1, or \"inf\".",
             "anyOf": [number, { "type": "array", "items": number, "minItems": 1 }],
         })
-    }
-}
-
-/// The text of a value: whatever is in it, an object stays an object.
-fn raw<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Box<RawValue>, D::Error> {
-    Box::deserialize(deserializer)
-}
-
-/// The text of a JSON number, or of a string that should hold one.
-fn number_text(value: &RawValue) -> Result<String, String> {
-    let text = value.get();
-    match text.as_bytes() {
-        _ if is_number(text) => Ok(text.to_owned()),
-        [b'"', ..] => json::read(text).map_err(|error| error.message().to_owned()),
-        _ => Err(format!("expected a number or a string with a number, and found {}", kind(text))),
-    }
-}
-
-fn is_number(text: &str) -> bool {
-    text.starts_with(|c: char| c == '-' || c.is_ascii_digit())
-}
-
-fn kind(text: &str) -> &'static str {
-    match text.as_bytes().first() {
-        Some(b'n') => "null",
-        Some(b't' | b'f') => "a truth value",
-        Some(b'"') => "a string",
-        Some(b'[') => "a list",
-        Some(b'{') => "an object",
-        _ => "a number",
     }
 }

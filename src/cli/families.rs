@@ -15,6 +15,7 @@ use crate::meaning::{MemberError, Values, Weighting, has};
 use crate::scalar::{integer, rational};
 use crate::settle::SettleError;
 use crate::spline::KnotVector;
+use crate::typed::TypedError;
 
 use super::error::CliError;
 use super::exit::Exit;
@@ -244,7 +245,7 @@ fn like(asked: &Arc<Family>) -> Result<Vec<Shown>, CliError> {
     for family in families() {
         for matching in matchings(asked, family) {
             if same(asked, family, &matching)
-                .map_err(|error| CliError::Member { argument: "--like", error })?
+                .map_err(|error| TypedError::Member { argument: "--like", error })?
             {
                 let told = |(own, (place, inverse)): (&Parameter, &(usize, bool))| {
                     let other = asked.parameters[*place].head();
@@ -379,7 +380,7 @@ fn table(args: &Args, output: &Output) -> Result<Exit, CliError> {
     let claims: Vec<Claim<'_>> = Claim::of(&properties).collect();
     let on = |family: &Arc<Family>| {
         let cases = Cases::of_family(family, &[]);
-        let error = |error| CliError::Member { argument: "--family", error };
+        let error = |error| TypedError::Member { argument: "--family", error };
         Ok((Arc::clone(family), cases.map_err(error)?.up_to(HIGHEST)))
     };
     let on = chosen.iter().map(on).collect::<Result<Vec<_>, CliError>>()?;

@@ -4,14 +4,12 @@ use std::ffi::OsString;
 use std::path::Path;
 use std::sync::Arc;
 
-use crate::language::{Family, families};
-use crate::meaning::{Values, Weighting};
+use crate::language::Family;
+use crate::typed::{ChosenFamily, family_named};
 
 use super::error::CliError;
 use super::file::read;
-use super::lists::numbers;
 use super::offered::family_name;
-use super::provenance::Provenance;
 use super::visible::visible_path;
 
 /// Which weights the recursion has, if not those of an index.
@@ -25,13 +23,6 @@ pub(super) struct FamilyArgs {
     /// May be repeated.
     #[arg(long, value_name = "NAME=VALUES", conflicts_with = "alpha", allow_hyphen_values = true)]
     set: Vec<String>,
-}
-
-/// A family, and what is set of its parameters.
-#[derive(Debug, Clone)]
-pub(super) struct ChosenFamily {
-    pub(super) family: Arc<Family>,
-    pub(super) given: Vec<(String, Values)>,
 }
 
 impl FamilyArgs {
@@ -54,53 +45,18 @@ impl FamilyArgs {
                 return Err(CliError::Needed { argument: "--family", purpose });
             }
         };
-        let mut given: Vec<(String, Values)> = Vec::new();
-        for setting in &self.set {
-            let (name, text) = setting.split_once('=').ok_or_else(|| CliError::Setting(setting.clone()))?;
-            let name = name.trim().split('[').next().unwrap_or_default().trim().to_owned();
-            if given.iter().any(|(other, _)| *other == name) {
-                return Err(CliError::SetTwice(name));
-            }
-            if matches!(text.trim(), "symbolic" | "all") {
-                return Err(CliError::Letter { name, value: text.trim().to_owned() });
-            }
-            let values = values(text, &family, &name)?;
-            given.push((name, values));
-        }
-        Ok(Some(ChosenFamily { family, given }))
-    }
-}
-
-impl ChosenFamily {
-    /// The member, with a number for every parameter.
-    ///
-    /// # Errors
-    /// [`CliError::Member`] with what is missing or wrong.
-    pub(super) fn member(&self) -> Result<Weighting, CliError> {
-        Weighting::of(&self.family, &self.given)
-            .map_err(|error| CliError::Member { argument: "--set", error })
+        Ok(Some(ChosenFamily::new(family, &self.set)?))
     }
 }
 
 /// The family of a name, or of a file.
 pub(super) fn find(name: &OsString) -> Result<Arc<Family>, CliError> {
-    if let Some(family) = families().iter().find(|family| name.to_str() == Some(&family.name)) {
-        return Ok(Arc::clone(family));
-    }
     let path = Path::new(name);
-    if !path.exists() {
-        let names = families().iter().map(|family| family.name.clone()).collect();
-        return Err(CliError::UnknownFamily { name: path.display().to_string(), names });
+    let known = family_named(&path.display().to_string());
+    if known.is_ok() || !path.exists() {
+        return Ok(known?);
     }
     let text = read("--family", path)?;
     let family = Family::read(&visible_path(path), &text);
     family.map(Arc::new).map_err(|complaints| CliError::Claim { argument: "--family", complaints })
-}
-
-fn values(text: &str, family: &Family, name: &str) -> Result<Values, CliError> {
-    let place = Provenance::option("--set");
-    let parts: Vec<_> = text.split(';').collect();
-    let at = |at| if parts.len() > 1 { place.clone().at(at) } else { place.clone() };
-    let rows = parts.iter().enumerate().map(|(row, text)| numbers(text, &at(row)));
-    Ok(Values::shaped(rows.collect::<Result<_, _>>()?, family, name))
 }

@@ -25,10 +25,10 @@ use super::exact::Exact;
 use super::exit::Exit;
 use super::instance::{InstanceArgs, MemberSubject, Resolved};
 use super::output::Output;
-use super::provenance::Provenance;
 use super::table::{plain, right_aligned};
 use super::visible::visible_path;
-use super::whole_number::whole_number;
+use crate::typed::whole_number;
+use crate::typed::{Provenance, TypedError};
 
 /// How wrong ways to compute in f64 are: the paper's formula, usual ones, and those of this library.
 ///
@@ -235,7 +235,7 @@ impl Args {
         let basis = &subject.basis;
         // Where the member gives no weights on the knots, that is not due to a rounding.
         let exact = basis.weights().on_knots(basis.knots(), basis.degree());
-        exact.map_err(|error| CliError::Member { argument: "--family", error })?;
+        exact.map_err(|error| TypedError::Member { argument: "--family", error })?;
         let float = FloatMember::nearest(basis).map_err(|error| match error {
             FloatMemberError::Parameter(_) | FloatMemberError::Weights(_) => {
                 CliError::Float { place: Provenance::option("--set"), error }

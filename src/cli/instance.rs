@@ -7,21 +7,17 @@ use std::path::Path;
 use std::str::FromStr;
 use std::sync::Arc;
 
-use num_rational::BigRational;
-
 use crate::language::Family;
 use crate::meaning::{Example, Weighting, examples};
-use crate::spline::{AnyWeights, Basis, Curve, CurveError, Index, IndexError, KnotError, KnotVector, Point};
+use crate::spline::{AnyWeights, Basis, Curve, Index, IndexError, KnotVector, Point};
+use crate::typed::{ChosenFamily, Provenance, TypedError, curve, knot_vector, numbers, points, whole_number};
 
 use super::error::CliError;
 use super::exact::Exact;
-use super::family::{ChosenFamily, FamilyArgs};
+use super::family::FamilyArgs;
 use super::file::InstanceFile;
-use super::lists::{numbers, points};
 use super::offered::{instance_name, instance_names};
-use super::provenance::Provenance;
 use super::visible::visible_path;
-use super::whole_number::whole_number;
 
 /// What a command works on. Options override what an instance brings along.
 #[derive(Debug, Clone, clap::Args)]
@@ -214,7 +210,7 @@ impl InstanceArgs {
         }
         if let Some(weights @ Weighting::Family(_)) = weights.first() {
             let basis = Basis::over(knots, degree, weights.clone())
-                .map_err(|error| CliError::Basis { place: place.clone(), error })?;
+                .map_err(|error| TypedError::Basis { place: place.clone(), error })?;
             if let Some((points, place)) = &points {
                 curve(&basis, points, place)?;
             }
@@ -234,7 +230,7 @@ impl InstanceArgs {
         };
         let case = |index| {
             let basis = Basis::new(knots.clone(), degree, index)
-                .map_err(|error| CliError::Basis { place: place.clone(), error })?;
+                .map_err(|error| TypedError::Basis { place: place.clone(), error })?;
             let curve = points.as_ref().map(|(points, place)| curve(&basis, points, place)).transpose()?;
             Ok(Subject { basis, curve })
         };
@@ -385,7 +381,7 @@ impl Resolved {
             Self::Member(MemberSubject { label, basis, points }) => {
                 let weights = basis.weights().clone();
                 let on = weights.on_knots(basis.knots(), basis.degree());
-                let on = on.map_err(|error| CliError::Member { argument: "--family", error })?;
+                let on = on.map_err(|error| TypedError::Member { argument: "--family", error })?;
                 let basis = basis.with(on);
                 let curve = points.map(|(points, place)| curve(&basis, &points, &place)).transpose()?;
                 Ok(vec![Case { label, weights, basis, curve }])
@@ -441,28 +437,4 @@ fn from_file(path: &Path, examples: &[Example]) -> Result<Given, CliError> {
 fn unknown(path: &Path, examples: &[Example]) -> CliError {
     let names = instance_names(examples).into_iter().map(str::to_owned).collect();
     CliError::UnknownInstance { name: path.display().to_string(), names }
-}
-
-fn knot_vector(knots: Vec<BigRational>, place: &Provenance) -> Result<KnotVector, CliError> {
-    KnotVector::new(knots).map_err(|error| {
-        let place = match &error {
-            KnotError::Decreasing { position, .. } => place.clone().at(*position),
-            _ => place.clone(),
-        };
-        CliError::Knots { place, error: Box::new(error) }
-    })
-}
-
-fn curve<W: Clone>(basis: &Basis<W>, points: &[Point], place: &Provenance) -> Result<Curve<W>, CliError> {
-    Curve::new(basis.clone(), points.to_vec()).map_err(|error| {
-        let place = match &error {
-            CurveError::Dimension { position, .. } | CurveError::Mixed { position, .. } => {
-                place.clone().at(*position)
-            }
-            CurveError::Count { .. } | CurveError::Function { .. } | CurveError::Period { .. } => {
-                place.clone()
-            }
-        };
-        CliError::Curve { place, error }
-    })
 }

@@ -15,6 +15,7 @@ use crate::report::{
     figures, markdown, opening, page,
 };
 use crate::settle::SettleError;
+use crate::typed::TypedError;
 
 use super::atomic::Folder;
 use super::error::CliError;
@@ -122,7 +123,7 @@ pub(super) fn settle_error(
             path: Path::new(folder).join("windows.toml"),
             error: Box::new(error),
         },
-        SettleError::Member(error) => CliError::Member { argument, error },
+        SettleError::Member(error) => TypedError::Member { argument, error }.into(),
         error => error.into(),
     }
 }

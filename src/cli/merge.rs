@@ -11,6 +11,7 @@ use serde::Serialize;
 
 use crate::language::paper;
 use crate::search::{Audit, AuditError, Draw, FindingRecord, Portion, SummaryRecord, audit, merge};
+use crate::typed::WholeNumberError;
 
 use super::atomic::write_atomically;
 use super::error::CliError;
@@ -18,7 +19,6 @@ use super::exit::Exit;
 use super::output::Output;
 use super::progress::Progress;
 use super::search::{Summary, exit, number, read_portion};
-use super::whole_number::WholeNumberError;
 
 /// Puts the shards of a search together, and proves that they cover it: every position once, and as many cases as there are.
 ///

@@ -23,7 +23,6 @@ mod help;
 mod instance;
 mod joins;
 mod judge;
-mod lists;
 mod man;
 mod merge;
 mod new;
@@ -36,7 +35,6 @@ mod paper;
 mod point_error;
 mod progress;
 mod prove;
-mod provenance;
 mod report;
 mod schema;
 mod search;
@@ -47,7 +45,6 @@ mod vectors;
 mod verdict;
 mod verify;
 mod visible;
-mod whole_number;
 
 use std::ffi::OsString;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -59,7 +56,6 @@ pub use error::CliError;
 pub use exit::Exit;
 pub use output::{Format, Output};
 pub use point_error::PointError;
-pub use provenance::Provenance;
 
 /// Judges claims about rational B-splines in exact arithmetic.
 #[derive(Debug, Parser)]

@@ -17,7 +17,7 @@ use super::error::CliError;
 #[derive(Debug, Clone, Copy, clap::Args)]
 pub(super) struct NotationArgs {
     /// Numbers as decimals with N significant digits, all of them right, in place of fractions: for spreadsheets.
-    #[arg(long, value_name = "N", value_parser = super::whole_number::whole_number, conflicts_with = "float")]
+    #[arg(long, value_name = "N", value_parser = crate::typed::whole_number, conflicts_with = "float")]
     digits: Option<usize>,
     /// Numbers as the nearest f64, correctly rounded, in the shortest form that reads back as it: for NumPy and the
     /// like. In JSON they are numbers, not strings.

@@ -14,6 +14,7 @@ use crate::certificate::Certificate;
 use crate::judge::Cases;
 use crate::language::{Claim, paper};
 use crate::settle::{Proving, settle_all};
+use crate::typed::TypedError;
 
 use super::atomic::Folder;
 use super::error::CliError;
@@ -70,7 +71,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     let chosen = choose(Claim::of(&paper).collect(), &args.claim)?;
     Folder::try_out("--out", &args.out)?;
     let progress = Progress::new(chosen.len());
-    let cases = Cases::of_paper(&paper).map_err(|error| CliError::Member { argument: "--paper", error })?;
+    let cases = Cases::of_paper(&paper).map_err(|error| TypedError::Member { argument: "--paper", error })?;
     let settled =
         settle_all(&chosen, &cases, Proving::Everything, |done, name| progress.reach(done as u64, name));
     let settled = settled.map_err(|error| match &args.paper {

@@ -162,7 +162,7 @@ pub fn families() -> &'static [Arc<Family>] {
             match Family::read(&name, file.contents_utf8().unwrap_or_default()) {
                 Ok(family) => Arc::new(Family { given: family.name.clone(), ..family }),
                 Err(complaints) => {
-                    let complaints: Vec<_> = complaints.iter().map(ToString::to_string).collect();
+                    let complaints: Vec<_> = complaints.iter().map(Complaint::message).collect();
                     unreachable!("the folder of the families is damaged:\n{}", complaints.join("\n"))
                 }
             }

@@ -5,8 +5,8 @@ use std::hash::Hash;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use crate::analysis::{
-    Greatest, OneDenominator, Piece, Pieces, Sign, Tie, coordinate_between, over_common_denominator,
-    positive_coordinate, sign_pattern,
+    Greatest, OneDenominator, Piece, Pieces, Tie, coordinate_between, over_common_denominator,
+    positive_coordinate,
 };
 use crate::language::Name;
 use crate::scalar::{BigInt, BigRational, Jet, Polynomial, RationalAlgebra, Ring, integer};
@@ -244,13 +244,7 @@ impl Instance {
         if self.obligation(weights).is_none() {
             return Some(true);
         }
-        let below = |g: &Piece| {
-            let pattern = sign_pattern(&g.numerator().times(g.denominator()));
-            pattern.between().iter().any(|(_, sign)| *sign == Sign::Negative)
-        };
-        let pieces = self.pieces(weights, d)?;
-        let mut own = pieces.spans().iter().filter_map(|on| on.functions.get(i));
-        Some(!own.any(|g| !g.is_zero() && below(g)))
+        Some(self.pieces(weights, d)?.is_nonnegative(i))
     }
 
     /// The pieces of a degree ≤ k and a member; those of the own one are compared once with what the definition gives over

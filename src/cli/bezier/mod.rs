@@ -12,6 +12,7 @@ use crate::analysis::{NurbsRequest, RationalBezier};
 use crate::report::NurbsFile;
 use crate::scalar::parse_rational;
 use crate::spline::{AnyWeights, Curve, Point};
+use crate::typed::whole_number;
 
 use super::error::CliError;
 use super::exact::Exact;
@@ -22,7 +23,6 @@ use super::of_weights::OfWeights;
 use super::on_knots::{OnKnots, exact};
 use super::output::Output;
 use super::progress::Progress;
-use super::whole_number::whole_number;
 
 pub(super) use nurbs::Joined;
 

@@ -16,6 +16,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::scalar::parse_rational;
 use crate::spline::{AnyWeights, CurveEvaluator, Side};
+use crate::typed::whole_number;
 
 use super::error::CliError;
 use super::exact::Exact;
@@ -25,7 +26,6 @@ use super::notation::NotationArgs;
 use super::on_knots::exact;
 use super::output::Output;
 use super::progress::Progress;
-use super::whole_number::whole_number;
 
 pub(super) use point::PointValues;
 use point::{Prepared, Request};

@@ -12,6 +12,7 @@ use serde::Serialize;
 use crate::analysis::{FormalBasis, FormalFunction, FormalPiece};
 use crate::formula::{Form, Language, expression, formula};
 use crate::spline::AnyWeights;
+use crate::typed::whole_number;
 
 use super::error::CliError;
 use super::exact::Exact;
@@ -20,7 +21,6 @@ use super::instance::{Case, FunctionArgs};
 use super::of_weights::OfWeights;
 use super::on_knots::OnKnots;
 use super::output::Output;
-use super::whole_number::whole_number;
 
 pub(super) use equals::Comparison;
 

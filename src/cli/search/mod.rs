@@ -14,6 +14,7 @@ use crate::search::{
     SpaceError,
 };
 use crate::spline::Index;
+use crate::typed::{WholeNumberError, whole_number};
 
 use super::atomic::write_atomically;
 use super::error::CliError;
@@ -22,7 +23,6 @@ use super::family::FamilyArgs;
 use super::file::read_up_to;
 use super::output::{Format, Output};
 use super::progress::Progress;
-use super::whole_number::{WholeNumberError, whole_number};
 
 pub(super) use text::Summary;
 

@@ -16,6 +16,7 @@ use crate::analysis::{
 use crate::meaning::{Instance, Weighting};
 use crate::scalar::parse_rational;
 use crate::spline::{Basis, HasWeights};
+use crate::typed::{TypedError, whole_number};
 
 use super::error::CliError;
 use super::exact::{Exact, as_given};
@@ -26,7 +27,6 @@ use super::of_weights::OfWeights;
 use super::on_knots::OnKnots;
 use super::output::Output;
 use super::progress::Progress;
-use super::whole_number::whole_number;
 
 pub(super) use partition::Partitions;
 
@@ -201,7 +201,7 @@ fn of_member(
 ) -> Result<Exit, CliError> {
     let weights = subject.basis.weights().clone();
     let (chosen, k) = (args.function.range(&subject.basis)?, subject.basis.degree());
-    let wrong = |error| CliError::Member { argument: "--family", error };
+    let wrong = |error| TypedError::Member { argument: "--family", error };
     let on = Instance::on(subject.basis).map_err(wrong)?;
     let (Some(basis), Some(pieces)) = (on.any_basis_of(&weights, k), on.pieces(&weights, k)) else {
         unreachable!("an instance has its own weights")
@@ -278,14 +278,8 @@ impl Turn {
         let extrema = shape.extrema();
         let mut places: Vec<_> = extrema.iter().map(Extremum::x).collect();
         let mut values: Vec<_> = extrema.iter().map(Extremum::height).collect();
-        // Between a maximum and a minimum the function falls or rises, unless it jumps.
-        let turns_back = |at: usize| {
-            let [(_, from), (to, _)] = [&extrema[at], &extrema[at + 1]].map(|turn| turn.place.interval());
-            let jumps = shape.jumps().iter().any(|jump| *from <= jump.at && jump.at <= *to);
-            extrema[at].kind != extrema[at + 1].kind && !jumps
-        };
         let places = notation.settled_apart(&mut places, |_| true);
-        let values = notation.settled_apart(&mut values, turns_back);
+        let values = notation.settled_apart(&mut values, |at| shape.turns_back(at));
         let decimals = places.into_iter().zip(values);
         extrema.iter().zip(decimals).map(|(extremum, decimals)| Self::new(extremum, decimals)).collect()
     }

@@ -173,7 +173,7 @@ fn decided(grounds: &Grounds) -> String {
 }
 
 /// The state of the panel that shows the witness, for the part of the address after `#`.
-fn panel(witness: &Witness) -> Option<String> {
+fn panel_state(witness: &Witness) -> Option<String> {
     let (basis, i, x) = (witness.basis()?, function(witness), witness.number("x"));
     let knots: Vec<_> = basis.knots().knots().iter().map(ToString::to_string).collect();
     let mut state =
@@ -194,7 +194,7 @@ impl Shown {
             found: formula::html(&witness.found()),
             workings: if worked { workings(witness) } else { Vec::new() },
             command: witness.again(claim, form, paper),
-            panel: panel(witness),
+            panel: panel_state(witness),
         }
     }
 }

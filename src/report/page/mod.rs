@@ -1,16 +1,18 @@
 //! The report as a page for people: one file, with all that it needs in it.
 //!
-//! The verdicts and the working of witnesses are exact and computed here; only the panel of the page, in `panel.js`,
-//! computes in `f64`, and says so.
+//! The verdicts and the working of witnesses are exact and computed here. What the page computes itself, for its panel, and the
+//! certificates that it checks, are the program too: the modules below `web/`, which `web/build.sh` compiles for WebAssembly.
 
 mod claim;
+mod embedded;
 mod escape;
 mod example;
 mod formula;
-mod instances;
+mod panel;
 mod working;
 
 use std::collections::BTreeSet;
+use std::io;
 
 use askama::Template;
 use thiserror::Error;
@@ -25,6 +27,7 @@ use super::{PictureError, Report, dependence_picture};
 use crate::language::{About, Source};
 
 use claim::{Figure, Row, Section, figures, row};
+use embedded::{Module, certificates, modules};
 
 /// Why there is no page: a bug of this program.
 #[derive(Debug, Error)]
@@ -35,6 +38,9 @@ pub enum PageError {
     /// A picture in it.
     #[error(transparent)]
     Picture(#[from] PictureError),
+    /// The certificates in it.
+    #[error("the certificates could not be put into the page: {0}")]
+    Certificates(#[from] io::Error),
 }
 
 /// What a page is made from, besides the report.
@@ -69,7 +75,12 @@ struct Page<'a> {
     style: &'static str,
     page_script: &'static str,
     panel_script: &'static str,
-    instances: String,
+    modules_script: &'static str,
+    worker_script: &'static str,
+    /// What the panel knows of the paper, as JSON.
+    panel_data: String,
+    modules: Vec<Module>,
+    packed_certificates: String,
     version: &'static str,
     paper: &'a About,
     title: String,
@@ -115,7 +126,11 @@ pub fn page(report: &Report<'_>, source: &PageSource<'_>) -> Result<String, Page
         style: include_str!("page.css"),
         page_script: include_str!("page.js"),
         panel_script: include_str!("panel.js"),
-        instances: instances::json(report.of),
+        modules_script: include_str!("modules.js"),
+        worker_script: include_str!("worker.js"),
+        panel_data: panel::json(report.of),
+        modules: modules(),
+        packed_certificates: certificates(report)?,
         version: env!("CARGO_PKG_VERSION"),
         paper: &report.of.about,
         title: title(&report.of.about),

@@ -1,10 +1,10 @@
-//! Whole numbers as arguments.
+//! Whole numbers.
 
 use thiserror::Error;
 
 /// Why a text is no whole number.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
-pub(super) enum WholeNumberError {
+pub enum WholeNumberError {
     /// Not a string of digits.
     #[error("write a whole number from 0 up, such as 2")]
     Malformed,
@@ -17,7 +17,7 @@ pub(super) enum WholeNumberError {
 ///
 /// # Errors
 /// [`WholeNumberError`].
-pub(super) fn whole_number(text: &str) -> Result<usize, WholeNumberError> {
+pub fn whole_number(text: &str) -> Result<usize, WholeNumberError> {
     if text.is_empty() || !text.bytes().all(|byte| byte.is_ascii_digit()) {
         return Err(WholeNumberError::Malformed);
     }

@@ -1,23 +1,22 @@
-//! Lists of numbers and of points, as they are written on a command line.
+//! Lists of numbers and of points, as people write them.
 
 use num_rational::BigRational;
 
-use crate::json;
+use crate::json::{self, Number};
 use crate::scalar::parse_rational;
 use crate::spline::Point;
 
-use super::error::CliError;
-use super::exact::Exact;
+use super::error::TypedError;
 use super::provenance::Provenance;
 
 /// A list of exact numbers, separated by commas or by white space.
 ///
 /// # Errors
-/// [`CliError::Number`], with the position of the first entry that is not a number; [`CliError::DecimalComma`] where a
+/// [`TypedError::Number`], with the position of the first entry that is not a number; [`TypedError::DecimalComma`] where a
 /// comma may be a separator or a decimal point.
-pub(super) fn numbers(text: &str, place: &Provenance) -> Result<Vec<BigRational>, CliError> {
+pub fn numbers(text: &str, place: &Provenance) -> Result<Vec<BigRational>, TypedError> {
     if let Some((position, entry)) = decimal_comma(text) {
-        return Err(CliError::DecimalComma { place: place.clone().at(position), entry: entry.to_owned() });
+        return Err(TypedError::DecimalComma { place: place.clone().at(position), entry: entry.to_owned() });
     }
     let numbered = entries(text).into_iter().enumerate();
     numbered.map(|(position, entry)| number(entry, || place.clone().at(position))).collect()
@@ -27,12 +26,12 @@ pub(super) fn numbers(text: &str, place: &Provenance) -> Result<Vec<BigRational>
 /// a list of points of one coordinate: `0,1,2` or `0 1 2`.
 ///
 /// # Errors
-/// [`CliError`], with the position of the first point that cannot be read.
-pub(super) fn points(text: &str) -> Result<Vec<Point>, CliError> {
+/// [`TypedError`], with the position of the first point that cannot be read.
+pub fn points(text: &str) -> Result<Vec<Point>, TypedError> {
     let text = text.trim();
     if text.starts_with('[') {
-        let points: Vec<Vec<Exact>> = json::read(text).map_err(CliError::PointsJson)?;
-        return Ok(points.into_iter().map(|point| point.into_iter().map(|Exact(c)| c).collect()).collect());
+        let points: Vec<Vec<Number>> = json::read(text).map_err(TypedError::PointsJson)?;
+        return Ok(points.into_iter().map(|point| point.into_iter().map(|Number(c)| c).collect()).collect());
     }
     let place = Provenance::option("--points");
     let tight = text.split(',').map(str::trim).collect::<Vec<_>>().join(",");
@@ -50,8 +49,8 @@ pub(super) fn points(text: &str) -> Result<Vec<Point>, CliError> {
     numbered.map(|(position, group)| numbers(group, &place.clone().at(position))).collect()
 }
 
-fn number(entry: &str, place: impl Fn() -> Provenance) -> Result<BigRational, CliError> {
-    parse_rational(entry).map_err(|error| CliError::Number { place: place(), error })
+fn number(entry: &str, place: impl Fn() -> Provenance) -> Result<BigRational, TypedError> {
+    parse_rational(entry).map_err(|error| TypedError::Number { place: place(), error })
 }
 
 /// In a list that has white space between its entries, the first entry with a comma and more behind it: `1,5` in
@@ -77,7 +76,7 @@ fn entries(text: &str) -> Vec<&str> {
 }
 
 /// What stands inside each pair of parentheses; between them commas, semicolons and white space.
-fn parenthesised(text: &str) -> Result<Vec<&str>, CliError> {
+fn parenthesised(text: &str) -> Result<Vec<&str>, TypedError> {
     let mut groups = Vec::new();
     let mut rest = text;
     loop {
@@ -91,7 +90,7 @@ fn parenthesised(text: &str) -> Result<Vec<&str>, CliError> {
                 groups.push(group);
                 rest = after;
             }
-            _ => return Err(CliError::Parentheses { position: groups.len(), found: rest.to_owned() }),
+            _ => return Err(TypedError::Parentheses { position: groups.len(), found: rest.to_owned() }),
         }
     }
 }
@@ -135,7 +134,7 @@ mod tests {
             ("0 ,5 1", 1, ",5"),
         ] {
             let error = numbers(text, &Provenance::option("--knots")).unwrap_err();
-            let CliError::DecimalComma { place, entry: found } = &error else { panic!("{text}: {error}") };
+            let TypedError::DecimalComma { place, entry: found } = &error else { panic!("{text}: {error}") };
             assert_eq!(
                 (place, found.as_str()),
                 (&Provenance::option("--knots").at(position), entry),
@@ -148,8 +147,8 @@ mod tests {
         }
         // Points are pairs; but in a point that is separated by spaces it is the same again.
         assert_eq!(points("0,0 1,2").unwrap().len(), 2);
-        assert!(matches!(points("0 1,5; 2 3"), Err(CliError::DecimalComma { .. })));
-        assert!(matches!(points("(0 1,5 2)"), Err(CliError::DecimalComma { .. })));
+        assert!(matches!(points("0 1,5; 2 3"), Err(TypedError::DecimalComma { .. })));
+        assert!(matches!(points("(0 1,5 2)"), Err(TypedError::DecimalComma { .. })));
     }
 
     #[test]
