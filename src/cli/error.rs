@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use num_rational::BigRational;
 use thiserror::Error;
 
-use crate::analysis::{FreeKnotError, NurbsError, RationalBezierError};
+use crate::analysis::{FreeKnotError, NurbsError, PartError, RationalBezierError};
 use crate::certificate::CertificateError;
 use crate::formula::ScriptError;
 use crate::json::JsonError;
@@ -528,8 +528,14 @@ fn first(complaints: &[Complaint]) -> String {
 fn nurbs_argument(error: &NurbsError) -> &'static str {
     match error {
         NurbsError::Degree { .. } => "--degree-to",
-        NurbsError::From { .. } => "--from",
-        NurbsError::To { .. } => "--to",
+        NurbsError::Part(error) => part_argument(error),
+    }
+}
+
+fn part_argument(error: &PartError) -> &'static str {
+    match error {
+        PartError::From { .. } => "--from",
+        PartError::To { .. } => "--to",
     }
 }
 
