@@ -3,7 +3,8 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
 use knotproof::analysis::{
-    Algebraic, Enclosed, ExtremumKind, Graph, Location, Part, RationalBezier, Sign, Solution, SolutionKind,
+    Algebraic, CurvePart, Enclosed, ExtremumKind, Graph, Location, RationalBezier, Sign, Solution,
+    SolutionKind,
 };
 use knotproof::scalar::{BigRational, integer, rational};
 use knotproof::spline::{Basis, Curve, HasWeights, KnotVector, Side};
@@ -20,7 +21,7 @@ fn line(k: usize, knots: &[i64], alpha: &str, points: &[i64]) -> Curve {
 }
 
 fn part(curve: &Curve, from: Option<&BigRational>, to: Option<&BigRational>) -> Vec<RationalBezier> {
-    let part = Part::of(curve, from, to).unwrap();
+    let part = CurvePart::of(curve, from, to).unwrap();
     RationalBezier::pieces_on(curve, &part).collect::<Result<_, _>>().unwrap()
 }
 
@@ -89,11 +90,11 @@ fn jumps_at_full_knots() {
     let ends = [0, 2].map(|x| (Location::Point(integer(x)), true));
     assert_eq!(range.lowest.places, ends);
     assert_eq!(
-        Part::of(&curve, Some(&integer(2)), None).unwrap_err().to_string(),
+        CurvePart::of(&curve, Some(&integer(2)), None).unwrap_err().to_string(),
         "2 is not in [0, 2), where the curve is"
     );
     assert_eq!(
-        Part::of(&curve, Some(&integer(1)), Some(&integer(3))).unwrap_err().to_string(),
+        CurvePart::of(&curve, Some(&integer(1)), Some(&integer(3))).unwrap_err().to_string(),
         "3 is not in (1, 2], where the curve goes on"
     );
     // On a part the ends are limits from inside.

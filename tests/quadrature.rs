@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
-use knotproof::analysis::{Part, RationalBezier, integrals, length};
+use knotproof::analysis::{CurvePart, RationalBezier, integrals, length};
 use knotproof::scalar::{BigRational, integer, rational};
 use knotproof::spline::{Basis, Curve, KnotVector, Side};
 use num_traits::Signed;
@@ -133,7 +133,7 @@ proptest! {
         let (first, last) = (curve.basis().knots().first(), curve.basis().knots().last());
         let middle = first + (last - first) * rational(s, 12);
         let parts = [(None, Some(&middle)), (Some(&middle), None)].map(|(from, to)| {
-            let part = Part::of(&curve, from, to).unwrap();
+            let part = CurvePart::of(&curve, from, to).unwrap();
             let pieces: Vec<_> = RationalBezier::pieces_on(&curve, &part).collect::<Result<_, _>>().unwrap();
             length(&pieces, &width(bits))
         });

@@ -23,14 +23,14 @@ use super::sign::Sign;
 /// g(x) = a·c(x) of a curve c on an interval, right-continuous at jumps, and at its end with the limit from the left.
 ///
 /// ```
-/// use knotproof::analysis::{Graph, Location, Part, RationalBezier, SolutionKind};
+/// use knotproof::analysis::{Graph, Location, CurvePart, RationalBezier, SolutionKind};
 /// use knotproof::scalar::{integer, rational};
 /// use knotproof::spline::{Basis, Curve, Index, KnotVector};
 ///
 /// let knots = KnotVector::new([0, 0, 0, 1, 2, 2, 2].map(integer).to_vec())?;
 /// let points = [[0, 0], [1, 2], [2, 2], [3, 0]].map(|point| point.map(integer).to_vec()).to_vec();
 /// let curve = Curve::new(Basis::new(knots, 2, Index::infinity())?, points)?;
-/// let pieces = RationalBezier::pieces_on(&curve, &Part::of(&curve, None, None)?).collect::<Result<Vec<_>, _>>()?;
+/// let pieces = RationalBezier::pieces_on(&curve, &CurvePart::of(&curve, None, None)?).collect::<Result<Vec<_>, _>>()?;
 ///
 /// // The second coordinate, 4x − 2x² on [0, 1], is 3/2 at x = 1/2, and again at 3/2; it is largest, 2, at x = 1.
 /// let height = Graph::of(&pieces, &[integer(0), integer(1)]);
@@ -74,7 +74,7 @@ pub enum SolutionKind {
 
 /// The least or the greatest value of a function, and where it has it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Bound {
+pub struct Extreme {
     /// The infimum, or the supremum.
     pub value: Algebraic,
     /// Each place, from left to right; `false` where it is the limit from the left at a jump, and not taken.
@@ -83,11 +83,11 @@ pub struct Bound {
 
 /// All values of a function lie between these, and come as close as one likes to both.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Range {
+pub struct GraphRange {
     /// The infimum.
-    pub lowest: Bound,
+    pub lowest: Extreme,
     /// The supremum.
-    pub highest: Bound,
+    pub highest: Extreme,
 }
 
 impl Graph {
@@ -141,9 +141,9 @@ impl Graph {
     ///
     /// Values at irrational places are compared [exactly](Algebraic::compare): a symmetric curve has both of its equal maxima.
     #[must_use]
-    pub fn range(&self) -> Range {
+    pub fn range(&self) -> GraphRange {
         let mut candidates = self.candidates();
-        Range {
+        GraphRange {
             lowest: extreme(&mut candidates, Ordering::Less),
             highest: extreme(&mut candidates, Ordering::Greater),
         }
@@ -226,8 +226,8 @@ impl Graph {
 type Candidate = (Algebraic, (Location, bool));
 
 /// The least or the greatest of the candidates, and of all that are equal to it the places.
-fn extreme(candidates: &mut [Candidate], side: Ordering) -> Bound {
-    let mut best: Option<Bound> = None;
+fn extreme(candidates: &mut [Candidate], side: Ordering) -> Extreme {
+    let mut best: Option<Extreme> = None;
     for (value, place) in candidates.iter_mut() {
         let order = best.as_mut().and_then(|best| value.compare(&mut best.value));
         match &mut best {
@@ -239,10 +239,10 @@ fn extreme(candidates: &mut [Candidate], side: Ordering) -> Bound {
                 }
             }
             Some(_) if order != Some(side) => {}
-            best => *best = Some(Bound { value: value.clone(), places: vec![place.clone()] }),
+            best => *best = Some(Extreme { value: value.clone(), places: vec![place.clone()] }),
         }
     }
-    best.unwrap_or_else(|| Bound { value: integer(0).into(), places: Vec::new() })
+    best.unwrap_or_else(|| Extreme { value: integer(0).into(), places: Vec::new() })
 }
 
 /// The solutions so far.

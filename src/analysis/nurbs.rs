@@ -8,8 +8,8 @@ use thiserror::Error;
 use crate::scalar::{Ring, integer, rationals_between};
 use crate::spline::{Curve, Point, Span};
 
+use super::curve_part::{CurvePart, CurvePartError};
 use super::homogeneous::{Homogeneous, blend};
-use super::part::{Part, PartError};
 use super::rational_bezier::RationalBezier;
 
 /// One connected run of a curve as one NURBS curve: with the B-splines N_i^D of the knots τ,
@@ -86,7 +86,7 @@ pub enum NurbsError {
     },
     /// The curve is not there.
     #[error(transparent)]
-    Part(#[from] PartError),
+    Part(#[from] CurvePartError),
 }
 
 impl Nurbs {
@@ -116,7 +116,7 @@ impl Nurbs {
         request: &NurbsRequest,
     ) -> Result<Vec<Self>, NurbsError> {
         let (knots, k) = (curve.basis().knots(), curve.basis().degree());
-        let part = Part::of(curve, request.from.as_ref(), request.to.as_ref())?;
+        let part = CurvePart::of(curve, request.from.as_ref(), request.to.as_ref())?;
         let pieces: Vec<_> =
             pieces.iter().filter_map(|piece| piece.homogeneous().within(part.ends())).collect();
         let least = pieces.iter().map(Homogeneous::degree).fold(k.max(1), usize::max);

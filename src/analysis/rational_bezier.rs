@@ -7,9 +7,9 @@ use thiserror::Error;
 use crate::scalar::{Polynomial, RationalAlgebra, RationalFunction, Ring, integer};
 use crate::spline::{Curve, HasWeights, Point, Side, Span, WeightKind, binomial};
 
+use super::curve_part::CurvePart;
 use super::homogeneous::Homogeneous;
 use super::linear::over_common_denominator;
-use super::part::Part;
 use super::pieces::own_pieces;
 use super::span_quotients::OneDenominator;
 
@@ -100,7 +100,7 @@ impl RationalBezier {
     /// Those of [`pieces`](Self::pieces).
     pub fn pieces_on<W: HasWeights>(
         curve: &Curve<W>,
-        part: &Part,
+        part: &CurvePart,
     ) -> impl Iterator<Item = Result<Self, RationalBezierError>> {
         let knots = curve.basis().knots();
         let meets = |span: &Span| {

@@ -6,8 +6,8 @@ use thiserror::Error;
 use crate::scalar::RationalFunction;
 use crate::spline::{Basis, Curve, Index, Point};
 
+use super::curve_part::{CurvePart, CurvePartError};
 use super::linear::{coefficient_rows, combinations, rank};
-use super::part::{Part, PartError};
 use super::pieces::Pieces;
 use super::rational_bezier::{RationalBezier, RationalBezierError};
 
@@ -78,7 +78,7 @@ pub fn refined(curve: &Curve, new: &[BigRational]) -> Result<Curve, RefinementEr
     let mut spans = Vec::new();
     for on in Pieces::of(&fine).spans() {
         let (from, to) = on.ends();
-        let part = Part::of(curve, Some(from), Some(to)).map_err(within)?;
+        let part = CurvePart::of(curve, Some(from), Some(to)).map_err(within)?;
         let mut functions: Vec<_> = (0..=fine.n()).map(|i| on.function(i)).collect();
         for piece in RationalBezier::pieces_on(curve, &part) {
             let (weight, coordinates) = piece?.in_positive_coordinate();
@@ -102,6 +102,6 @@ pub fn refined(curve: &Curve, new: &[BigRational]) -> Result<Curve, RefinementEr
 }
 
 /// A span of the new knots lies where the curve is.
-fn within(error: PartError) -> RefinementError {
+fn within(error: CurvePartError) -> RefinementError {
     unreachable!("the new knots are within the old ones: {error}")
 }
