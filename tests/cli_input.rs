@@ -306,7 +306,16 @@ fn results_have_their_curves() {
     let input = ["--degree", "2", "--knots", "0 0 0 1/3 2 2 2", "--alpha", "-1/2"];
     let points = ["--points", "0,0 1,2 2,2 3,0"];
     let wanted = json(&[&["bounds"], &input[..], &points].concat());
-    for call in ["solve --coordinate 1", "bounds --normal 1,1", "length --width 1e-3", "shape --curve"] {
+    for call in [
+        "eval --x 1/5",
+        "bezier",
+        "joins",
+        "solve --coordinate 1",
+        "bounds --normal 1,1",
+        "length --width 1e-3",
+        "shape --curve",
+        "plot",
+    ] {
         let words: Vec<_> = call.split(' ').chain(["--format", "json"]).collect();
         let result = String::from_utf8(run(&[&words[..], &input, &points].concat()).stdout).unwrap();
         let path = file(&folder, "result.json", &result);

@@ -223,7 +223,7 @@ fn examples() -> Vec<(&'static str, Vec<Vec<&'static str>>)> {
             "interpolate",
             vec![
                 on("interpolate", &["--at", "0 1/2 3/2 2", POINTS[0], POINTS[1]]),
-                on("interpolate", &["--at", "0 1/4 1/2 2", POINTS[0], POINTS[1], "--float"]),
+                on("interpolate", &["--at", "0 1/4 1/2 3/4", POINTS[0], POINTS[1], "--float"]),
                 on("interpolate", &["--at", "0 1/2", "--digits", "3"]),
                 of_member("interpolate", &["--at", "0 1/2 3/2 2", POINTS[0], POINTS[1]]),
             ],

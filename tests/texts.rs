@@ -238,7 +238,7 @@ fn length() {
     );
 }
 
-/// A curve, the matrix alone, a place outside of a support, places too close for their number.
+/// A curve, the matrix alone, a place outside of its support, too few places, places that fall.
 #[test]
 fn interpolate() {
     let on = "interpolate --degree 2 --knots \"0 0 0 1 2 2 2\" --alpha 5";
@@ -247,7 +247,7 @@ fn interpolate() {
         &session(&[
             &format!("{on} --at \"0 1/2 3/2 2\" --points \"0,0 1,2 2,2 3,0\""),
             &format!("{on} --at \"0 1/2 1\""),
-            &format!("{on} --at \"0 1/4 1/2 2\" --points \"0 1 2 3\""),
+            &format!("{on} --at \"0 1/4 1/2 3/4\" --points \"0 1 2 3\""),
             &format!("{on} --at \"0 1/2 2\" --points \"0 1 2 3\""),
             &format!("{on} --at \"0 2 1 1/2\""),
         ]),

@@ -26,8 +26,9 @@ pub enum RefinementError {
     },
     /// The space of the functions on the new knots does not contain the curve.
     #[error(
-        "the curve is not in the space of the functions on these knots: those have the rank {rank}, and with coordinate \
-         {coordinate} of the curve it is {rank} + 1"
+        "the functions on these knots have the rank {rank}, and with coordinate {coordinate} of the curve it is {}: the curve is not \
+         in their space",
+        .rank + 1
     )]
     NotInSpace {
         /// The first coordinate that is no combination, from 0.

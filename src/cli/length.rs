@@ -6,6 +6,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::analysis::{integrals, length};
+use crate::scalar::{decimal, decimal_neighbours};
 
 use super::error::CliError;
 use super::exact::{Exact, as_given};
@@ -99,10 +100,10 @@ impl fmt::Display for Lengths {
             }
             writeln!(f, "{}", table.trim_fmt())?;
         }
+        let width = decimal(&decimal_neighbours(&self.width.0, 2).1, 2);
         writeln!(
             f,
-            "\nAll digits are settled, by exact bounds at most {} apart: --format json has them.",
-            self.width
+            "\nAll digits are settled, by exact bounds at most {width} apart: --format json has them."
         )
     }
 }

@@ -13,7 +13,7 @@ use super::error::CliError;
 use super::exact::{Exact, as_given};
 use super::instance::{Case, InstanceArgs};
 use super::notation::{Decimal, Notation, NotationArgs};
-use super::on_knots::{OnKnots, exact};
+use super::on_knots::OnKnots;
 use super::progress::Progress;
 
 /// The arguments of a question of a curve.
@@ -41,10 +41,6 @@ pub(super) struct OnCurve {
     pub(super) on: OnKnots,
     /// The number of coordinates of a point.
     pub(super) dimension: usize,
-    /// d_0, …, d_n: exactly as given, whatever the notation.
-    #[serde(serialize_with = "as_given")]
-    #[schemars(with = "Vec<Vec<String>>")]
-    points: Vec<Vec<Exact>>,
     /// Where the part begins that the answer is about.
     #[serde(serialize_with = "as_given")]
     #[schemars(with = "String")]
@@ -161,9 +157,8 @@ impl OnCurve {
     fn of(case: &Case, curve: &Curve<AnyWeights>, part: &CurvePart) -> Self {
         let [from, to] = part.ends().map(|end| Exact(end.clone()));
         Self {
-            on: OnKnots::of(&case.basis, case.label.clone()),
+            on: OnKnots::of(&case.basis, case.label.clone()).with_points_of(curve),
             dimension: curve.dimension(),
-            points: curve.points().iter().map(|point| exact(point)).collect(),
             from,
             to,
         }

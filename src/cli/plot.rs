@@ -85,6 +85,10 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     let cases = args.instance.resolve_any()?.cases()?;
     let Some(first) = cases.first() else { unreachable!("an instance has a case") };
     let (on, points) = (OnKnots::of(&first.basis, first.label.clone()), points(first));
+    let on = match &first.curve {
+        Some(curve) => on.with_points_of(curve),
+        None => on,
+    };
     let show = args.show.unwrap_or(if points.is_some() { Show::Curve } else { Show::Basis });
     if show == Show::Curve && points.is_none() {
         return Err(CliError::NoPoints { needed: first.basis.n() + 1 });

@@ -176,7 +176,7 @@ fn convert(
     };
     Ok(Conversion {
         schema: "knotproof.bezier/1",
-        on,
+        on: on.with_points_of(curve),
         weights,
         dimension: curve.dimension(),
         order: usize::from(derivative),

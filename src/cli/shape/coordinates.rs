@@ -6,13 +6,11 @@ use serde::Serialize;
 use crate::analysis::{CurvePart, ExtremumKind, Graph, RationalBezier};
 
 use super::super::error::CliError;
-use super::super::exact::{Exact, as_given};
 use super::super::exit::Exit;
-use super::super::instance::Case;
 use super::super::notation::Notation;
 use super::super::of_weights::OfWeights;
 use super::super::on_curve::{curve_of, if_too_high};
-use super::super::on_knots::{OnKnots, exact};
+use super::super::on_knots::OnKnots;
 use super::super::output::Output;
 use super::super::progress::Progress;
 use super::super::solve::unit;
@@ -26,10 +24,6 @@ pub(in crate::cli) struct CurveShapes {
     schema: &'static str,
     #[serde(flatten)]
     pub(super) on: OnKnots,
-    /// d_0, …, d_n: exactly as given, whatever the notation.
-    #[serde(serialize_with = "as_given")]
-    #[schemars(with = "Vec<Vec<String>>")]
-    points: Vec<Vec<Exact>>,
     /// One for each α and each coordinate.
     pub(super) curves: Vec<CoordinateRecord>,
 }
@@ -76,12 +70,12 @@ pub(super) fn run(args: &Args, notation: Notation, output: &Output) -> Result<Ex
                 jumps: jumps.iter().map(Step::from).collect(),
             });
         }
-        let points: Vec<_> = curve.points().iter().map(|point| exact(point)).collect();
-        let Case { label, basis, .. } = case;
-        on = on.or(Some((OnKnots::of(&basis, label), points)));
+        if on.is_none() {
+            on = Some(OnKnots::of(&case.basis, case.label.clone()).with_points_of(curve));
+        }
     }
     drop(progress);
-    let Some((on, points)) = on else { unreachable!("an instance has a case") };
-    output.result(&CurveShapes { schema: "knotproof.shape/1", on, points, curves })?;
+    let Some(on) = on else { unreachable!("an instance has a case") };
+    output.result(&CurveShapes { schema: "knotproof.shape/1", on, curves })?;
     Ok(Exit::Holds)
 }
