@@ -56,6 +56,9 @@
 //! | curves in `f64`, one point or many | [`FloatCurve::point`](float::FloatCurve::point), [`points_at`](float::FloatCurve::points_at) | 0.4, 0.07 |
 //! | the functions for every x | [`Pieces::of`](analysis::Pieces::of), all spans | 400 |
 //! | maxima and minima of one function, exactly | [`Shape::of`](analysis::Shape::of) its pieces | 120 |
+//! | where a curve takes a value, its extrema and its bounding box | [`Graph`](analysis::Graph) of its pieces | |
+//! | its length and integrals, between exact bounds | [`length`](analysis::length()), [`integrals`](analysis::integrals) | |
+//! | the curve through points, or the same on more knots | [`Collocation`](analysis::Collocation), [`refined`](analysis::refined) | |
 //! | a curve for a program that knows NURBS | [`RationalBezier::pieces`](analysis::RationalBezier::pieces), all spans | 2500 |
 //! | a function written as a formula, or a formula compared with it | [`formula`] | |
 //! | how wrong a formula in `f64` is | [`study`](study::study) | |
@@ -99,6 +102,8 @@
 //! | d_i^r, de Boor's points | [`Curve::de_boor`](spline::Curve::de_boor) |
 //! | ω_m and b_m, weights and control points of a span's rational Bézier curve (ours) | [`RationalBezier`](analysis::RationalBezier) |
 //! | how smooth a curve is at its knots (ours) | [`Join`](analysis::Join) |
+//! | a·c(x), one real function of a curve c (ours) | [`Graph`](analysis::Graph) |
+//! | (G_i^k(x_j)), the collocation matrix (ours) | [`Collocation`](analysis::Collocation) |
 //! | τ, w_i and c_i, knots, weights and control points of a NURBS curve (ours) | [`Nurbs`](analysis::Nurbs) |
 //! | D⁺, D⁻ | [`Basis::jets`](spline::Basis::jets) with a [`Side`](spline::Side) |
 //! | every knot vector, every α: windows, sections, goals (ours) | [`Statement`](certificate::Statement) |

@@ -268,6 +268,12 @@ fn results_are_instances() {
         [&["shape", "--index", "1"], &input[..]].concat(),
         [&["check", "--property", "T3.5.2", "--property", "T3.5.3"], &input[..]].concat(),
         [&["formula"], &input[..]].concat(),
+        [&["solve", "--coordinate", "0"], &input[..], &points].concat(),
+        [&["bounds"], &input[..], &points].concat(),
+        [&["length"], &input[..], &points].concat(),
+        [&["shape"], &input[..], &points].concat(),
+        [&["interpolate", "--at", "0 1/4 1 2"], &input[..], &points].concat(),
+        [&["plot"], &input[..], &points].concat(),
     ] {
         let result = String::from_utf8(run(&[&call[..], &["--format", "json"]].concat()).stdout).unwrap();
         let path = file(&folder, "result.json", &result);
@@ -291,6 +297,39 @@ fn results_are_instances() {
     for field in ["degree", "knots", "alpha"] {
         assert_eq!(read[field], finding[field]);
     }
+}
+
+/// What is written about a curve has the curve: a question of the answer is the question itself, and what was found can be asked.
+#[test]
+fn results_have_their_curves() {
+    let folder = tempfile::tempdir().unwrap();
+    let input = ["--degree", "2", "--knots", "0 0 0 1/3 2 2 2", "--alpha", "-1/2"];
+    let points = ["--points", "0,0 1,2 2,2 3,0"];
+    let wanted = json(&[&["bounds"], &input[..], &points].concat());
+    for call in [
+        "eval --x 1/5",
+        "bezier",
+        "joins",
+        "solve --coordinate 1",
+        "bounds --normal 1,1",
+        "length --width 1e-3",
+        "shape --curve",
+        "plot",
+    ] {
+        let words: Vec<_> = call.split(' ').chain(["--format", "json"]).collect();
+        let result = String::from_utf8(run(&[&words[..], &input, &points].concat()).stdout).unwrap();
+        let path = file(&folder, "result.json", &result);
+        assert_eq!(json(&["bounds", "--instance", &path]), wanted, "{call}");
+    }
+    let through = [&["interpolate", "--at", "0 1/4 1 2", "--format", "json"], &input[..], &points].concat();
+    let path = file(&folder, "curve.json", &String::from_utf8(run(&through).stdout).unwrap());
+    for (x, point) in [("0", ["0", "0"]), ("1/4", ["1", "2"]), ("1", ["2", "2"]), ("2", ["3", "0"])] {
+        assert_eq!(json(&["eval", "--x", x, "--instance", &path])["curve"], serde_json::json!(point));
+    }
+    let inserted = ["insert", "--at", "1/3", "--alpha", "inf", "--format", "json", "--instance", &path];
+    let path = file(&folder, "finer.json", &String::from_utf8(run(&inserted).stdout).unwrap());
+    let finer = json(&["eval", "--x", "1", "--instance", &path]);
+    assert_eq!(finer["knots"], serde_json::json!(["0", "0", "0", "1/3", "1/3", "2", "2", "2"]));
 }
 
 #[test]

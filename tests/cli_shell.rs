@@ -65,6 +65,12 @@ fn calls(files: &Files) -> Vec<Vec<String>> {
     call(&["bezier", "--instance"], &[], std::slice::from_ref(&instance));
     call(&["joins", "--instance"], &[], std::slice::from_ref(&instance));
     call(&["joins", "--all"], &[], &[]);
+    call(&["solve", "--instance"], &[], std::slice::from_ref(&instance));
+    call(&["bounds", "--instance"], &[], std::slice::from_ref(&instance));
+    call(&["length", "--instance"], &[], std::slice::from_ref(&instance));
+    call(&["interpolate", "--at", "1", "--instance"], &[], std::slice::from_ref(&instance));
+    call(&["insert", "--at", "1", "--instance"], &[], std::slice::from_ref(&instance));
+    call(&["plot", "--instance"], &[], std::slice::from_ref(&instance));
     call(&["check", "--property", "T3.5.2", "--instance"], &[], std::slice::from_ref(&instance));
     call(&["shape", "--instance"], &[], std::slice::from_ref(&instance));
     call(&["shape", "--alpha", "all", "--instance"], &[], std::slice::from_ref(&instance));

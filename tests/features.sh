@@ -52,5 +52,5 @@ run() {
     echo "a project with ${feature:-no feature}: $(crates --features "$feature") crates, at most $most"
     test "$(crates --features "$feature")" -le "$most"
 }
-run "" 11 tangents critical_points bezier
+run "" 11 tangents critical_points measure bezier
 run float 22 values

@@ -3,8 +3,8 @@
 use std::fs;
 
 use knotproof::language::{claims, paper};
-use knotproof::meaning::examples_named;
-use knotproof::report::figures::{all, figure, png};
+use knotproof::meaning::{Example, Weighting, examples_named};
+use knotproof::report::figures::{Plot, all, figure, plot, png};
 use knotproof::report::{Baseline, Report, State, conjecture_page, dependence_picture};
 use knotproof::scalar::{BigRational, integer, rational};
 use knotproof::spline::{Basis, Curve, Index, KnotVector, Side, weight};
@@ -300,6 +300,66 @@ fn gap([left, top, right, bottom]: Area, line: &[[f32; 2]]) -> f32 {
     line.windows(2).map(of_segment).fold(f32::INFINITY, f32::min)
 }
 
+/// A plot of each kind, by its name: bases, curves with corners and jumps in the plane, in space and over x, another family.
+fn plots() -> Vec<(String, String)> {
+    let knots = |list: &[i64]| KnotVector::new(list.iter().map(|&t| rational(t, 1)).collect()).unwrap();
+    let example = |degree, list: &[i64], alphas: &[&str], points: &[&[i64]]| Example {
+        name: String::new().into(),
+        figure: String::new(),
+        degree,
+        knots: knots(list),
+        weights: alphas.iter().map(|alpha| Weighting::Index(alpha.parse().unwrap())).collect(),
+        points: (!points.is_empty())
+            .then(|| points.iter().map(|point| point.iter().map(|&c| rational(c, 1)).collect()).collect()),
+    };
+    let square: [&[i64]; 5] = [&[0, 0], &[0, 4], &[4, 4], &[4, 0], &[2, 0]];
+    let torn: [&[i64]; 6] = [&[0, 0], &[1, 3], &[3, 3], &[4, 1], &[6, 0], &[7, 2]];
+    let space: [&[i64]; 4] = [&[0, 0, 1], &[1, 2, 0], &[2, 2, 5], &[3, 0, 0]];
+    let graph: [&[i64]; 6] = [&[0], &[3], &[-1], &[2], &[0], &[1]];
+    let all = [
+        ("plot-basis", Plot::Basis, example(2, &[0, 0, 0, 1, 1, 2, 2, 2], &["-1", "2", "inf"], &[])),
+        ("plot-curve", Plot::Curve, example(2, &[0, 0, 0, 1, 1, 2, 2, 2], &["-4", "inf"], &square)),
+        ("plot-jump", Plot::Curve, example(2, &[0, 0, 0, 1, 1, 1, 2, 2, 2], &["5"], &torn)),
+        ("plot-space", Plot::Curve, example(2, &[0, 0, 0, 1, 2, 2, 2], &["5"], &space)),
+        ("plot-graph", Plot::Curve, example(3, &[0, 0, 0, 0, 1, 2, 4, 4, 4, 4], &["5", "6/5"], &graph)),
+        ("plot-steps", Plot::Curve, example(0, &[0, 1, 2, 3], &["2"], &[&[1], &[3], &[2]])),
+    ];
+    let svg =
+        |what, example: &Example| plot("A plot", example, what).unwrap().expect("something can be seen");
+    all.iter().map(|(name, what, example)| (name.to_string(), svg(*what, example))).collect()
+}
+
+/// The same bytes as those that somebody has looked at. After a change that is meant, KNOTPROOF_DRAW=1 writes them anew.
+#[test]
+fn plots_are_as_they_were_when_somebody_looked_at_them() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden");
+    for (name, svg) in plots() {
+        let path = folder.join(format!("{name}.svg"));
+        if std::env::var_os("KNOTPROOF_DRAW").is_some() {
+            fs::write(&path, &svg).unwrap();
+        }
+        assert!(fs::read_to_string(&path).unwrap_or_default() == svg, "{name} has changed");
+    }
+}
+
+/// Corners have a red ring, jumps an open and a filled dot; what can't be seen is not drawn.
+#[test]
+fn marks_of_plots() {
+    let count = |name: &str, mark: &str| {
+        let (_, svg) = plots().into_iter().find(|(own, _)| own == name).unwrap();
+        svg.lines().filter(|line| line.starts_with("<circle") && line.contains(mark)).count()
+    };
+    // The polygon turns at a double knot of degree 2, where the curve does: one ring for each α.
+    let ring = "stroke=\"#D55E00\"";
+    assert_eq!(count("plot-curve", ring), 2);
+    assert_eq!(count("plot-jump", ring), 0);
+    assert_eq!(count("plot-jump", "stroke=\"#0072B2\""), 1);
+    assert_eq!(count("plot-space", ring), 0);
+    // A graph of another α has a corner at each knot inside, and steps have a jump there.
+    assert_eq!(count("plot-graph", ring), 2 * 2);
+    assert_eq!(count("plot-steps", "stroke=\"#0072B2\""), 2);
+}
+
 /// Every figure that people see: the paper's, ours, and those of the page on the conjecture.
 fn pictures() -> Vec<(String, String)> {
     let recorded = Baseline::recorded().expect("the recorded verdicts");
@@ -308,7 +368,12 @@ fn pictures() -> Vec<(String, String)> {
     let report = Report::recorded(paper(), &claims(), &recorded);
     let dependence = dependence_picture(&report).expect("the drawing of what depends on what");
     let drawing = std::iter::once(("dependence.svg".to_owned(), dependence));
-    numbered.chain(drawing).chain(page.into_iter().filter(|(name, _)| name.ends_with(".svg"))).collect()
+    let plots = plots().into_iter().map(|(name, svg)| (format!("{name}.svg"), svg));
+    numbered
+        .chain(drawing)
+        .chain(plots)
+        .chain(page.into_iter().filter(|(name, _)| name.ends_with(".svg")))
+        .collect()
 }
 
 #[test]

@@ -105,6 +105,8 @@ fn undescribed(schema: &Value, path: &str, found: &mut Vec<String>) {
 const VECTOR: [&str; 6] = ["--degree", "2", "--knots", "0 0 0 1 2 2 2", "--alpha", "5"];
 const MEMBER: [&str; 8] =
     ["--degree", "2", "--knots", "0 0 0 1 2 2 2", "--family", "lupas", "--set", "q=1/2"];
+/// A line that jumps at 1.
+const JUMPS: [&str; 8] = ["--degree", "1", "--knots", "0 0 1 1 2 2", "--alpha", "5", "--points", "0 3 1 0"];
 const POINTS: [&str; 2] = ["--points", "0,0 1,2 2,2 3,0"];
 
 /// What says something of the paper carries its number.
@@ -172,6 +174,7 @@ fn examples() -> Vec<(&'static str, Vec<Vec<&'static str>>)> {
             vec![
                 on("bezier", &POINTS),
                 on("bezier", &[POINTS[0], POINTS[1], "--float"]),
+                on("bezier", &[POINTS[0], POINTS[1], "--derivative"]),
                 on("bezier", &[POINTS[0], POINTS[1], "--as", "nurbs"]),
                 on("bezier", &[POINTS[0], POINTS[1], "--as", "nurbs", "--standard-form", "--float"]),
                 on("bezier", &[POINTS[0], POINTS[1], "--as", "step", "--digits", "5"]),
@@ -185,6 +188,59 @@ fn examples() -> Vec<(&'static str, Vec<Vec<&'static str>>)> {
                 on("joins", &[POINTS[0], POINTS[1], "--float"]),
                 of_member("joins", &POINTS),
                 vec!["joins", "--all"],
+            ],
+        ),
+        (
+            "solve",
+            vec![
+                on("solve", &[POINTS[0], POINTS[1], "--coordinate", "1", "--value", "1", "--value", "3/2"]),
+                on("solve", &[POINTS[0], POINTS[1], "--normal", "1 -1", "--float"]),
+                of_member(
+                    "solve",
+                    &["--points", "0 2 2 0", "--value", "0.1", "--digits", "5", "--from", "0.1"],
+                ),
+                [&["solve"], &JUMPS[..], &["--value", "3", "--value", "2"]].concat(),
+            ],
+        ),
+        (
+            "bounds",
+            vec![
+                on("bounds", &POINTS),
+                on("bounds", &[POINTS[0], POINTS[1], "--normal", "1 1", "--to", "3/2", "--float"]),
+                of_member("bounds", &POINTS),
+                [&["bounds"], &JUMPS[..]].concat(),
+            ],
+        ),
+        (
+            "length",
+            vec![
+                on("length", &POINTS),
+                on("length", &[POINTS[0], POINTS[1], "--width", "1e-4", "--float"]),
+                of_member("length", &[POINTS[0], POINTS[1], "--digits", "4"]),
+            ],
+        ),
+        (
+            "interpolate",
+            vec![
+                on("interpolate", &["--at", "0 1/2 3/2 2", POINTS[0], POINTS[1]]),
+                on("interpolate", &["--at", "0 1/4 1/2 3/4", POINTS[0], POINTS[1], "--float"]),
+                on("interpolate", &["--at", "0 1/2", "--digits", "3"]),
+                of_member("interpolate", &["--at", "0 1/2 3/2 2", POINTS[0], POINTS[1]]),
+            ],
+        ),
+        (
+            "insert",
+            vec![
+                on("insert", &["--at", "1/2", POINTS[0], POINTS[1]]),
+                on("insert", &["--at", "0 2", POINTS[0], POINTS[1], "--float"]),
+            ],
+        ),
+        (
+            "plot",
+            vec![
+                on("plot", &[]),
+                on("plot", &[POINTS[0], POINTS[1], "--out", "curve.svg"]),
+                of_member("plot", &["--title", "Lupaş"]),
             ],
         ),
         (
@@ -227,6 +283,7 @@ fn examples() -> Vec<(&'static str, Vec<Vec<&'static str>>)> {
                     "2",
                 ],
                 on("shape", &["--index", "1", "--free-knot", "3"]),
+                on("shape", &[POINTS[0], POINTS[1]]),
                 of_member("shape", &[]),
             ],
         ),

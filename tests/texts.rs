@@ -150,7 +150,7 @@ fn formula_equals() {
 #[test]
 fn bezier() {
     let curve = "bezier --degree 2 --knots \"0 0 0 1 2 2 2\" --alpha 5 --points \"0,0 1,2 2,2 3,0\"";
-    reads("bezier", &session(&[curve, &format!("{curve} --digits 3")]));
+    reads("bezier", &session(&[curve, &format!("{curve} --digits 3"), &format!("{curve} --derivative")]));
 }
 
 /// One curve, and with jumps; in standard form with a λ that is rational and with one that is not; files for other programs.
@@ -192,6 +192,81 @@ fn joins() {
 #[test]
 fn joins_of_all_curves() {
     reads("joins_of_all_curves", &beginning("joins --all", 24));
+}
+
+/// Crossings and touches, a whole interval, limits at a jump and a value that it passes, a line in the plane.
+#[test]
+fn solve() {
+    let jumps = "solve --degree 1 --knots \"0 0 1 1 2 2\" --alpha 5 --points \"0 3 1 0\"";
+    reads(
+        "solve",
+        &session(&[
+            "solve --instance C5 --alpha -4 --coordinate 1 --value 4",
+            "solve --degree 2 --knots \"0 0 0 1 2 2 2\" --alpha inf --points \"0,0 1,2 2,2 3,0\" --normal \"1 1\" --value 3 --digits 20",
+            &format!("{jumps} --value 3 --value 2 --value 1 --value 7"),
+            "solve --degree 2 --knots \"0 0 0 1 1 1\" --alpha -1 --points \"1 -1 1\"",
+            "solve --degree 0 --knots \"0 1 2 3\" --alpha -1 --points \"1 0 1\"",
+        ]),
+    );
+}
+
+/// Rational and irrational places, two of one height, a limit that is not taken, a constant.
+#[test]
+fn bounds() {
+    reads(
+        "bounds",
+        &session(&[
+            "bounds --instance C5 --alpha -4 --alpha inf",
+            "bounds --degree 3 --knots \"0 0 0 0 1 2 3 3 3 3\" --alpha inf --points \"0 4 1 1 4 0\"",
+            "bounds --degree 1 --knots \"0 0 1 1 2 2\" --alpha 5 --points \"0,7 3,7 1,7 0,7\" --digits 3",
+            "bounds --instance C5 --alpha -4 --normal \"1 1\" --from 1 --to 2",
+            "shape --instance C5 --alpha -4 --curve",
+        ]),
+    );
+}
+
+/// By the series, with a cusp, exactly.
+#[test]
+fn length() {
+    reads(
+        "length",
+        &session(&[
+            "length --instance C5 --alpha -4 --alpha inf",
+            "length --degree 3 --knots \"0 0 0 0 1 1 1 1\" --alpha inf --points \"0,0 1,1 0,1 1,0\" --digits 6",
+            "length --degree 1 --knots \"0 0 1 2 2\" --alpha 5 --points \"0,0 3,4 3,5\" --width 1e-30 --digits 25",
+        ]),
+    );
+}
+
+/// A curve, the matrix alone, a place outside of its support, too few places, places that fall.
+#[test]
+fn interpolate() {
+    let on = "interpolate --degree 2 --knots \"0 0 0 1 2 2 2\" --alpha 5";
+    reads(
+        "interpolate",
+        &session(&[
+            &format!("{on} --at \"0 1/2 3/2 2\" --points \"0,0 1,2 2,2 3,0\""),
+            &format!("{on} --at \"0 1/2 1\""),
+            &format!("{on} --at \"0 1/4 1/2 3/4\" --points \"0 1 2 3\""),
+            &format!("{on} --at \"0 1/2 2\" --points \"0 1 2 3\""),
+            &format!("{on} --at \"0 2 1 1/2\""),
+        ]),
+    );
+}
+
+/// α = ∞; a full knot; no such curve.
+#[test]
+fn insert() {
+    let points = "--points \"0,0 1,2 2,2 3,0\"";
+    reads(
+        "insert",
+        &session(&[
+            &format!("insert --degree 2 --knots \"0 0 0 1 2 2 2\" --alpha inf {points} --at \"1/2 1\""),
+            "insert --degree 2 --knots \"0 0 0 1 1 2 2 2\" --alpha 5 --points \"0 1 3 2 0\" --at 1",
+            &format!("insert --degree 2 --knots \"0 0 0 1 2 2 2\" --alpha 5 {points} --at 1/2"),
+            &format!("insert --degree 2 --knots \"0 0 0 1 2 2 2\" --alpha 5 {points} --at 3"),
+        ]),
+    );
 }
 
 /// With what is refuted and what is not applicable.
@@ -361,6 +436,13 @@ fn errors() {
                 "bezier --degree 1 --knots \"0 0 1 1\" --alpha -1",
                 "joins --degree 1 --knots \"0 0 1 1\" --alpha -1",
                 "joins --all --instance C5",
+                "solve --degree 1 --knots \"0 0 1 1\" --alpha -1 --points \"0,0 1,1\"",
+                "solve --degree 1 --knots \"0 0 1 1\" --alpha -1 --points \"0,0 1,1\" --coordinate 2",
+                "bounds --degree 1 --knots \"0 0 1 1\" --alpha -1 --points \"0,0 1,1\" --normal \"1 2 3\"",
+                "bounds --degree 1 --knots \"0 0 1 1\" --alpha -1 --points \"0,0 1,1\" --from 1",
+                "length --degree 1 --knots \"0 0 1 1\" --alpha -1 --points \"0,0 1,1\" --width 0",
+                "plot --degree 1 --knots \"0 0 1 1\" --alpha -1 --out picture.gif",
+                "plot --degree 1 --knots \"0 0 1 1\" --alpha -1 --show curve",
                 "check --degree 1 --knots \"0 0 1 1\" --alpha -1 --property T3.5.9",
                 "check --claim \"k; U; i in 0..n; x in [t[0], t[m] : G[i](x) <= 1\"",
                 "shape --degree 1 --knots \"0 0 1 1\" --alpha -1 --width 0",

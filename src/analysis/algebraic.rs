@@ -1,15 +1,19 @@
 //! Real numbers that are known by bounds, and the decimals that the bounds settle.
 
+use std::cmp::Ordering;
+
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::Signed;
 
 use crate::scalar::{
-    Polynomial, RationalAlgebra, Ring, decimal, decimal_neighbours, integer, settled_digits,
+    IntegerPolynomial, Polynomial, RationalAlgebra, Ring, decimal, decimal_neighbours, integer, lcm,
+    rationals_between, settled_digits,
 };
 
+use super::norm::norm;
 use super::piece::Piece;
-use super::roots::IsolatedRoot;
+use super::roots::{IsolatedRoot, count_roots_between};
 
 /// A real number between two bounds that can be brought closer.
 pub trait Enclosed {
@@ -116,6 +120,9 @@ enum Known {
 /// Bits by which bounds come closer at a time.
 pub(super) const STEP: usize = 8;
 
+/// So often before two numbers are held against each other otherwise.
+const COMPARISONS: usize = 16;
+
 impl Algebraic {
     /// The value of a function at a root, neither of which is rational: where the function has no pole.
     #[must_use]
@@ -146,6 +153,107 @@ impl Algebraic {
             if !width.is_positive() || &hi - &lo <= *width || !self.narrow() {
                 return (lo, hi);
             }
+        }
+    }
+
+    /// Which of the two is greater, decided exactly; `None` for mere bounds that don't tell.
+    ///
+    /// Bounds that still meet after some 128 bits are a matter of two polynomials, each of which vanishes at one of the numbers: once their
+    /// common enclosure holds one root of either, the numbers are equal if and only if those have it in common.
+    ///
+    /// ```
+    /// use knotproof::analysis::{Algebraic, positive_roots};
+    /// use knotproof::scalar::{Polynomial, RationalFunction, Ring, rational};
+    ///
+    /// // √2·√2·√2 and 2·√2, as functions of √2, and √8 as a root of its own.
+    /// let root_of = |square: i64| {
+    ///     let p = Polynomial::new(rational(-square, 1), [0, 1].map(|c| rational(c, 1)));
+    ///     positive_roots(&p).remove(0)
+    /// };
+    /// let u = RationalFunction::variable(&rational(1, 1));
+    /// let mut cube = Algebraic::at(u.power(3), root_of(2));
+    /// let mut root = Algebraic::at(u.clone(), root_of(8));
+    /// assert_eq!(cube.compare(&mut root), Some(std::cmp::Ordering::Equal));
+    /// ```
+    pub fn compare(&mut self, other: &mut Self) -> Option<Ordering> {
+        let (mut looks, mut vanishing) = (0, None);
+        loop {
+            let ((lo, hi), (other_lo, other_hi)) = (self.bounds(), other.bounds());
+            if hi < other_lo {
+                return Some(Ordering::Less);
+            }
+            if other_hi < lo {
+                return Some(Ordering::Greater);
+            }
+            if lo == hi && other_lo == other_hi {
+                return Some(Ordering::Equal);
+            }
+            let equal = match (self.exact(), other.exact()) {
+                (Some(own), _) => other.is(own),
+                (None, Some(other)) => self.is(other),
+                (None, None) => self.is_same(other),
+            };
+            if equal {
+                return Some(Ordering::Equal);
+            }
+            looks += 1;
+            if looks > COMPARISONS {
+                let [own, others, common] = match &vanishing {
+                    Some(all) => all,
+                    None => {
+                        let (own, others) = (self.vanishing()?, other.vanishing()?);
+                        let common = own.gcd(&others);
+                        vanishing.insert([own, others, common])
+                    }
+                };
+                // A little more, so that neither number is at an end.
+                let (lo, hi) = (lo.min(other_lo), hi.max(other_hi));
+                let more = &hi - &lo;
+                let ends = (lo - &more, hi + more);
+                let roots = |p: &IntegerPolynomial| roots_between(p, &ends);
+                if roots(own) == 1 && roots(others) == 1 && roots(common) == 1 {
+                    return Some(Ordering::Equal);
+                }
+            }
+            if [self.narrow(), other.narrow()] == [false, false] {
+                return None;
+            }
+        }
+    }
+
+    /// Is it the same function at the same root, as far as that can be seen?
+    fn is_same(&self, other: &Self) -> bool {
+        match (&self.0, &other.0) {
+            (Known::At(own), Known::At(other)) => own.0 == other.0 && own.1.is_same(&other.1),
+            _ => false,
+        }
+    }
+
+    /// A polynomial with this number among its roots; `None` for mere bounds.
+    fn vanishing(&self) -> Option<IntegerPolynomial> {
+        match &self.0 {
+            Known::Exactly(value) => {
+                Some(IntegerPolynomial::from_rational(&Polynomial::new(-value, [integer(1)])))
+            }
+            Known::At(at) => {
+                let (piece, root) = &**at;
+                let norm = norm(&root.polynomial(), piece.numerator(), piece.denominator());
+                Some(IntegerPolynomial::from_rational(&norm).square_free())
+            }
+            Known::Between(..) => None,
+        }
+    }
+
+    /// The same number, exactly where it is the simplest rational number between its bounds, or 0.
+    pub(super) fn simplified(mut self) -> Self {
+        if self.exact().is_some() {
+            return self;
+        }
+        let (lo, hi) = self.bounds_within(&BigRational::new(1.into(), BigInt::from(1_u64 << 40)));
+        let zero = (!lo.is_positive() && !hi.is_negative()).then(|| integer(0));
+        match zero.or_else(|| rationals_between(&lo, &hi).next()) {
+            Some(value) if self.is(&value) => value.into(),
+            _ => self,
         }
     }
 
@@ -189,6 +297,20 @@ impl Enclosed for Algebraic {
         at.1.refine_to(&width);
         true
     }
+}
+
+/// The number of distinct roots in (a, b).
+fn roots_between(p: &IntegerPolynomial, (a, b): &(BigRational, BigRational)) -> usize {
+    // x = X/d makes integers of the ends, and c_i·d^(n−i) of the coefficients.
+    let d = lcm(a.denom(), b.denom());
+    let whole = |end: &BigRational| end.numer() * (&d / end.denom());
+    let mut power = BigInt::from(1);
+    let mut scaled = p.coefficients().to_vec();
+    for c in scaled.iter_mut().rev() {
+        *c *= &power;
+        power *= &d;
+    }
+    count_roots_between(&scaled, &whole(a), &whole(b))
 }
 
 /// Bounds of P/Q on [lo, hi], 0 ≤ lo: P = P₊ − P₋ with coefficients ≥ 0 in both, which rise with u.

@@ -84,6 +84,30 @@ impl Location {
             Self::Plateau { from, to, .. } => (from, to),
         }
     }
+
+    /// The place as a number; of a plateau its first point.
+    #[must_use]
+    pub fn x(&self) -> Algebraic {
+        match self {
+            Self::Point(x) | Self::Plateau { from: x, .. } => x.clone().into(),
+            Self::Irrational { lo, hi, root } => {
+                // x = start + y·length with y = u/(1 + u).
+                let (start, length) = span(lo, hi, root);
+                let u = RationalFunction::variable(&integer(1));
+                let share = u.over(&u.plus(&u.one()));
+                let x = share.map(|share| constant(start).plus(&share.times(&constant(length))));
+                x.map_or_else(|| unreachable!("1 + u is not 0"), |x| Algebraic::at(x, root.clone()))
+            }
+        }
+    }
+
+    /// Narrows the interval of an irrational place until it is at most `width` > 0 long.
+    pub fn refine_to(&mut self, width: &BigRational) {
+        let Self::Irrational { lo, hi, root } = self else { return };
+        let (start, length) = span(lo, hi, root);
+        root.refine_to(&(width / &length));
+        (*lo, *hi) = (&start + root.lo() * &length, start + root.hi() * length);
+    }
 }
 
 /// A local maximum or minimum.
@@ -120,20 +144,18 @@ impl Extremum {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn refine_to(&mut self, width: &BigRational) {
-        let Location::Irrational { lo, hi, root } = &mut self.place else { return };
-        let (start, length) = span(lo, hi, root);
-        root.refine_to(&(width / &length));
-        (*lo, *hi) = (&start + root.lo() * &length, start + root.hi() * length);
+        if !matches!(self.place, Location::Irrational { .. }) {
+            return;
+        }
+        self.place.refine_to(width);
         self.value = self.height.bounds_within(width);
     }
 
     /// Narrows the place and the value by some bits; `false` if they are exact.
     pub fn narrow(&mut self) -> bool {
-        let Location::Irrational { lo, hi, root } = &mut self.place else { return false };
-        let (start, length) = span(lo, hi, root);
-        let width = (root.hi() - root.lo()) / integer(1 << STEP);
-        root.refine_to(&width);
-        (*lo, *hi) = (&start + root.lo() * &length, start + root.hi() * length);
+        let Location::Irrational { lo, hi, .. } = &self.place else { return false };
+        let width = (hi - lo) / integer(1 << STEP);
+        self.place.refine_to(&width);
         self.height.narrow();
         self.value = self.height.bounds();
         true
@@ -142,17 +164,7 @@ impl Extremum {
     /// The place as a number; of a plateau its first point.
     #[must_use]
     pub fn x(&self) -> Algebraic {
-        match &self.place {
-            Location::Point(x) | Location::Plateau { from: x, .. } => x.clone().into(),
-            Location::Irrational { lo, hi, root } => {
-                // x = start + y·length with y = u/(1 + u).
-                let (start, length) = span(lo, hi, root);
-                let u = RationalFunction::variable(&integer(1));
-                let share = u.over(&u.plus(&u.one()));
-                let x = share.map(|share| constant(start).plus(&share.times(&constant(length))));
-                x.map_or_else(|| unreachable!("1 + u is not 0"), |x| Algebraic::at(x, root.clone()))
-            }
-        }
+        self.place.x()
     }
 
     /// The value as a number.
@@ -166,6 +178,18 @@ impl Extremum {
 fn span(lo: &BigRational, hi: &BigRational, root: &IsolatedRoot) -> (BigRational, BigRational) {
     let length = (hi - lo) / (root.hi() - root.lo());
     (lo - root.lo() * &length, length)
+}
+
+/// Does a function with these extrema and jumps rise or fall all the way from extremum `at` to the next one? So it does between a
+/// maximum and a minimum, unless it jumps: their values differ.
+///
+/// # Panics
+/// If there is no next one.
+#[must_use]
+pub fn turns_back(extrema: &[Extremum], jumps: &[Jump], at: usize) -> bool {
+    let [(_, from), (to, _)] = [at, at + 1].map(|at| extrema[at].place.interval());
+    let jumps = jumps.iter().any(|jump| from <= &jump.at && &jump.at <= to);
+    extrema[at].kind != extrema[at + 1].kind && !jumps
 }
 
 /// A discontinuity.

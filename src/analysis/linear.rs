@@ -14,7 +14,7 @@ use crate::scalar::{ExactField, Polynomial, RationalFunction, Ring};
 #[must_use]
 pub fn rank<S: ExactField>(vectors: &[Vec<S>]) -> usize {
     let mut echelon = Echelon::default();
-    vectors.iter().filter(|vector| echelon.insert(vector)).count()
+    vectors.iter().filter(|vector| echelon.insert(vector).is_ok()).count()
 }
 
 /// Coefficients c_i with Σ c_i v_i = target, one for each vector; `None` if there are none, and they are
@@ -30,22 +30,90 @@ pub fn rank<S: ExactField>(vectors: &[Vec<S>]) -> usize {
 /// ```
 #[must_use]
 pub fn in_span<S: ExactField>(vectors: &[Vec<S>], target: &[S]) -> Option<Vec<S>> {
+    combinations(vectors, &[target.to_vec()]).pop().flatten()
+}
+
+/// [`in_span`] of several targets, for which the vectors are brought to echelon form once.
+///
+/// ```
+/// # use knotproof::analysis::combinations;
+/// # use knotproof::scalar::integer;
+/// let vectors = [[1, 1], [0, 1]].map(|row| row.map(integer).to_vec());
+/// let targets = [[1, 3], [2, 2]].map(|row| row.map(integer).to_vec());
+/// assert_eq!(combinations(&vectors, &targets), [[1, 2], [2, 0]].map(|c| Some(c.map(integer).to_vec())));
+/// ```
+#[must_use]
+pub fn combinations<S: ExactField>(vectors: &[Vec<S>], targets: &[Vec<S>]) -> Vec<Option<Vec<S>>> {
     let mut echelon = Echelon::default();
     for vector in vectors {
-        echelon.insert(vector);
+        // A vector that depends on those before is not needed.
+        let _ = echelon.insert(vector);
     }
-    let Some(zero) = target.first().or_else(|| vectors.iter().flatten().next()).map(S::zero) else {
-        // No entry anywhere, so there is no 0 to be had: only an empty list of coefficients can be given.
-        return vectors.is_empty().then(Vec::new);
+    let combination = |target: &Vec<S>| {
+        let Some(zero) = target.first().or_else(|| vectors.iter().flatten().next()).map(S::zero) else {
+            // No entry anywhere, so there is no 0 to be had: only an empty list of coefficients can be given.
+            return vectors.is_empty().then(Vec::new);
+        };
+        let reduced = echelon.reduce(target);
+        if reduced.entries.iter().any(|entry| !entry.is_zero()) {
+            return None;
+        }
+        // 0 = target + Σ (combination), over all vectors.
+        let mut coefficients: Vec<S> = reduced.combination.iter().map(S::negate).collect();
+        coefficients.resize(vectors.len(), zero);
+        Some(coefficients)
     };
-    let reduced = echelon.reduce(target);
-    if reduced.entries.iter().any(|entry| !entry.is_zero()) {
+    targets.iter().map(combination).collect()
+}
+
+/// Coefficients c_i, not all 0, with Σ c_i v_i = 0, one for each vector; `None` if they are independent. Missing entries are 0.
+///
+/// ```
+/// # use knotproof::analysis::relation;
+/// # use knotproof::scalar::integer;
+/// let rows = [[1, 2], [0, 1], [1, 0]].map(|row| row.map(integer).to_vec());
+/// assert_eq!(relation(&rows), Some(vec![-integer(1), integer(2), integer(1)]));
+/// assert_eq!(relation(&rows[..2]), None);
+/// ```
+#[must_use]
+pub fn relation<S: ExactField>(vectors: &[Vec<S>]) -> Option<Vec<S>> {
+    let mut echelon = Echelon::default();
+    let like = vectors.iter().flatten().next()?;
+    vectors.iter().enumerate().find_map(|(at, vector)| {
+        let Reduced { mut combination, .. } = echelon.insert(vector).err()?;
+        combination.resize(vectors.len(), like.zero());
+        combination[at] = like.one();
+        Some(combination)
+    })
+}
+
+/// The determinant of as many rows as columns over a field, by elimination; `None` if there are no rows, or they are not as long as
+/// there are many. [`determinant`] is for entries that can't be divided.
+///
+/// ```
+/// # use knotproof::analysis::determinant_by_elimination;
+/// # use knotproof::scalar::integer;
+/// let rows = [[1, 2, 3], [0, 1, 4], [5, 6, 0]].map(|row| row.map(integer).to_vec());
+/// assert_eq!(determinant_by_elimination(&rows), Some(integer(1)));
+/// ```
+#[must_use]
+pub fn determinant_by_elimination<S: ExactField>(rows: &[Vec<S>]) -> Option<S> {
+    let one = rows.first()?.first()?.one();
+    if rows.iter().any(|row| row.len() != rows.len()) {
         return None;
     }
-    // 0 = target + Σ (combination), over all vectors.
-    let mut coefficients: Vec<S> = reduced.combination.iter().map(S::negate).collect();
-    coefficients.resize(vectors.len(), zero);
-    Some(coefficients)
+    let (mut echelon, mut determinant) = (Echelon::default(), one);
+    for row in rows {
+        match echelon.insert(row) {
+            Ok(pivot) => determinant = determinant.times(&pivot),
+            Err(_) => return Some(determinant.zero()),
+        }
+    }
+    // With the columns in the order of the pivots what is left is triangular.
+    let pivots: Vec<_> = echelon.rows.iter().map(|row| row.pivot).collect();
+    let turned = |at: usize| pivots[at + 1..].iter().filter(|later| **later < pivots[at]).count();
+    let inversions: usize = (0..pivots.len()).map(turned).sum();
+    Some(if inversions.is_multiple_of(2) { determinant } else { determinant.negate() })
 }
 
 /// The determinant of as many rows as columns, by the expansion along the first column; `one` for no row at all.
@@ -111,20 +179,24 @@ impl<S: ExactField> Echelon<S> {
         reduced
     }
 
-    /// Is the vector independent of those before? If so, it becomes a row.
-    fn insert(&mut self, vector: &[S]) -> bool {
+    /// Makes the vector a row, if it is independent of those before: its first entry that is left, by which it is divided. If not,
+    /// how it depends on them.
+    fn insert(&mut self, vector: &[S]) -> Result<S, Reduced<S>> {
         let position = self.inserted;
         self.inserted += 1;
-        let Reduced { mut entries, mut combination } = self.reduce(vector);
-        let Some(pivot) = entries.iter().position(|entry| !entry.is_zero()) else { return false };
-        let Some(inverse) = entries[pivot].reciprocal() else { return false };
-        combination.resize(position, inverse.zero());
-        combination.push(inverse.one());
-        for entry in entries.iter_mut().chain(&mut combination) {
+        let mut reduced = self.reduce(vector);
+        let first = reduced.entries.iter().position(|entry| !entry.is_zero());
+        let pivot =
+            first.and_then(|at| Some((at, reduced.entries[at].clone(), reduced.entries[at].reciprocal()?)));
+        let Some((pivot, entry, inverse)) = pivot else { return Err(reduced) };
+        reduced.combination.resize(position, inverse.zero());
+        reduced.combination.push(inverse.one());
+        for entry in reduced.entries.iter_mut().chain(&mut reduced.combination) {
             *entry = entry.times(&inverse);
         }
+        let Reduced { entries, combination } = reduced;
         self.rows.push(Row { pivot, entries, combination });
-        true
+        Ok(entry)
     }
 }
 

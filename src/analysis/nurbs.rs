@@ -8,6 +8,7 @@ use thiserror::Error;
 use crate::scalar::{Ring, integer, rationals_between};
 use crate::spline::{Curve, Point, Span};
 
+use super::curve_part::{CurvePart, CurvePartError};
 use super::homogeneous::{Homogeneous, blend};
 use super::rational_bezier::RationalBezier;
 
@@ -83,26 +84,9 @@ pub enum NurbsError {
         /// The highest degree that is written.
         most: usize,
     },
-    /// The curve does not begin there.
-    #[error("{given} is not in [{first}, {last}), where the curve is")]
-    From {
-        /// What was asked for.
-        given: BigRational,
-        /// t_0.
-        first: BigRational,
-        /// t_m.
-        last: BigRational,
-    },
-    /// The curve does not end there.
-    #[error("{given} is not in ({from}, {last}], where the curve goes on")]
-    To {
-        /// What was asked for.
-        given: BigRational,
-        /// Where the curve begins.
-        from: BigRational,
-        /// t_m.
-        last: BigRational,
-    },
+    /// The curve is not there.
+    #[error(transparent)]
+    Part(#[from] CurvePartError),
 }
 
 impl Nurbs {
@@ -132,17 +116,9 @@ impl Nurbs {
         request: &NurbsRequest,
     ) -> Result<Vec<Self>, NurbsError> {
         let (knots, k) = (curve.basis().knots(), curve.basis().degree());
-        let ends @ [from, to] =
-            [request.from.as_ref().unwrap_or(knots.first()), request.to.as_ref().unwrap_or(knots.last())];
-        if from < knots.first() || from >= knots.last() {
-            let (first, last) = (knots.first().clone(), knots.last().clone());
-            return Err(NurbsError::From { given: from.clone(), first, last });
-        }
-        if to <= from || to > knots.last() {
-            let (from, last) = (from.clone(), knots.last().clone());
-            return Err(NurbsError::To { given: to.clone(), from, last });
-        }
-        let pieces: Vec<_> = pieces.iter().filter_map(|piece| piece.homogeneous().within(ends)).collect();
+        let part = CurvePart::of(curve, request.from.as_ref(), request.to.as_ref())?;
+        let pieces: Vec<_> =
+            pieces.iter().filter_map(|piece| piece.homogeneous().within(part.ends())).collect();
         let least = pieces.iter().map(Homogeneous::degree).fold(k.max(1), usize::max);
         let (degree, most) = (request.degree.unwrap_or(least), RationalBezier::HIGHEST_DEGREE.max(least));
         if !(least..=most).contains(&degree) {

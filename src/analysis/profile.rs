@@ -25,6 +25,7 @@ pub(super) struct Features {
 }
 
 /// A function on one span.
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct Segment {
     pub(super) start: BigRational,
     pub(super) end: BigRational,
@@ -86,6 +87,29 @@ impl Profile {
                 height: limit.into(),
             }),
         }
+        profile
+    }
+
+    /// Of a function that is nowhere else: at both ends only one side counts, and a plateau there is one if the function leaves it.
+    pub(super) fn alone(segments: impl Iterator<Item = Segment>) -> Self {
+        let mut profile = Self::of(segments, false);
+        let Some(last) = profile.stations.len().checked_sub(1) else { return profile };
+        profile.stations[0].left_limit = None;
+        profile.stations[0].left = Ordering::Equal;
+        profile.stations[last].right = Ordering::Equal;
+        let first = match profile.runs.first() {
+            Some(Sign::Zero) => profile.plateau_end(0).2,
+            _ => profile.stations[0].right,
+        };
+        let mut start = last;
+        while start > 0
+            && profile.runs[start - 1] == Sign::Zero
+            && profile.stations[start].left == Ordering::Equal
+        {
+            start -= 1;
+        }
+        profile.stations[last].right = profile.stations[start].left;
+        profile.stations[0].left = first;
         profile
     }
 
@@ -162,12 +186,19 @@ impl Features {
 }
 
 impl Segment {
-    fn station(&self, mut root: IsolatedRoot, before: Sign, after: Sign) -> Station {
+    fn station(&self, root: IsolatedRoot, before: Sign, after: Sign) -> Station {
+        let (place, height) = self.at_root(root);
+        let (left, right) = (before_end(before), before_end(after).reverse());
+        Station { place, at_knot: false, height, left_limit: None, left, right }
+    }
+
+    /// Where a root in the positive coordinate is, rational if it can be, and the value there.
+    pub(super) fn at_root(&self, mut root: IsolatedRoot) -> (Location, Algebraic) {
         // Narrow enough to be read; the search for a rational root may go further, on a copy.
         root.refine_to(&BigRational::new(1.into(), BigInt::from(1_u32 << 20)));
         let x = |y: &BigRational| &self.start + y * (&self.end - &self.start);
         let piece = self.quotient.piece();
-        let (place, height) = match root.clone().rational() {
+        match root.clone().rational() {
             Some(u) => {
                 let y = &u / (&u + integer(1));
                 (Location::Point(x(&y)), Algebraic::from(finite(piece.evaluate(&u))))
@@ -176,17 +207,15 @@ impl Segment {
                 Location::Irrational { lo: x(root.lo()), hi: x(root.hi()), root: root.clone() },
                 Algebraic::at(piece, root),
             ),
-        };
-        let (left, right) = (before_end(before), before_end(after).reverse());
-        Station { place, at_knot: false, height, left_limit: None, left, right }
+        }
     }
 }
 
-/// Every weight lies in [0, 1], and so does every basis function (P2.1.1, T3.5.2, T3.5.3).
+/// Every weight lies in [0, 1], and so does every basis function (P2.1.1, T3.5.2, T3.5.3); a curve is a sum of those.
 fn finite(value: Option<BigRational>) -> BigRational {
     match value {
         Some(value) => value,
-        None => unreachable!("a basis function has no pole on a closed span"),
+        None => unreachable!("neither basis functions nor curves have a pole on a closed span"),
     }
 }
 

@@ -4,9 +4,10 @@ use num_rational::BigRational;
 use num_traits::Signed;
 use thiserror::Error;
 
-use crate::scalar::{Polynomial, RationalAlgebra, Ring, integer};
+use crate::scalar::{Polynomial, RationalAlgebra, RationalFunction, Ring, integer};
 use crate::spline::{Curve, HasWeights, Point, Side, Span, WeightKind, binomial};
 
+use super::curve_part::CurvePart;
 use super::homogeneous::Homogeneous;
 use super::linear::over_common_denominator;
 use super::pieces::own_pieces;
@@ -93,9 +94,36 @@ impl RationalBezier {
         curve.basis().knots().spans().map(|span| Self::on(curve, span))
     }
 
+    /// The same on a part of the curve: pieces that begin or end inside of a span are cut there, and keep their degree.
+    ///
+    /// # Errors
+    /// Those of [`pieces`](Self::pieces).
+    pub fn pieces_on<W: HasWeights>(
+        curve: &Curve<W>,
+        part: &CurvePart,
+    ) -> impl Iterator<Item = Result<Self, RationalBezierError>> {
+        let knots = curve.basis().knots();
+        let meets = |span: &Span| {
+            let [from, to] = part.ends();
+            knots.t(span.index()) < to && knots.t(span.index() + 1) > from
+        };
+        let cut = |piece: Self| Some(Self::of(piece.homogeneous().within(part.ends())?));
+        knots.spans().filter(meets).filter_map(move |span| Self::on(curve, span).map(cut).transpose())
+    }
+
     fn on<W: HasWeights>(curve: &Curve<W>, span: Span) -> Result<Self, RationalBezierError> {
-        let [from, to] = [span.index(), span.index() + 1].map(|i| curve.basis().knots().t(i).clone());
-        let (mut denominator, mut coordinates) = quotients(curve, span);
+        let ends = [span.index(), span.index() + 1].map(|i| curve.basis().knots().t(i).clone());
+        let (denominator, coordinates) = quotients(curve, span);
+        Self::from_quotients(span, ends, denominator, coordinates)
+    }
+
+    /// The p_c/q in the positive coordinate of [a, b] as a Bézier curve: both are multiplied by 1 + u until all weights are positive.
+    fn from_quotients(
+        span: Span,
+        [from, to]: [BigRational; 2],
+        mut denominator: Polynomial<BigRational>,
+        mut coordinates: Vec<Polynomial<BigRational>>,
+    ) -> Result<Self, RationalBezierError> {
         let one = Polynomial::constant(integer(1));
         let more = one.plus(&Polynomial::variable(&integer(1)));
         while !denominator.coefficients().iter().all(Signed::is_positive) {
@@ -110,6 +138,49 @@ impl RationalBezier {
         let entry = |p: &Polynomial<_>, m: usize| p.coefficients().get(m).map_or(integer(0), |p| p / &q[m]);
         let points = (0..=degree).map(|m| coordinates.iter().map(|p| entry(p, m)).collect()).collect();
         Ok(Self { span, from, to, weights, points })
+    }
+
+    /// The hodograph, dc/dx on [a, b], as a rational Bézier curve of the least degree with positive weights: in the positive
+    /// coordinate u of [a, b], with c = p/q,
+    ///
+    /// dc/dx = (p′q − pq′)(1 + u)²/((b − a)q²),
+    ///
+    /// brought to lowest terms. So it has a degree of at most 2N, and N − 1 where the piece is a polynomial.
+    ///
+    /// ```
+    /// use knotproof::analysis::RationalBezier;
+    /// use knotproof::scalar::{integer, rational};
+    /// use knotproof::spline::{Basis, Curve, Index, KnotVector, Side};
+    ///
+    /// let basis = Basis::new(KnotVector::bernstein(2, &integer(0), &integer(1))?, 2, "-1".parse::<Index>()?)?;
+    /// let curve = Curve::new(basis, [[0, 0], [1, 2], [2, 0]].map(|point| point.map(integer).to_vec()).to_vec())?;
+    /// let piece = RationalBezier::pieces(&curve).next().expect("one span")?;
+    /// let x = rational(1, 3);
+    /// let by_jets: Vec<_> = curve.jets(&x, Side::Right, 1).iter().map(|jet| jet.derivatives()[1].clone()).collect();
+    /// assert_eq!(piece.derivative()?.point(&x), Some(by_jets));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`RationalBezierError`], where more than [`HIGHEST_DEGREE`](Self::HIGHEST_DEGREE) would be needed; never for the weights of an
+    /// index of a degree k ≤ 10.
+    pub fn derivative(&self) -> Result<Self, RationalBezierError> {
+        let (weight, coordinates) = self.in_positive_coordinate();
+        let more = Polynomial::new(integer(1), [integer(1)]);
+        let length = &self.to - &self.from;
+        let below = weight.times(&weight).scaled(&length);
+        let slope = |p: &Polynomial<BigRational>| {
+            let above = p.derivative().times(&weight).minus(&p.times(&weight.derivative()));
+            RationalFunction::new(&above.times(&more).times(&more), &below)
+        };
+        let slopes: Vec<_> = coordinates.iter().filter_map(slope).collect();
+        match over_common_denominator(&slopes) {
+            Some((denominator, numerators)) => {
+                let ends = [self.from.clone(), self.to.clone()];
+                Self::from_quotients(self.span, ends, denominator, numerators)
+            }
+            None => unreachable!("a point has coordinates, and weights are not 0"),
+        }
     }
 
     /// A piece, or a part of one, of any degree, from its control points in homogeneous coordinates, all weights positive.
@@ -221,7 +292,7 @@ impl RationalBezier {
     }
 
     /// Σ C(N, m) ω_m u^m, then for each coordinate the same with ω_m b_m: quotients of these are the curve.
-    fn in_positive_coordinate(&self) -> (Polynomial<BigRational>, Vec<Polynomial<BigRational>>) {
+    pub(super) fn in_positive_coordinate(&self) -> (Polynomial<BigRational>, Vec<Polynomial<BigRational>>) {
         let degree = self.degree();
         let scaled = |m: usize| &self.weights[m] * binomial(degree, m);
         let polynomial =

@@ -47,6 +47,21 @@ impl IsolatedRoot {
         (to_positive(&self.lo), to_positive(&self.hi))
     }
 
+    /// Is it the same root of the same polynomial? Both intervals hold one root each; if that is one, it is where they meet.
+    pub(super) fn is_same(&self, other: &Self) -> bool {
+        if self.polynomial != other.polynomial {
+            return false;
+        }
+        let (lo, hi) = ((&self.lo).max(&other.lo), (&self.hi).min(&other.hi));
+        lo < hi && self.sign_at(lo) != self.sign_at(hi)
+    }
+
+    /// A polynomial in u with this root, a simple one, among its roots.
+    pub(super) fn polynomial(&self) -> Polynomial<BigRational> {
+        let mut coefficients = self.polynomial.coefficients().iter().cloned().map(BigRational::from_integer);
+        Polynomial::new(coefficients.next().unwrap_or_default(), coefficients)
+    }
+
     /// y, if it is known exactly.
     #[must_use]
     pub fn exact(&self) -> Option<&BigRational> {

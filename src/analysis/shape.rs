@@ -131,18 +131,6 @@ impl Shape {
         &self.features.jumps
     }
 
-    /// Does the function rise or fall all the way from extremum `at` to the next one? So it does between a maximum and a minimum,
-    /// unless it jumps: their values differ.
-    ///
-    /// # Panics
-    /// If there is no next one.
-    #[must_use]
-    pub fn turns_back(&self, at: usize) -> bool {
-        let [(_, from), (to, _)] = [at, at + 1].map(|at| self.extrema()[at].place.interval());
-        let jumps = self.jumps().iter().any(|jump| from <= &jump.at && &jump.at <= to);
-        self.extrema()[at].kind != self.extrema()[at + 1].kind && !jumps
-    }
-
     /// Exactly one local maximum (`Conj3.1.strong`).
     #[must_use]
     pub fn strong(&self) -> bool {

@@ -6,7 +6,10 @@ use std::path::PathBuf;
 use num_rational::BigRational;
 use thiserror::Error;
 
-use crate::analysis::{FreeKnotError, NurbsError, RationalBezierError};
+use crate::analysis::{
+    CurvePartError, FreeKnotError, InterpolationError, NurbsError, RationalBezierError, RefinementError,
+    SiteError,
+};
 use crate::certificate::CertificateError;
 use crate::formula::ScriptError;
 use crate::json::JsonError;
@@ -290,6 +293,43 @@ pub enum CliError {
     /// A NURBS form that the curve has not.
     #[error("{argument}: {0}", argument = nurbs_argument(.0))]
     Nurbs(#[from] NurbsError),
+    /// An interval that is no part of the curve.
+    #[error("{argument}: {0}", argument = part_argument(.0))]
+    Part(#[from] CurvePartError),
+    /// A coordinate that a point has not.
+    #[error("--coordinate: there is no coordinate {coordinate}: a point has {dimension}, counted from 0")]
+    Coordinate {
+        /// What was given.
+        coordinate: usize,
+        /// The number of coordinates.
+        dimension: usize,
+    },
+    /// No coordinate, where there are several.
+    #[error(
+        "--coordinate is missing: a point has {dimension} coordinates, so say which one is meant, counted from 0, or \
+         give a·c(x) by --normal"
+    )]
+    NoCoordinate {
+        /// The number of coordinates.
+        dimension: usize,
+    },
+    /// Not a number for each coordinate.
+    #[error("--normal: here are {count} numbers, and a point has {dimension} coordinates: give one for each")]
+    Normal {
+        /// What was given.
+        count: usize,
+        /// The number of coordinates.
+        dimension: usize,
+    },
+    /// Numbers that are no places for interpolation.
+    #[error("--at: {0}")]
+    Sites(#[from] SiteError),
+    /// Points or places of another number than is needed.
+    #[error("--at: {0}")]
+    Interpolation(#[from] InterpolationError),
+    /// Knots that can't be new ones.
+    #[error("--at: {0}")]
+    Refinement(#[from] RefinementError),
     /// A NURBS curve that no file in floats can hold.
     #[error("--as: {0}; {advice}", advice = nurbs_advice(.0))]
     NurbsFile(#[from] NurbsFileError),
@@ -387,6 +427,17 @@ pub enum CliError {
         /// The names of the others.
         ours: Vec<&'static str>,
     },
+    /// A file that is no picture by its name.
+    #[error("--out: {}: the name ends neither in .svg nor in .png, which says what to draw", path.display())]
+    PictureFile {
+        /// The file.
+        path: PathBuf,
+    },
+    /// Numbers of which no picture can be drawn.
+    #[error(
+        "--knots: nothing could be seen: numbers are beyond 1e150, or knots are equal as f64; move or stretch them"
+    )]
+    Unseen,
     /// A picture could not be drawn: a bug.
     #[error("internal error: {0}; please report this bug with the command line")]
     Picture(#[from] PictureError),
@@ -442,8 +493,14 @@ fn first(complaints: &[Complaint]) -> String {
 fn nurbs_argument(error: &NurbsError) -> &'static str {
     match error {
         NurbsError::Degree { .. } => "--degree-to",
-        NurbsError::From { .. } => "--from",
-        NurbsError::To { .. } => "--to",
+        NurbsError::Part(error) => part_argument(error),
+    }
+}
+
+fn part_argument(error: &CurvePartError) -> &'static str {
+    match error {
+        CurvePartError::From { .. } => "--from",
+        CurvePartError::To { .. } => "--to",
     }
 }
 
@@ -471,6 +528,10 @@ impl CliError {
             Self::OnlyIndices { option, .. } => Some(option),
             Self::TooHigh { .. } | Self::Quotients { .. } => Some("--degree"),
             Self::Nurbs(error) => Some(nurbs_argument(error)),
+            Self::Part(error) => Some(part_argument(error)),
+            Self::Coordinate { .. } | Self::NoCoordinate { .. } => Some("--coordinate"),
+            Self::Normal { .. } => Some("--normal"),
+            Self::Sites(_) | Self::Interpolation(_) | Self::Refinement(_) => Some("--at"),
             Self::NurbsFile(_) => Some("--as"),
             Self::UnknownInstance { .. } | Self::Malformed { .. } => Some("--instance"),
             Self::SeveralIndices { .. } | Self::AllIndices | Self::SymbolicIndex => Some("--alpha"),
@@ -494,6 +555,8 @@ impl CliError {
             | Self::SearchFile { argument, .. }
             | Self::OtherSearch { argument, .. } => Some(argument),
             Self::UnknownFigure { .. } => Some("NUMBER"),
+            Self::PictureFile { .. } => Some("--out"),
+            Self::Unseen => Some("--knots"),
             Self::Merge(_) => Some("FILE"),
             Self::Audit(_) => Some("--audit"),
             Self::Threads { .. } => Some("--threads"),

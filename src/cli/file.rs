@@ -17,7 +17,8 @@ use super::exact::{Exact, Indices, Whole};
 
 /// An instance for knotproof: a degree on a knot vector, with indices and control points if there are any.
 ///
-/// A result of `knotproof eval`, `bezier`, `joins`, `shape`, `check`, `formula` or `search` is one too: its `schema` says that
+/// A result of `knotproof eval`, `bezier`, `joins`, `solve`, `bounds`, `length`, `interpolate`, `insert`, `shape`, `check`, `formula` or
+/// `search` is one too: its `schema` says that
 /// it is a result, of which only these fields count, and the indices of its entries if it has none of its own.
 #[derive(Debug, Clone, PartialEq, Eq, JsonSchema)]
 #[schemars(
@@ -79,7 +80,9 @@ impl<'de> Visitor<'de> for Fields {
                 "alpha" if result => alpha = index_of(map.next_value()?)?,
                 "alpha" => alpha = map.next_value()?,
                 "points" => points = map.next_value()?,
-                "functions" | "properties" | "joins" if result => entries = map.next_value::<Vec<Entry>>()?,
+                "functions" | "properties" | "joins" | "curves" if result => {
+                    entries = map.next_value::<Vec<Entry>>()?
+                }
                 _ if result => drop(map.next_value::<IgnoredAny>()?),
                 _ => {
                     let fields = FIELDS.map(|field| format!("`{field}`")).join(", ");

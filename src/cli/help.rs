@@ -79,6 +79,44 @@ const TASKS: &[Task] = &[
         )],
     },
     Task {
+        task: "Ask a curve",
+        examples: &[
+            example(
+                "knotproof solve --instance C5 --alpha -4 --coordinate 1 --value 4",
+                "Every x where the second coordinate is 4, and the points there. With --normal: a line or a plane.",
+                Exit::Holds,
+            ),
+            example(
+                "knotproof bounds --instance C5 --alpha -4",
+                "The bounding box, and where the curve touches it. shape --curve has all local maxima and minima.",
+                Exit::Holds,
+            ),
+            example(
+                "knotproof length --instance C5 --alpha -4",
+                "The length, and the integrals of the coordinates, between exact bounds.",
+                Exit::Holds,
+            ),
+            example(
+                "knotproof interpolate --degree 2 --knots \"0 0 0 1 2 2 2\" --alpha 5 --at \"0 1/2 3/2 2\" --points \"0,0 1,2 2,2 3,0\"",
+                "The control points of the curve through four points, or why there is none.",
+                Exit::Holds,
+            ),
+            example(
+                "knotproof insert --degree 2 --knots \"0 0 0 1 2 2 2\" --alpha 5 --points \"0,0 1,2 2,2 3,0\" --at 1/2",
+                "Knot insertion: for finite α this curve is none on the new knots, and the ranks that show it. With --alpha inf it is.",
+                Exit::Refuted,
+            ),
+        ],
+    },
+    Task {
+        task: "Draw a basis or a curve",
+        examples: &[example(
+            "knotproof plot --degree 2 --knots \"0 0 0 1 2 2 2\" --alpha 5 --points \"0,0 1,2 2,2 3,0\"",
+            "The curve with its control polygon and its corners, as SVG; --out FILE.png writes PNG.",
+            Exit::Holds,
+        )],
+    },
+    Task {
         task: "Get a formula",
         examples: &[
             example(

@@ -246,6 +246,11 @@ impl InstanceArgs {
         self.family.chosen(own)
     }
 
+    /// Are control points given by an option?
+    pub(super) fn has_points(&self) -> bool {
+        self.points.is_some()
+    }
+
     /// Is nothing said at all?
     pub(super) fn is_absent(&self) -> bool {
         self.is_without_knots() && self.family.is_absent()

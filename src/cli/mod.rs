@@ -6,6 +6,7 @@
 
 mod atomic;
 mod bezier;
+mod bounds;
 mod check;
 mod completions;
 mod error;
@@ -20,18 +21,23 @@ mod file;
 mod float;
 mod formula;
 mod help;
+mod insert;
 mod instance;
+mod interpolate;
 mod joins;
 mod judge;
+mod length;
 mod man;
 mod merge;
 mod new;
 mod notation;
 mod of_weights;
 mod offered;
+mod on_curve;
 mod on_knots;
 mod output;
 mod paper;
+mod plot;
 mod point_error;
 mod progress;
 mod prove;
@@ -39,6 +45,7 @@ mod report;
 mod schema;
 mod search;
 mod shape;
+mod solve;
 mod table;
 mod usage;
 mod vectors;
@@ -84,9 +91,15 @@ enum Command {
     Formula(Box<formula::Args>),
     Bezier(Box<bezier::Args>),
     Joins(Box<joins::Args>),
+    Solve(Box<solve::Args>),
+    Bounds(Box<bounds::Args>),
+    Length(Box<length::Args>),
+    Interpolate(Box<interpolate::Args>),
+    Insert(Box<insert::Args>),
     Check(Box<check::Args>),
     Shape(Box<shape::Args>),
     Float(Box<float::Args>),
+    Plot(Box<plot::Args>),
     Figures(figures::Args),
     Judge(judge::Args),
     New(new::Args),
@@ -111,9 +124,15 @@ impl Command {
             Self::Formula(args) => formula::run(args, output),
             Self::Bezier(args) => bezier::run(args, output),
             Self::Joins(args) => joins::run(args, output),
+            Self::Solve(args) => solve::run(args, output),
+            Self::Bounds(args) => bounds::run(args, output),
+            Self::Length(args) => length::run(args, output),
+            Self::Interpolate(args) => interpolate::run(args, output),
+            Self::Insert(args) => insert::run(args, output),
             Self::Check(args) => check::run(args, output),
             Self::Shape(args) => shape::run(args, output),
             Self::Float(args) => float::run(args, output),
+            Self::Plot(args) => plot::run(args, output),
             Self::Figures(args) => figures::run(args, output),
             Self::New(args) => new::run(args, output),
             Self::Judge(args) => judge::run(args, output),

@@ -6,11 +6,11 @@ use num_rational::BigRational;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::spline::Basis;
+use crate::spline::{Basis, Curve};
 
 use super::exact::{Exact, as_given};
 
-/// The degree and the knots that an answer is about.
+/// The degree and the knots that an answer is about, and the control points if it is about a curve.
 #[derive(Debug, Serialize, JsonSchema)]
 pub(super) struct OnKnots {
     /// k.
@@ -19,6 +19,10 @@ pub(super) struct OnKnots {
     #[serde(serialize_with = "as_given")]
     #[schemars(with = "Vec<String>")]
     pub(super) knots: Vec<Exact>,
+    /// The control points d_0, …, d_n that were given, each a list of coordinates: exactly as given, whatever the notation.
+    #[serde(skip_serializing_if = "Option::is_none", serialize_with = "as_given")]
+    #[schemars(with = "Option<Vec<Vec<String>>>")]
+    points: Option<Vec<Vec<Exact>>>,
     #[serde(skip)]
     label: Option<String>,
 }
@@ -26,7 +30,12 @@ pub(super) struct OnKnots {
 impl OnKnots {
     /// Those of a basis, and the name of the instance that it comes from.
     pub(super) fn of<W>(basis: &Basis<W>, label: Option<String>) -> Self {
-        Self { degree: basis.degree(), knots: exact(basis.knots().knots()), label }
+        Self { degree: basis.degree(), knots: exact(basis.knots().knots()), points: None, label }
+    }
+
+    /// The same with the control points of a curve on them.
+    pub(super) fn with_points_of<W>(self, curve: &Curve<W>) -> Self {
+        Self { points: Some(curve.points().iter().map(|point| exact(point)).collect()), ..self }
     }
 }
 

@@ -14,8 +14,8 @@ use super::exit::Exit;
 use super::file::InstanceFile;
 use super::output::{ErrorReport, OfPaper, Output, Stamped};
 use super::{
-    bezier, check, completions, eval, explain, families, figures, float, formula, help, joins, judge, man,
-    merge, new, prove, report, shape, vectors, verify,
+    bezier, bounds, check, completions, eval, explain, families, figures, float, formula, help, insert,
+    interpolate, joins, judge, length, man, merge, new, plot, prove, report, shape, solve, vectors, verify,
 };
 
 /// Prints a JSON Schema: of instance files (for --instance FILE), of files of claims (for check --claims FILE), of families (for
@@ -45,9 +45,15 @@ enum Written {
     Formula,
     Bezier,
     Joins,
+    Solve,
+    Bounds,
+    Length,
+    Interpolate,
+    Insert,
     Check,
     Shape,
     Float,
+    Plot,
     Figures,
     Judge,
     New,
@@ -73,7 +79,7 @@ enum Written {
 const EVAL: &str = "One object for one point. With --points-file JSON lines: the first has what all points share, each other is a point, in the order of the file. With --format text a file of points is answered as CSV, with the columns x, side, G_0, …, G_n (or the one function that was asked for), G_0^(d), …, G_n^(d) for each derivative d from 1, and with control points curve_0, … (the coordinates) and curve_0^(d), … likewise.";
 const FORMULA: &str = "Formulas; with --equals, whether those of a file are the functions.";
 const BEZIER: &str = "The curve as rational Bézier pieces; with --as joined to NURBS curves.";
-const SHAPE: &str = "Extrema; with --alpha all or --free-knot, how their number depends on the parameter.";
+const SHAPE: &str = "Extrema; with --alpha all or --free-knot, how their number depends on the parameter; with --curve or --points, those of a curve.";
 const REPORT: &str = "All verdicts of a run, as in report.json; with --errata the errata from recorded verdicts, as in errata.json.";
 const SEARCH: &str =
     "JSON lines, also in a checkpoint: one for each finding, and at the end a summary of what was searched.";
@@ -140,6 +146,19 @@ impl Written {
                     titled("All curves of a paper (--all)", of::<OfPaper<joins::AllJoins>>(to)),
                 ],
             ),
+            Self::Solve => ("Where a curve takes a value.", vec![of::<solve::Solved>(to)]),
+            Self::Bounds => ("The bounding box of a curve.", vec![of::<bounds::Bounds>(to)]),
+            Self::Length => (
+                "The length of a curve, and the integrals of its coordinates.",
+                vec![of::<length::Lengths>(to)],
+            ),
+            Self::Interpolate => (
+                "The curve through given points, or why there is none.",
+                vec![of::<interpolate::Interpolation>(to)],
+            ),
+            Self::Insert => {
+                ("A curve on more knots, or why it is none on them.", vec![of::<insert::Inserted>(to)])
+            }
             Self::Check => (
                 "The verdicts on the claims of the paper, on one instance.",
                 vec![of::<OfPaper<check::Check>>(to)],
@@ -149,9 +168,11 @@ impl Written {
                 vec![
                     titled("Extrema", of::<shape::Shapes>(to)),
                     titled("By a parameter (--alpha all, --free-knot)", of::<shape::Partitions>(to)),
+                    titled("The coordinates of a curve (--curve, --points)", of::<shape::CurveShapes>(to)),
                 ],
             ),
             Self::Float => ("The errors of `f64` against exact values.", vec![of::<float::Comparison>(to)]),
+            Self::Plot => ("The picture that was drawn.", vec![of::<plot::Plotted>(to)]),
             Self::Figures => ("The pictures that were written.", vec![of::<figures::Drawn>(to)]),
             Self::New => ("The folder that was written.", vec![of::<new::Written>(to)]),
             Self::Judge => {

@@ -10,15 +10,15 @@ use crate::judge::simplest_member;
 use crate::meaning::Weighting;
 use crate::report::{VectorCase, vectors};
 use crate::spline::Index;
+use crate::typed::{ChosenFamily, TypedError, whole_number};
 
 use super::atomic::write_atomically;
 use super::error::CliError;
 use super::exit::Exit;
-use super::family::{ChosenFamily, FamilyArgs};
+use super::family::FamilyArgs;
 use super::output::{Output, stamped_json};
 use super::progress::Progress;
 use super::visible::visible_path;
-use super::whole_number::whole_number;
 
 /// Writes exact values of basis functions for the tests of other spline libraries: at knots and between them, with one-sided
 /// derivatives, on knots of every kind.
@@ -112,7 +112,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         }
     }
     let chosen = args.family.chosen(None)?;
-    let wrong = |error| CliError::Member { argument: "--family", error };
+    let wrong = |error| TypedError::Member { argument: "--family", error };
     // An index has no conditions on knots.
     let adjectives = chosen.as_ref().map_or(&[][..], |chosen| &chosen.family.knots);
     let member = |m: usize, k: usize| match &chosen {

@@ -20,6 +20,7 @@ use super::exit::Exit;
 use super::instance::InstanceArgs;
 use super::notation::NotationArgs;
 use super::of_weights::OfWeights;
+use super::on_curve::if_too_high;
 use super::on_knots::{OnKnots, exact};
 use super::output::Output;
 use super::progress::Progress;
@@ -43,6 +44,10 @@ pub(super) use nurbs::Joined;
 pub(super) struct Args {
     #[command(flatten)]
     instance: InstanceArgs,
+    /// The hodograph: the pieces of the derivative of the curve, of the least degree with positive weights. The derivative may jump
+    /// from one piece to the next.
+    #[arg(long, conflicts_with = "form")]
+    derivative: bool,
     /// Joins the pieces to NURBS curves, and prints them, or a file of them.
     #[arg(long = "as", value_name = "FORM", value_enum)]
     form: Option<Form>,
@@ -90,18 +95,12 @@ const EXAMPLE: &str = r#"Examples:
   knotproof bezier --degree 2 --knots "0 0 0 1 2 2 2" --alpha 5 --points "0,0 1,2 2,2 3,0"
   knotproof bezier --instance C5 --alpha -4 --format json
   knotproof bezier --degree 2 --knots "0 0 0 1 2 2 2" --family lupas --set q=1/2 --points "0 1 0 0"
+  knotproof bezier --instance C5 --alpha -4 --derivative
   knotproof bezier --instance C5 --alpha -4 --as nurbs --standard-form
   knotproof bezier --instance C5 --alpha -4 --as nurbs --format json > curve.json
   knotproof bezier --instance C5 --alpha -4 --as step --standard-form > curve.step
 What --as nurbs --format json writes has the degree, the knots, α and the control points of the source, and is an instance file
 too: knotproof eval --instance curve.json --x 1/2."#;
-
-/// The highest degree k that is converted. A piece has degree k(k + 1)/2 in general, and the time grows with about
-/// the sixth power of k: on knots of a few digits this one takes two seconds a span.
-const DEGREE_LIMIT: usize = 10;
-
-/// The highest degree of the functions as quotients, for weights of a higher degree in x than those of an index.
-const QUOTIENT_LIMIT: usize = 120;
 
 /// The result: its fields are the JSON.
 #[derive(Debug, Serialize, JsonSchema)]
@@ -115,6 +114,8 @@ pub(super) struct Conversion {
     weights: OfWeights,
     /// The number of coordinates of a point.
     dimension: usize,
+    /// 0 for the curve, 1 for its derivative.
+    order: usize,
     /// From left to right, one for each span that is not empty.
     pieces: Vec<Piece>,
 }
@@ -145,7 +146,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     let curve = case.curve.as_ref().ok_or(CliError::NoPoints { needed: case.basis.n() + 1 })?;
     let head = (OnKnots::of(&case.basis, case.label), OfWeights::of(&case.weights));
     let Some(form) = args.form else {
-        output.result(&convert(curve, head)?)?;
+        output.result(&convert(curve, head, args.derivative)?)?;
         return Ok(Exit::Holds);
     };
     let request = NurbsRequest {
@@ -160,15 +161,25 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     Ok(Exit::Holds)
 }
 
-fn convert(curve: &Curve<AnyWeights>, (on, weights): (OnKnots, OfWeights)) -> Result<Conversion, CliError> {
+fn convert(
+    curve: &Curve<AnyWeights>,
+    (on, weights): (OnKnots, OfWeights),
+    derivative: bool,
+) -> Result<Conversion, CliError> {
     let progress = progress(curve);
     let pieces = pieces(curve, &progress)?;
     pieces.iter().try_for_each(|piece| verify(piece, curve, &progress))?;
+    let pieces = if derivative {
+        pieces.iter().map(RationalBezier::derivative).collect::<Result<Vec<_>, _>>()?
+    } else {
+        pieces
+    };
     Ok(Conversion {
         schema: "knotproof.bezier/1",
-        on,
+        on: on.with_points_of(curve),
         weights,
         dimension: curve.dimension(),
+        order: usize::from(derivative),
         pieces: pieces.iter().map(|piece| Piece::new(piece, curve)).collect(),
     })
 }
@@ -180,12 +191,7 @@ fn progress(curve: &Curve<AnyWeights>) -> Progress {
 
 /// The pieces, not yet compared with the curve.
 fn pieces(curve: &Curve<AnyWeights>, progress: &Progress) -> Result<Vec<RationalBezier>, CliError> {
-    let basis = curve.basis();
-    if basis.degree() > DEGREE_LIMIT {
-        let reason = "a piece has degree k(k + 1)/2, and the time grows with the sixth power of k";
-        return Err(CliError::TooHigh { degree: basis.degree(), limit: DEGREE_LIMIT, reason });
-    }
-    CliError::if_quotients_exceed(QUOTIENT_LIMIT, basis)?;
+    if_too_high(curve.basis())?;
     let converted = |piece: Result<RationalBezier, _>| {
         let piece = piece?;
         progress.step(&format!("[{}, {}]", piece.ends().0, piece.ends().1));

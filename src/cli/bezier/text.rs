@@ -24,9 +24,12 @@ impl fmt::Display for Conversion {
             more => (format!("{more} rational Bézier curves"), "Each is"),
         };
         let positive = if self.weights.family().is_some() { " with positive weights" } else { "" };
+        let of = if self.order == 0 { "the curve" } else { "the derivative of the curve" };
+        let checked =
+            if self.order == 0 { "checked exactly" } else { "from the pieces, which are checked exactly" };
         writeln!(
             f,
-            "{count} of least degree{positive}. {are} equal to the curve for every x of its span (checked exactly)."
+            "{count} of least degree{positive}. {are} equal to {of} for every x of its span ({checked})."
         )?;
         if self.pieces.iter().any(|piece| !piece.base) {
             let note = "outside of [t_k, t_(n+1)], where the basis functions add up to less than 1";

@@ -37,9 +37,13 @@ pub(in super::super) struct Head {
 
 impl Head {
     pub(super) fn of(request: &Request<'_>, label: Option<String>) -> Self {
+        let on = OnKnots::of(request.basis, label);
         Self {
             schema: SCHEMA,
-            on: OnKnots::of(request.basis, label),
+            on: match request.curve {
+                Some(curve) => on.with_points_of(curve),
+                None => on,
+            },
             weights: OfWeights::of(request.weights),
             index: request.index,
         }

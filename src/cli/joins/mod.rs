@@ -170,7 +170,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         let curve = curve.ok_or(CliError::NoPoints { needed: basis.n() + 1 })?;
         progress.step(&weights.to_string());
         records.extend(of_curve(None, &weights, &curve, notation));
-        on = Some((OnKnots::of(&basis, label), curve.dimension()));
+        on = Some((OnKnots::of(&basis, label).with_points_of(&curve), curve.dimension()));
     }
     drop(progress);
     let Some((on, dimension)) = on else { unreachable!("an instance has a case") };

@@ -1,5 +1,6 @@
 //! The command `shape`: local maxima and minima, plateaus, jumps and slopes of basis functions.
 
+mod coordinates;
 mod partition;
 mod text;
 
@@ -12,6 +13,7 @@ use serde::Serialize;
 
 use crate::analysis::{
     Extremum, ExtremumKind, Jump, KnotSlopes, Location, Pieces, Shape as FunctionShape, knot_slopes,
+    turns_back,
 };
 use crate::meaning::{Instance, Weighting};
 use crate::scalar::parse_rational;
@@ -28,6 +30,7 @@ use super::on_knots::OnKnots;
 use super::output::Output;
 use super::progress::Progress;
 
+pub(super) use coordinates::CurveShapes;
 pub(super) use partition::Partitions;
 
 /// Local maxima, minima, plateaus, jumps and slopes of basis functions, exactly.
@@ -46,6 +49,9 @@ pub(super) struct Args {
     /// The knot t_J moves between its two neighbours: all its places, by the number of local maxima.
     #[arg(long, value_name = "J", value_parser = whole_number, allow_hyphen_values = true)]
     free_knot: Option<usize>,
+    /// The coordinates of the curve in place of the basis functions; --points asks for them, too.
+    #[arg(long, conflicts_with_all = ["index", "free_knot"])]
+    curve: bool,
     #[command(flatten)]
     notation: NotationArgs,
 }
@@ -54,7 +60,9 @@ const EXAMPLE: &str = r#"With --alpha all: every slope ratio r = α/(α − 1) i
 place of the knot t_J between its neighbours. Cells are open intervals, each with its number; between two of them
 lies an end, the root of a polynomial.
 
-Exit codes: 0 every function has exactly one local maximum, for every value of the parameter; 1 one has none or
+With --curve or --points: the local maxima, minima and jumps of each coordinate of the curve; at its ends only one side counts.
+
+Exit codes: 0 every function has exactly one local maximum, for every value of the parameter, or it is about a curve; 1 one has none or
 several; 3 nothing but that is known, and some value of the parameter is undecided.
 
 Examples:
@@ -62,7 +70,8 @@ Examples:
   knotproof shape --degree 3 --knots "0 0 0 0 1 2 4 4" --alpha 5/2 --index 2 --width 1e-12
   knotproof shape --degree 4 --knots "0 1 2 3 4 5 5 5 5" --index 0 --alpha all
   knotproof shape --degree 2 --knots "0 0 0 1 2 2 2" --family lupas --set q=1/2
-  knotproof shape --degree 3 --knots "0 0 0 0 1 2 4 4" --alpha 5/2 --index 2 --free-knot 5"#;
+  knotproof shape --degree 3 --knots "0 0 0 0 1 2 4 4" --alpha 5/2 --index 2 --free-knot 5
+  knotproof shape --instance C5 --alpha -4 --curve"#;
 
 /// The result: its fields are the JSON.
 #[derive(Debug, Serialize, JsonSchema)]
@@ -154,6 +163,9 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     }
     let notation = args.notation.notation()?;
     let output = &output.in_notation(notation);
+    if args.curve || args.function.instance.has_points() {
+        return coordinates::run(args, notation, output);
+    }
     if let Some(every_index) = args.function.instance.every_index() {
         return match args.free_knot {
             None => partition::by_ratio(args, every_index.resolve()?, notation, output),
@@ -265,7 +277,7 @@ impl FunctionRecord {
             local_minima: shape.local_minima().count(),
             strong: shape.strong(),
             weak: shape.weak(),
-            extrema: Turn::all(shape, notation),
+            extrema: Turn::all(shape.extrema(), shape.jumps(), notation),
             jumps: shape.jumps().iter().map(Step::from).collect(),
             slopes: knot_slopes(basis, index).into_iter().map(Slopes::from).collect(),
         }
@@ -274,12 +286,11 @@ impl FunctionRecord {
 
 impl Turn {
     /// The extrema, with decimals that tell neighbours apart.
-    fn all(shape: &FunctionShape, notation: Notation) -> Vec<Self> {
-        let extrema = shape.extrema();
+    fn all(extrema: &[Extremum], jumps: &[Jump], notation: Notation) -> Vec<Self> {
         let mut places: Vec<_> = extrema.iter().map(Extremum::x).collect();
         let mut values: Vec<_> = extrema.iter().map(Extremum::height).collect();
         let places = notation.settled_apart(&mut places, |_| true);
-        let values = notation.settled_apart(&mut values, |at| shape.turns_back(at));
+        let values = notation.settled_apart(&mut values, |at| turns_back(extrema, jumps, at));
         let decimals = places.into_iter().zip(values);
         extrema.iter().zip(decimals).map(|(extremum, decimals)| Self::new(extremum, decimals)).collect()
     }

@@ -189,7 +189,7 @@ pub(super) fn control_polygon(panel: &Panel<'_>, points: &[Point]) -> Drawn {
 }
 
 /// The names of the ends, and of what is there twice; best away from the middle of the polygon.
-fn point_labels(points: &[Point]) -> Vec<Label> {
+pub(super) fn point_labels(points: &[Point]) -> Vec<Label> {
     let corners: Vec<_> = points.iter().map(planar).collect();
     let Frame { x, y } = Frame::of(corners.iter().copied());
     let middle = (f64::midpoint(x.0, x.1), f64::midpoint(y.0, y.1));
@@ -254,7 +254,7 @@ fn axis(panel: &Panel<'_>, points: &[Point]) -> Drawn {
 const AXIS: RGBColor = BLACK;
 
 /// The corners of the convex hull, in order (Andrew's monotone chain): exact.
-fn convex_hull(points: &[Point]) -> Vec<Point> {
+pub(super) fn convex_hull(points: &[Point]) -> Vec<Point> {
     let mut sorted = points.to_vec();
     sorted.sort();
     sorted.dedup();

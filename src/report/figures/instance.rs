@@ -24,10 +24,7 @@ pub struct Picture {
 /// # Errors
 /// [`PictureError`], a bug of this program.
 pub fn pictures(of: &Example) -> Result<Vec<Picture>, PictureError> {
-    let knots: Vec<f64> = of.knots.stop_knots().map(|(t, _)| float(t)).collect();
-    let apart = knots.windows(2).all(|pair| pair[0] < pair[1]) && knots.iter().all(|t| t.abs() < LARGEST);
-    let near = |(x, y): (f64, f64)| x.abs() < LARGEST && y.abs() < LARGEST;
-    if !apart || !of.points.iter().flatten().all(|point| near(planar(point))) {
+    if !can_be_seen(of) {
         return Ok(Vec::new());
     }
     let (name, k) = (&of.name, of.degree);
@@ -43,6 +40,14 @@ pub fn pictures(of: &Example) -> Result<Vec<Picture>, PictureError> {
         pictures.push(Picture { file: format!("{name}-{k}-curve.svg"), svg, title });
     }
     Ok(pictures)
+}
+
+/// Are its numbers neither too large for `f64` nor too close?
+pub(super) fn can_be_seen(of: &Example) -> bool {
+    let knots: Vec<f64> = of.knots.stop_knots().map(|(t, _)| float(t)).collect();
+    let apart = knots.windows(2).all(|pair| pair[0] < pair[1]) && knots.iter().all(|t| t.abs() < LARGEST);
+    let near = |(x, y): (f64, f64)| x.abs() < LARGEST && y.abs() < LARGEST;
+    apart && of.points.iter().flatten().all(|point| near(planar(point)))
 }
 
 /// Beyond, the square of a number is not one of `f64`.

@@ -15,6 +15,7 @@ mod limit;
 mod metrics;
 mod notation;
 mod pen;
+mod plot;
 mod png;
 mod reflection;
 mod rising;
@@ -25,6 +26,7 @@ mod weight;
 pub use canvas::PictureError;
 pub use catalogue::{Figure, all, figure};
 pub use instance::{Picture, pictures};
+pub use plot::{Plot, plot};
 pub use png::png;
 
 pub(super) use basis::graph;

@@ -3,7 +3,7 @@
 use num_traits::ToPrimitive;
 
 use crate::scalar::BigRational;
-use crate::spline::{Basis, Curve, HasWeights, Point, Span};
+use crate::spline::{Basis, Curve, HasWeights, Point, Span, WeightKind};
 
 /// The nearest `f64`, or one beside it.
 pub(in crate::report) fn float(x: &BigRational) -> f64 {
@@ -57,9 +57,15 @@ pub(in crate::report) fn value<W: HasWeights>(basis: &Basis<W>, i: usize, span: 
     basis.active(span, &x).map_or(f64::NAN, |active| active.get(i).copied().unwrap_or_default())
 }
 
-/// A point of a curve on a span.
-pub(super) fn curve_point(curve: &Curve, span: Span, x: f64) -> (f64, f64) {
-    let Ok(active) = curve.basis().active(span, &x) else { return (f64::NAN, f64::NAN) };
+/// A point of a curve on a span, at an x of its closure. Forms are summed exactly: their terms may cancel in floats.
+pub(super) fn curve_point<W: HasWeights>(curve: &Curve<W>, span: Span, x: f64) -> (f64, f64) {
+    let basis = curve.basis();
+    let none = (f64::NAN, f64::NAN);
+    if let WeightKind::Forms(_) = basis.weights().kind() {
+        let at = BigRational::from_float(x).and_then(|x| basis.active(span, &x).ok());
+        return at.and_then(|active| curve.combine(&active).ok()).map_or(none, |point| planar(&point));
+    }
+    let Ok(active) = basis.active(span, &x) else { return none };
     active.iter().fold((0.0, 0.0), |(a, b), (i, g)| {
         let (x, y) = planar(&curve.points()[i]);
         (a + g * x, b + g * y)

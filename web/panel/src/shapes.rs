@@ -1,6 +1,6 @@
 //! What `shape` says of all functions.
 
-use knotproof::analysis::{Extremum, ExtremumKind, Location, Pieces, Shape, settled_apart};
+use knotproof::analysis::{Extremum, ExtremumKind, Location, Pieces, Shape, settled_apart, turns_back};
 use knotproof::scalar::rational;
 use knotproof::spline::{AnyWeights, Basis};
 use knotproof::typed::{Asked, Case};
@@ -32,7 +32,7 @@ fn function(basis: &Basis<AnyWeights>, pieces: &Pieces, i: usize) -> Value {
     let mut places: Vec<_> = shape.extrema().iter().map(Extremum::x).collect();
     let mut heights: Vec<_> = shape.extrema().iter().map(Extremum::height).collect();
     let places = settled_apart(&mut places, DIGITS, |_| true);
-    let heights = settled_apart(&mut heights, DIGITS, |at| shape.turns_back(at));
+    let heights = settled_apart(&mut heights, DIGITS, |at| turns_back(shape.extrema(), shape.jumps(), at));
     let extrema = shape.extrema().iter().zip(places.iter().zip(&heights)).map(|(extremum, (x, height))| {
         let ((from, to), (least, most)) = (extremum.place.interval(), &extremum.value);
         json!({
