@@ -63,12 +63,15 @@ const panel = (() => {
       modules.panel.stop();
       return;
     }
-    do {
-      [begun, again] = [performance.now(), false];
-      await round().catch(complain);
-    } while (again);
-    begun = null;
-    byId("panel").dataset.state = "ready";
+    try {
+      do {
+        [begun, again] = [performance.now(), false];
+        await round().catch(complain);
+      } while (again);
+    } finally {
+      begun = null;
+      byId("panel").dataset.state = "ready";
+    }
   };
 
   const round = async () => {
@@ -115,6 +118,9 @@ const panel = (() => {
     const { drawing: { knots, spans, count }, shapes, values } = shown;
     const svg = byId("basis");
     svg.replaceChildren();
+    frames.basis = null;
+    // Knots beyond all floats can't be drawn.
+    if (spans.length === 0 || knots.some(({ at }) => at === null)) return;
     const [first, last] = [knots[0].at, knots.at(-1).at];
     const all = spans.flatMap(({ functions }) => functions.flat());
     const [low, high] = [Math.min(0, ...all), Math.max(1, ...all)];
@@ -166,7 +172,7 @@ const panel = (() => {
 
   const drawCurve = () => {
     const { drawing: { points, spans }, values } = shown;
-    const plane = points !== null && points[0].length === 2;
+    const plane = points !== null && points[0].length === 2 && points.flat().every((c) => c !== null);
     byId("curve-figure").hidden = !plane;
     if (!plane) return;
     const svg = byId("curve");
@@ -374,7 +380,7 @@ const panel = (() => {
   const drag = (id, begins) => {
     const svg = byId(id);
     svg.addEventListener("pointerdown", (event) => {
-      dragged = begins(event.target.dataset);
+      dragged = frames[id] && begins(event.target.dataset);
       if (!dragged) return;
       event.preventDefault();
       svg.setPointerCapture(event.pointerId);

@@ -15,22 +15,24 @@ pub(crate) fn of(asked: &Asked) -> Answer {
     let Case { basis, curve, .. } = asked.case()?;
     let (knots, k, n) = (basis.knots(), basis.degree(), basis.n());
     let rounded = |t| 0.0_f64.embed(t);
-    let spans = knots.spans().map(|span| {
+    let spans = knots.spans().filter_map(|span| {
         let (j, (from, to)) =
             (span.index(), (rounded(knots.t(span.index())), rounded(knots.t(span.index() + 1))));
         let at = |s: u32| {
             if s + 1 == POINTS { to } else { from + (to - from) * f64::from(s) / f64::from(POINTS - 1) }
         };
-        let places: Vec<f64> = (0..POINTS).map(at).collect();
-        let rows: Vec<Active<f64>> = places.iter().filter_map(|x| basis.active(span, x).ok()).collect();
+        // Knots that floats can't tell apart leave no points between them.
+        let rows: Vec<(f64, Active<f64>)> =
+            (0..POINTS).map(at).filter_map(|x| Some((x, basis.active(span, &x).ok()?))).collect();
+        let (_, start) = rows.first()?;
         // Outside of [t_k, t_{n+1}] the functions don't add up to 1, and there is no curve.
         let traced = curve.as_ref().filter(|_| (k..=n).contains(&j));
-        json!({
-            "x": places,
-            "first": rows.first().map_or(0, Active::first),
-            "functions": rows.iter().map(|row| row.values().to_vec()).collect::<Vec<_>>(),
+        Some(json!({
+            "x": rows.iter().map(|(x, _)| x).collect::<Vec<_>>(),
+            "first": start.first(),
+            "functions": rows.iter().map(|(_, row)| row.values().to_vec()).collect::<Vec<_>>(),
             "curve": traced.map(|curve| trace(curve, &rows)),
-        })
+        }))
     });
     let spans: Vec<Value> = spans.collect();
     let stops = knots
@@ -44,6 +46,6 @@ pub(crate) fn of(asked: &Asked) -> Answer {
     }))
 }
 
-fn trace(curve: &Curve<AnyWeights>, rows: &[Active<f64>]) -> Vec<Vec<f64>> {
-    rows.iter().filter_map(|row| curve.combine(row).ok()).collect()
+fn trace(curve: &Curve<AnyWeights>, rows: &[(f64, Active<f64>)]) -> Vec<Vec<f64>> {
+    rows.iter().filter_map(|(_, row)| curve.combine(row).ok()).collect()
 }

@@ -30,7 +30,7 @@ pub(crate) fn member(asked: &Asked) -> Answer {
     let family = family_named(asked.family.trim())?;
     let m = numbers(&asked.knots, &Provenance::option("--knots"))?.len().saturating_sub(1);
     let k = whole_number(&asked.degree).unwrap_or(0);
-    let settings = simplest_member(&family, m, k);
+    let settings = simplest_member(&family, &[], m, k);
     let set: Vec<_> = settings.iter().map(|(name, values)| format!("{name}={values}")).collect();
     Ok(json!({ "set": set }))
 }
