@@ -8,6 +8,7 @@ use knotproof::analysis::{
 };
 use knotproof::cli::{CliError, family_of};
 use knotproof::formula::{Form, Language, formula, quotient};
+use knotproof::language::Family;
 use knotproof::meaning::{Instance, Values, Weighting};
 use knotproof::scalar::{BigRational, integer};
 use knotproof::spline::{self, AnyWeights, Index, KnotVector, Side};
@@ -42,11 +43,11 @@ impl Alpha {
     }
 }
 
+/// A family, and what is set of its parameters.
+pub(crate) type Chosen = (Arc<Family>, Vec<(String, Values)>);
+
 /// A family by its name or file, and its settings.
-pub(crate) fn family(
-    name: &str,
-    settings: Settings,
-) -> Result<(Arc<knotproof::language::Family>, Vec<(String, Values)>), Wrong> {
+pub(crate) fn family(name: &str, settings: Settings) -> Result<Chosen, Wrong> {
     let family = family_of(&OsString::from(name))?;
     let shaped = |(name, rows): (String, _)| {
         let values = Values::shaped(rows, &family, &name);

@@ -31,6 +31,9 @@ pub(crate) struct Wanted {
     pub(crate) points: Option<Vec<Vec<BigRational>>>,
 }
 
+/// Of a witness what it is about, what is so there, and the command that shows it.
+type At = (Vec<(String, String)>, String, String);
+
 /// A statement and what it came to, for Python.
 #[derive(Debug, Serialize)]
 pub(crate) struct Told<'a> {
@@ -46,8 +49,7 @@ pub(crate) struct Told<'a> {
     finding: &'a Finding,
     /// The status with the reach of a proof.
     words: String,
-    /// Of a witness what it is about, what is so there, and the command that shows it.
-    at: Option<(Vec<(String, String)>, String, String)>,
+    at: Option<At>,
     severity: Option<&'static str>,
     amended: Option<Box<Told<'a>>>,
 }

@@ -72,7 +72,7 @@ impl Searching {
         let goal = serde_json::from_value::<GoalName>(find.into());
         let find = goal.map_err(|error| Wrong::with("find", error))?.0;
         let alpha = alpha.into_iter().map(Alpha::index).collect::<Result<Vec<_>, _>>()?;
-        let of = of.map(|(name, settings)| of_family(&name, settings)).transpose()?;
+        let of = of.map(|(name, settings)| of_family(&name, settings)).transpose()?.flatten();
         let space = space(limits, sample, &alpha, of);
         let part = wait(py, move || {
             let shard = shard.map_or(Ok(Shard::WHOLE), |text| text.parse::<Shard>());
@@ -120,11 +120,11 @@ impl Drop for Searching {
 #[serde(transparent)]
 struct GoalName(Goal);
 
-/// A family without an index, as a search has it; nothing for one that has it, whose members are those of the search by index.
-fn of_family(
-    name: &str,
-    settings: Settings,
-) -> Result<Option<(String, String, BTreeMap<String, String>)>, Wrong> {
+/// A family as a search has it: its name or file, what stands in that, and what is set.
+type Given = (String, String, BTreeMap<String, String>);
+
+/// A family without an index; nothing for one that has it, whose members are those of the search by index.
+fn of_family(name: &str, settings: Settings) -> Result<Option<Given>, Wrong> {
     let (family, given) = family(name, settings)?;
     if matches!(family.moebius(), Some(Some(_))) && given.is_empty() {
         return Ok(None);
@@ -137,9 +137,8 @@ fn space(
     [limit, gap, height]: [Option<u64>; 3],
     [count, seed, spread]: [Option<u64>; 3],
     alpha: &[Index],
-    of: Option<Option<(String, String, BTreeMap<String, String>)>>,
+    of: Option<Given>,
 ) -> Space {
-    let of = of.flatten();
     let (seed, spread) = (seed.unwrap_or(0), spread.unwrap_or(DEFAULT_SPREAD));
     let size = limit.unwrap_or(if of.is_some() { DEFAULT_SIZE_OF_FAMILY } else { DEFAULT_SIZE });
     let limits = Limits { size, gap, height };
