@@ -7,11 +7,12 @@ use knotproof::analysis::{
     ExtremumKind, Factored, FormalBasis, Location, Pieces, Shape, knot_slopes, settled,
 };
 use knotproof::cli::{CliError, family_of};
-use knotproof::formula::{Form, Language, formula, quotient};
+use knotproof::formula::{Form, Language, expression, formula};
 use knotproof::language::Family;
 use knotproof::meaning::{Instance, Values, Weighting};
 use knotproof::scalar::{BigRational, integer};
 use knotproof::spline::{self, AnyWeights, Index, KnotVector, Side};
+use knotproof::typed::TypedError;
 use pyo3::prelude::*;
 
 use crate::check::{Wanted, judged};
@@ -76,9 +77,8 @@ type Turn =
 type Step = (BigRational, BigRational, BigRational);
 /// A knot with the slopes on both sides.
 type Slope = (BigRational, Option<BigRational>, Option<BigRational>);
-/// A piece: its ends, does the right one belong to it, numerator and denominator by rising powers of x, their quotient as text and in
-/// LaTeX.
-type Piece = ((BigRational, BigRational), bool, [Vec<BigRational>; 2], [String; 2]);
+/// A piece: its ends, does the right one belong to it, numerator and denominator by rising powers of x, and both as text and in LaTeX.
+type Piece = ((BigRational, BigRational), bool, [Vec<BigRational>; 2], [[String; 2]; 2]);
 
 #[pymethods]
 impl Basis {
@@ -97,7 +97,7 @@ impl Basis {
             None => {
                 let (of, given) = family(&name, settings)?;
                 let weights = Weighting::of(&of, &given);
-                weights.map_err(|error| Wrong::from(CliError::Member { argument: "family", error }))?
+                weights.map_err(|error| Wrong::from(TypedError::Member { argument: "family", error }))?
             }
         };
         // Before the weights, whose number grows with the degree.
@@ -164,9 +164,10 @@ impl Basis {
         wait(py, move || {
             let formal = own.formal()?;
             let of = |piece: &knotproof::analysis::FormalPiece| {
-                let both = [&piece.numerator, &piece.denominator].map(coefficients);
-                let texts = [Language::Text, Language::Latex].map(|of| quotient(piece, of, Form::Factored));
-                ((piece.from.clone(), piece.to.clone()), piece.closed, both, texts)
+                let both = [&piece.numerator, &piece.denominator];
+                let texts = [Language::Text, Language::Latex]
+                    .map(|language| both.map(|part| expression(part, language, Form::Factored)));
+                ((piece.from.clone(), piece.to.clone()), piece.closed, both.map(coefficients), texts)
             };
             Ok(formal.functions()[i].pieces.iter().map(of).collect())
         })
@@ -255,7 +256,7 @@ fn coefficients(polynomial: &Factored) -> Vec<BigRational> {
 impl Basis {
     fn over(basis: &spline::Basis<()>, weights: Weighting) -> Result<Self, Wrong> {
         let on = weights.on_knots(basis.knots(), basis.degree());
-        let on = on.map_err(|error| CliError::Member { argument: "family", error })?;
+        let on = on.map_err(|error| TypedError::Member { argument: "family", error })?;
         Ok(Self(Arc::new(Inner { basis: basis.with(on), weights })))
     }
 
@@ -278,7 +279,7 @@ impl Basis {
         let Inner { basis, weights } = &*self.0;
         if weights.member().is_some() {
             let on = Instance::on(basis.with(weights.clone()));
-            let on = on.map_err(|error| CliError::Member { argument: "family", error })?;
+            let on = on.map_err(|error| TypedError::Member { argument: "family", error })?;
             if on.is_nonnegative(weights, (i, basis.degree())) != Some(true) {
                 let why = on
                     .obligation(weights)

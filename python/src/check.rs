@@ -10,6 +10,7 @@ use knotproof::meaning::Instance;
 use knotproof::report::{Finding, Record, Stated};
 use knotproof::scalar::BigRational;
 use knotproof::settle::{Proving, settle_form};
+use knotproof::typed::TypedError;
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -110,7 +111,7 @@ pub(crate) fn judged(on: &Inner, wanted: Wanted) -> Result<Vec<String>, Wrong> {
     let chosen = choose(all, &wanted, count.is_some())?;
     let k = on.basis.degree();
     let instance = Instance::on(on.basis.with(on.weights.clone()));
-    let instance = instance.map_err(|error| CliError::Member { argument: "family", error })?;
+    let instance = instance.map_err(|error| TypedError::Member { argument: "family", error })?;
     let cases = Cases::only(instance.with_points(wanted.points));
     // What is proved for every knot vector, it is for the weights of an index.
     let proving = match on.weights.index() {

@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use knotproof::analysis::{
-    Angle, Branch, Join, Nurbs, NurbsError, NurbsRequest, RationalBezier, Surd, joins, settled,
+    Angle, Branch, CurvePartError, Join, Nurbs, NurbsError, NurbsRequest, RationalBezier, Surd, joins,
+    settled,
 };
 use knotproof::cli::CliError;
 use knotproof::report::{NurbsFile, nurbs_file};
@@ -96,8 +97,8 @@ impl Curve {
             let runs = runs.map_err(|error| {
                 let argument = match error {
                     NurbsError::Degree { .. } => "degree",
-                    NurbsError::From { .. } => "start",
-                    NurbsError::To { .. } => "end",
+                    NurbsError::Part(CurvePartError::From { .. }) => "start",
+                    NurbsError::Part(CurvePartError::To { .. }) => "end",
                 };
                 Wrong::with(argument, error)
             })?;

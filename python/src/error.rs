@@ -5,6 +5,7 @@ use std::fmt::Display;
 
 use knotproof::cli::{CliError, Exit};
 use knotproof::settle::SettleError;
+use knotproof::typed::TypedError;
 use pyo3::PyErr;
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 
@@ -54,6 +55,12 @@ impl From<CliError> for Wrong {
             Some(excerpt) => format!("{text}\n{excerpt}"),
             None => text,
         })
+    }
+}
+
+impl From<TypedError> for Wrong {
+    fn from(error: TypedError) -> Self {
+        CliError::from(error).into()
     }
 }
 

@@ -13,6 +13,7 @@ use knotproof::judge::Cases;
 use knotproof::language::{Claim, Paper};
 use knotproof::report::Record;
 use knotproof::settle::{Proving, settle};
+use knotproof::typed::TypedError;
 use pyo3::prelude::*;
 use rayon::prelude::*;
 
@@ -132,10 +133,9 @@ fn work(
     shared: &Shared,
     sender: &Sender<Event>,
 ) {
-    let of_paper =
-        guarded(
-            || Ok(Cases::of_paper(paper).map_err(|error| CliError::Member { argument: "paper", error })?),
-        );
+    let of_paper = guarded(|| {
+        Ok(Cases::of_paper(paper).map_err(|error| TypedError::Member { argument: "paper", error })?)
+    });
     let cases = match of_paper {
         Ok(cases) => cases,
         Err(wrong) => {

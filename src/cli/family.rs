@@ -52,7 +52,7 @@ impl FamilyArgs {
 /// The family of a name, or of a file.
 ///
 /// # Errors
-/// [`CliError::UnknownFamily`] for neither; [`CliError::Claim`] with all that is wrong in the file.
+/// [`CliError::Typed`] for neither; [`CliError::Claim`] with all that is wrong in the file.
 pub fn find(name: &OsString) -> Result<Arc<Family>, CliError> {
     let path = Path::new(name);
     let known = family_named(&path.display().to_string());

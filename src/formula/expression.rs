@@ -30,21 +30,8 @@ pub fn expression(polynomial: &Factored, language: Language, form: Form) -> Stri
     tree(polynomial, form).text(language)
 }
 
-/// numerator/denominator of a piece as an expression in the language.
-///
-/// ```
-/// use knotproof::analysis::FormalBasis;
-/// use knotproof::formula::{Form, Language, quotient};
-/// use knotproof::scalar::integer;
-/// use knotproof::spline::{Basis, KnotVector};
-///
-/// let basis = Basis::new(KnotVector::bernstein(1, &integer(0), &integer(1))?, 1, "-1".parse()?)?;
-/// let formal = FormalBasis::of(&basis).expect("a low degree");
-/// assert_eq!(quotient(&formal.functions()[1].pieces[0], Language::Text, Form::Factored), "x/(2 - x)");
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-#[must_use]
-pub fn quotient(piece: &FormalPiece, language: Language, form: Form) -> String {
+/// numerator/denominator of a piece.
+pub(super) fn quotient(piece: &FormalPiece, language: Language, form: Form) -> String {
     Tree::quotient(tree(&piece.numerator, form), tree(&piece.denominator, form)).text(language)
 }
 

@@ -13,7 +13,7 @@ mod tree;
 use crate::analysis::{FormalBasis, FormalFunction, Whose};
 
 pub use equality::Counterexample;
-pub use expression::{expression, quotient};
+pub use expression::expression;
 pub use script::{Definition, Script, ScriptError};
 
 /// Who is to read a formula.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -280,7 +281,7 @@ class Basis:
         """G_i as quotients of polynomials, one for each interval between knots where it is not 0. Up to degree 20."""
         pieces = self._native.pieces(self._function(i))
         made = [
-            Piece(start, end, closed, tuple(above), tuple(below), text, latex)
+            Piece(start, end, closed, tuple(above), tuple(below), _quotient(*text), rf"\frac{{{latex[0]}}}{{{latex[1]}}}")
             for (start, end), closed, (above, below), (text, latex) in pieces
         ]
         return Pieces(made)
@@ -419,6 +420,16 @@ class Basis:
         if alpha is not None:
             return Basis, (self.knots, self.degree, "mobius", alpha)
         return Basis._with, (self.knots, self.degree, self.family, tuple(self.parameters.items()))
+
+
+def _quotient(above: str, below: str) -> str:
+    """One line: a sum gets parentheses, and below the stroke a product, too."""
+    if below == "1":
+        return above
+    outside = [re.sub(r"\([^()]*\)", "", part) for part in (above, below)]
+    above = f"({above})" if " " in outside[0] else above
+    below = f"({below})" if " " in outside[1] or "*" in outside[1] else below
+    return f"{above}/{below}"
 
 
 def _setting(text: str) -> str:
