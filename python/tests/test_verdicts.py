@@ -4,6 +4,7 @@ import dataclasses
 import pickle
 import re
 from fractions import Fraction
+from pathlib import Path
 
 import pytest
 
@@ -117,7 +118,13 @@ def test_degrees_are_kept_to():
         judge("classical", degrees=(3, 1))
 
 
-def test_a_folder_of_ones_own(tmp_path):
+def test_a_folder_is_judged_as_the_paper_that_comes_along():
+    folder = Path(__file__).parents[2] / "papers" / "classical"
+    own, known = (judge(paper, "Greville", degrees=(1, 2)).verdicts() for paper in (folder, "classical"))
+    assert own == known and own.counts == {"proved": 1}
+
+
+def test_what_is_wrong_in_a_folder_has_its_place(tmp_path):
     with pytest.raises(ValueError, match="paper: there is no folder `.*`, and no paper of that name"):
         judge(tmp_path / "none")
     (tmp_path / "claims").mkdir()
