@@ -235,7 +235,10 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
 }
 
 /// Claims about a paper's family are judged on its members; unless they may be about `any`.
-fn native(paper: &Paper, any: bool, weights: &Weighting) -> Result<(), CliError> {
+///
+/// # Errors
+/// [`CliError::Foreign`] for other weights.
+pub fn native(paper: &Paper, any: bool, weights: &Weighting) -> Result<(), CliError> {
     let family: &Family = &paper.about.family;
     let is_native = match weights {
         Weighting::Index(index) => family.has_index(index.alpha().as_ref()),

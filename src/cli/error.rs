@@ -575,13 +575,17 @@ impl CliError {
     }
 
     /// Are the functions of a basis quotients of a degree that is not too high?
-    pub(super) fn if_quotients_exceed<W: HasWeights>(limit: usize, basis: &Basis<W>) -> Result<(), Self> {
+    ///
+    /// # Errors
+    /// [`CliError::Quotients`], if not.
+    pub fn if_quotients_exceed<W: HasWeights>(limit: usize, basis: &Basis<W>) -> Result<(), Self> {
         let degree = basis.knots().spans().map(|span| basis.quotient_degree(span)).max().unwrap_or(0);
         if degree > limit { Err(Self::Quotients { degree, limit }) } else { Ok(()) }
     }
 
     /// The claim that is not there, with those that begin like it.
-    pub(super) fn unknown_claim(argument: &'static str, name: &str, ids: &[&str]) -> Self {
+    #[must_use]
+    pub fn unknown_claim(argument: &'static str, name: &str, ids: &[&str]) -> Self {
         let like = |length: usize| -> Vec<String> {
             let start: String = name.chars().take(length).collect::<String>().to_lowercase();
             ids.iter().filter(|id| id.to_lowercase().starts_with(&start)).map(ToString::to_string).collect()

@@ -50,7 +50,10 @@ impl FamilyArgs {
 }
 
 /// The family of a name, or of a file.
-pub(super) fn find(name: &OsString) -> Result<Arc<Family>, CliError> {
+///
+/// # Errors
+/// [`CliError::Typed`] for neither; [`CliError::Claim`] with all that is wrong in the file.
+pub fn find(name: &OsString) -> Result<Arc<Family>, CliError> {
     let path = Path::new(name);
     let known = family_named(&path.display().to_string());
     if known.is_ok() || !path.exists() {

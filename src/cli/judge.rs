@@ -111,12 +111,8 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
 }
 
 /// Of a paper in a folder, what is wrong with its windows is no bug of the program.
-pub(super) fn settle_error(
-    argument: &'static str,
-    paper: &Paper,
-    folder: &OsStr,
-    error: SettleError,
-) -> CliError {
+#[must_use]
+pub fn settle_error(argument: &'static str, paper: &Paper, folder: &OsStr, error: SettleError) -> CliError {
     match error {
         SettleError::Certificate(error) if paper.called.is_some() => CliError::Windows {
             argument,

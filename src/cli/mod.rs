@@ -3,6 +3,9 @@
 //! One file a command, each with its `Args` and a `run` that returns an [`Exit`]; a result is written by the
 //! [`Output`], as text or as JSON. What is wrong with a request is a [`CliError`]: one message, exit code 2,
 //! and nothing on standard output.
+//!
+//! For programs that take the same from their users: [`paper_of`] and [`family_of`] find what a name or a path means, [`native`] says
+//! whether weights are those of a paper, [`settle_error`] and [`search_error`] what to change in it or in a search.
 
 mod atomic;
 mod bezier;
@@ -59,10 +62,15 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
+pub use check::native;
 pub use error::CliError;
 pub use exit::Exit;
+pub use family::find as family_of;
+pub use judge::settle_error;
 pub use output::{Format, Output};
+pub use paper::paper_of;
 pub use point_error::PointError;
+pub use search::blame as search_error;
 
 /// Judges claims about rational B-splines in exact arithmetic.
 #[derive(Debug, Parser)]

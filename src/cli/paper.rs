@@ -22,7 +22,7 @@ const CLAIMS: &str = "claims";
 ///
 /// # Errors
 /// [`CliError::NoPaper`] for neither; [`CliError::Claim`] with all that is wrong in the folder.
-pub(super) fn paper_of(argument: &'static str, name: &OsStr) -> Result<Cow<'static, Paper>, CliError> {
+pub fn paper_of(argument: &'static str, name: &OsStr) -> Result<Cow<'static, Paper>, CliError> {
     let folder = Path::new(name);
     if folder.is_dir() {
         return read_folder(argument, folder).map(Cow::Owned);

@@ -50,8 +50,8 @@ pub use record::{DecidedRecord, RecordError, SummaryRecord};
 pub use shard::{Shard, ShardError};
 pub use shrink::{shrink, smaller};
 pub use space::{
-    FamilySpace, Goal, HIGHEST_DEGREE, IndexSample, LARGEST_SIZE, Limits, MemberSpace, Sample, Search, Space,
-    SpaceError, WIDEST_SPREAD,
+    DEFAULT_SIZE, DEFAULT_SIZE_OF_FAMILY, DEFAULT_SPREAD, FamilySpace, Goal, HIGHEST_DEGREE, IndexSample,
+    LARGEST_SIZE, Limits, MemberSpace, Sample, Search, Space, SpaceError, WIDEST_SPREAD,
 };
 pub use subject::Subject;
 pub use undecided::UndecidedRecord;

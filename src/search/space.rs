@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use crate::meaning::MemberError;
+use crate::spline::Index;
 
 /// A search: the same three parts always lead to the same result.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -91,6 +92,17 @@ pub struct Sample {
     pub seed: u64,
     /// Gaps differ by factors up to 2^spread.
     pub spread: u64,
+}
+
+impl IndexSample {
+    /// The indices as a sample has them: in order, each once.
+    #[must_use]
+    pub fn names(indices: &[Index]) -> Vec<String> {
+        let mut indices: Vec<_> = indices.iter().collect();
+        indices.sort_by(|a, b| a.ratio().cmp(b.ratio()));
+        indices.dedup();
+        indices.into_iter().map(ToString::to_string).collect()
+    }
 }
 
 /// A random sample in which α is one of a list.
@@ -240,3 +252,10 @@ pub const HIGHEST_DEGREE: usize = 16;
 pub const LARGEST_SIZE: u64 = 1000;
 /// The widest spread of a sample: sums of gaps stay far below 2^63.
 pub const WIDEST_SPREAD: u64 = 40;
+
+/// The limit on the size if nothing else is asked for: a second or so up to degree 4.
+pub const DEFAULT_SIZE: u64 = 8;
+/// The same for a family without an index, which has no fast kernels.
+pub const DEFAULT_SIZE_OF_FAMILY: u64 = 5;
+/// The spread of random cases if nothing else is asked for.
+pub const DEFAULT_SPREAD: u64 = 9;

@@ -10,8 +10,8 @@ use std::{fs, io};
 use clap::ValueEnum;
 
 use crate::search::{
-    FamilySpace, Goal, IndexSample, Limits, MemberSpace, Portion, PortionError, Sample, Search, Shard, Space,
-    SpaceError,
+    DEFAULT_SIZE, DEFAULT_SIZE_OF_FAMILY, DEFAULT_SPREAD, FamilySpace, Goal, IndexSample, Limits,
+    MemberSpace, Portion, PortionError, Sample, Search, Shard, Space, SpaceError,
 };
 use crate::spline::Index;
 use crate::typed::{WholeNumberError, whole_number};
@@ -130,11 +130,6 @@ impl From<Find> for Goal {
     }
 }
 
-/// The limit on the size if nothing else is asked for: a second or so up to degree 4.
-const DEFAULT_LIMIT: u64 = 8;
-/// The same for a family without an index, which has no fast kernels.
-const DEFAULT_LIMIT_OF_FAMILY: u64 = 5;
-const DEFAULT_SPREAD: u64 = 9;
 /// The longest file that is read: a million findings.
 const LONGEST: u64 = 1 << 30;
 /// More threads than that help no machine, and could be more than it can start.
@@ -261,7 +256,9 @@ impl Args {
                 let (seed, spread) = (self.seed.unwrap_or(0), self.spread.unwrap_or(DEFAULT_SPREAD));
                 match self.alpha.as_slice() {
                     [] => Space::Random(Sample { count, seed, spread }),
-                    given => Space::Indices(IndexSample { alpha: names(given), count, seed, spread }),
+                    given => {
+                        Space::Indices(IndexSample { alpha: IndexSample::names(given), count, seed, spread })
+                    }
                 }
             }
             None if self.seed.is_some() || self.spread.is_some() => {
@@ -270,8 +267,8 @@ impl Args {
             }
             None => Space::Exhaustive(Limits {
                 size: self.limit.unwrap_or(match &family {
-                    None => DEFAULT_LIMIT,
-                    Some(_) => DEFAULT_LIMIT_OF_FAMILY,
+                    None => DEFAULT_SIZE,
+                    Some(_) => DEFAULT_SIZE_OF_FAMILY,
                 }),
                 gap: self.limit_gap,
                 height: self.limit_height,
@@ -331,7 +328,7 @@ impl Args {
             ("--count", differ(self.count, sample.map(|(count, _, _)| count))),
             ("--seed", differ(self.seed, sample.map(|(_, seed, _)| seed))),
             ("--spread", differ(self.spread, sample.map(|(_, _, spread)| spread))),
-            ("--alpha", !self.alpha.is_empty() && names(&self.alpha) != alpha),
+            ("--alpha", !self.alpha.is_empty() && IndexSample::names(&self.alpha) != alpha),
             ("--family", !same_family()),
             ("--set", !self.family.is_absent() && !same_set()),
             ("--shard", shard.is_some_and(|shard| shard != found.shard())),
@@ -361,8 +358,8 @@ impl FamilyOfSearch {
     }
 }
 
-/// The option that has to change.
-fn blame(error: PortionError) -> CliError {
+/// What is wrong with a search, with the option that has to change.
+pub fn blame(error: PortionError) -> CliError {
     let argument = match &error {
         PortionError::Shard(_) => "--shard",
         PortionError::Space(SpaceError::Degree(_)) => "--degree",
@@ -386,14 +383,6 @@ fn blame(error: PortionError) -> CliError {
         PortionError::Space(SpaceError::Index) => "--alpha",
     };
     CliError::Search { argument, error }
-}
-
-/// The indices as they stand in a result: in order, each once.
-fn names(indices: &[Index]) -> Vec<String> {
-    let mut indices: Vec<_> = indices.iter().collect();
-    indices.sort_by(|a, b| a.ratio().cmp(b.ratio()));
-    indices.dedup();
-    indices.into_iter().map(ToString::to_string).collect()
 }
 
 /// A whole number ≥ 0, also on machines that count to less.
