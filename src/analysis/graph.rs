@@ -166,6 +166,31 @@ impl Graph {
         self.segments.windows(2).filter_map(jump).collect()
     }
 
+    /// How far the function goes up and down in all, ∫ |g′(x)| dx without the jumps: two rational numbers, at most `width` > 0 apart,
+    /// between which it lies; equal where all values at which it turns are rational.
+    #[must_use]
+    pub fn variation(&self, width: &BigRational) -> (BigRational, BigRational) {
+        let mut moves: Vec<[Algebraic; 2]> = Vec::new();
+        for segment in &self.segments {
+            let (value, limit) = segment.quotient.at_ends();
+            let pattern = signs_of(IntegerPolynomial::from_integer(&segment.quotient.slope()));
+            let mut last = Algebraic::from(value);
+            let turns = pattern.changes().map(|(_, root, _)| segment.at_root(root.clone()).1.simplified());
+            for next in turns.chain([limit.into()]) {
+                moves.push([std::mem::replace(&mut last, next.clone()), next]);
+            }
+        }
+        // Each of so many distances is known to two numbers.
+        let share = width / integer(2 * moves.len().max(1));
+        moves.into_iter().fold((integer(0), integer(0)), |(lo, hi), [mut a, mut b]| {
+            let ((a_lo, a_hi), (b_lo, b_hi)) = (a.bounds_within(&share), b.bounds_within(&share));
+            let (up, down) = (&b_lo - &a_hi, &a_lo - &b_hi);
+            let least = up.max(down).max(integer(0));
+            let most = (b_hi - a_lo).max(a_hi - b_lo);
+            (lo + least, hi + most)
+        })
+    }
+
     /// The value of this function at a solution for another one on the same pieces; `None` on an interval, and in a jump that
     /// passes the value.
     #[must_use]
