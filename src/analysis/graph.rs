@@ -74,7 +74,7 @@ pub enum SolutionKind {
 
 /// The least or the greatest value of a function, and where it has it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Extreme {
+pub struct RangeEnd {
     /// The infimum, or the supremum.
     pub value: Algebraic,
     /// Each place, from left to right; `false` where it is the limit from the left at a jump, and not taken.
@@ -85,9 +85,9 @@ pub struct Extreme {
 #[derive(Debug, Clone, PartialEq)]
 pub struct GraphRange {
     /// The infimum.
-    pub lowest: Extreme,
+    pub lowest: RangeEnd,
     /// The supremum.
-    pub highest: Extreme,
+    pub highest: RangeEnd,
 }
 
 impl Graph {
@@ -251,8 +251,8 @@ impl Graph {
 type Candidate = (Algebraic, (Location, bool));
 
 /// The least or the greatest of the candidates, and of all that are equal to it the places.
-fn extreme(candidates: &mut [Candidate], side: Ordering) -> Extreme {
-    let mut best: Option<Extreme> = None;
+fn extreme(candidates: &mut [Candidate], side: Ordering) -> RangeEnd {
+    let mut best: Option<RangeEnd> = None;
     for (value, place) in candidates.iter_mut() {
         let order = best.as_mut().and_then(|best| value.compare(&mut best.value));
         match &mut best {
@@ -264,10 +264,10 @@ fn extreme(candidates: &mut [Candidate], side: Ordering) -> Extreme {
                 }
             }
             Some(_) if order != Some(side) => {}
-            best => *best = Some(Extreme { value: value.clone(), places: vec![place.clone()] }),
+            best => *best = Some(RangeEnd { value: value.clone(), places: vec![place.clone()] }),
         }
     }
-    best.unwrap_or_else(|| Extreme { value: integer(0).into(), places: Vec::new() })
+    best.unwrap_or_else(|| RangeEnd { value: integer(0).into(), places: Vec::new() })
 }
 
 /// The solutions so far.
