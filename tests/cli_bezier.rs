@@ -146,8 +146,10 @@ fn all_fields_are_there_and_exact() {
         "version": env!("CARGO_PKG_VERSION"),
         "degree": 1,
         "knots": ["0", "0", "1", "3", "3"],
+        "points": [["0", "1"], ["4", "5"], ["6", "7"]],
         "alpha": "-1",
         "dimension": 2,
+        "order": 0,
         "pieces": [
             {"span": 1, "from": "0", "to": "1", "base": true, "degree": 1,
              "weights": ["1", "1/2"], "points": [["0", "1"], ["4", "5"]]},

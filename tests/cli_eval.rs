@@ -36,6 +36,7 @@ fn all_fields_are_there_and_exact() {
         "version": env!("CARGO_PKG_VERSION"),
         "degree": 2,
         "knots": ["0", "0", "0", "1", "1", "1"],
+        "points": [["0", "0"], ["1", "2"], ["2", "0"]],
         "alpha": "-1",
         "x": "1/2",
         "side": "right",

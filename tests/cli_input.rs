@@ -277,7 +277,10 @@ fn results_are_instances() {
     ] {
         let result = String::from_utf8(run(&[&call[..], &["--format", "json"]].concat()).stdout).unwrap();
         let path = file(&folder, "result.json", &result);
-        assert_eq!(json(&["eval", "--x", "1", "--instance", &path]), wanted, "{call:?}");
+        let read = json(&["eval", "--x", "1", "--instance", &path]);
+        for field in ["degree", "knots", "alpha", "values"] {
+            assert_eq!(read[field], wanted[field], "{call:?}");
+        }
     }
     // For every index there is none: it has to be given.
     for call in [["shape", "--alpha", "all"], ["formula", "--alpha", "symbolic"]] {

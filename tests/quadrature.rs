@@ -48,6 +48,15 @@ fn polygons() {
     assert_eq!(length(&pieces(&torn), &rational(1, 10)), (integer(3), integer(3)));
     let still = curve(2, &[0, 0, 0, 1, 1, 1], "5", &[[2, 3], [2, 3], [2, 3]]);
     assert_eq!(length(&pieces(&still), &rational(1, 10)), (integer(0), integer(0)));
+    // In one dimension it is the variation, exactly where the turns are rational.
+    let knots = KnotVector::new([0, 0, 0, 1, 1, 1].map(integer_of).to_vec()).unwrap();
+    let hill = |alpha: &str| {
+        let basis = Basis::new(knots.clone(), 2, alpha.parse().unwrap()).unwrap();
+        Curve::new(basis, [0, 3, 0].map(|d| vec![integer_of(d)]).to_vec()).unwrap()
+    };
+    for alpha in ["inf", "-1", "5"] {
+        assert_eq!(length(&pieces(&hill(alpha)), &rational(1, 10)), (integer(3), integer(3)));
+    }
     // There and back again: a turn is no corner of the polygon alone.
     let back = curve(2, &[0, 0, 0, 1, 1, 1], "inf", &[[0, 0], [1, 0], [0, 0]]);
     let (lo, hi) = length(&pieces(&back), &width(40));

@@ -74,7 +74,7 @@ pub enum SolutionKind {
 
 /// The least or the greatest value of a function, and where it has it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Extreme {
+pub struct RangeEnd {
     /// The infimum, or the supremum.
     pub value: Algebraic,
     /// Each place, from left to right; `false` where it is the limit from the left at a jump, and not taken.
@@ -85,9 +85,9 @@ pub struct Extreme {
 #[derive(Debug, Clone, PartialEq)]
 pub struct GraphRange {
     /// The infimum.
-    pub lowest: Extreme,
+    pub lowest: RangeEnd,
     /// The supremum.
-    pub highest: Extreme,
+    pub highest: RangeEnd,
 }
 
 impl Graph {
@@ -166,6 +166,31 @@ impl Graph {
         self.segments.windows(2).filter_map(jump).collect()
     }
 
+    /// How far the function goes up and down in all, ∫ |g′(x)| dx without the jumps: two rational numbers, at most `width` > 0 apart,
+    /// between which it lies; equal where all values at which it turns are rational.
+    #[must_use]
+    pub fn variation(&self, width: &BigRational) -> (BigRational, BigRational) {
+        let mut moves: Vec<[Algebraic; 2]> = Vec::new();
+        for segment in &self.segments {
+            let (value, limit) = segment.quotient.at_ends();
+            let pattern = signs_of(IntegerPolynomial::from_integer(&segment.quotient.slope()));
+            let mut last = Algebraic::from(value);
+            let turns = pattern.changes().map(|(_, root, _)| segment.at_root(root.clone()).1.simplified());
+            for next in turns.chain([limit.into()]) {
+                moves.push([std::mem::replace(&mut last, next.clone()), next]);
+            }
+        }
+        // Each of so many distances is known to two numbers.
+        let share = width / integer(2 * moves.len().max(1));
+        moves.into_iter().fold((integer(0), integer(0)), |(lo, hi), [mut a, mut b]| {
+            let ((a_lo, a_hi), (b_lo, b_hi)) = (a.bounds_within(&share), b.bounds_within(&share));
+            let (up, down) = (&b_lo - &a_hi, &a_lo - &b_hi);
+            let least = up.max(down).max(integer(0));
+            let most = (b_hi - a_lo).max(a_hi - b_lo);
+            (lo + least, hi + most)
+        })
+    }
+
     /// The value of this function at a solution for another one on the same pieces; `None` on an interval, and in a jump that
     /// passes the value.
     #[must_use]
@@ -226,8 +251,8 @@ impl Graph {
 type Candidate = (Algebraic, (Location, bool));
 
 /// The least or the greatest of the candidates, and of all that are equal to it the places.
-fn extreme(candidates: &mut [Candidate], side: Ordering) -> Extreme {
-    let mut best: Option<Extreme> = None;
+fn extreme(candidates: &mut [Candidate], side: Ordering) -> RangeEnd {
+    let mut best: Option<RangeEnd> = None;
     for (value, place) in candidates.iter_mut() {
         let order = best.as_mut().and_then(|best| value.compare(&mut best.value));
         match &mut best {
@@ -239,10 +264,10 @@ fn extreme(candidates: &mut [Candidate], side: Ordering) -> Extreme {
                 }
             }
             Some(_) if order != Some(side) => {}
-            best => *best = Some(Extreme { value: value.clone(), places: vec![place.clone()] }),
+            best => *best = Some(RangeEnd { value: value.clone(), places: vec![place.clone()] }),
         }
     }
-    best.unwrap_or_else(|| Extreme { value: integer(0).into(), places: Vec::new() })
+    best.unwrap_or_else(|| RangeEnd { value: integer(0).into(), places: Vec::new() })
 }
 
 /// The solutions so far.

@@ -70,6 +70,21 @@ impl Homogeneous {
         })
     }
 
+    /// The parts before and after the middle of [a, b]: the two sides of de Casteljau's triangle.
+    pub(super) fn halves(&self) -> [Self; 2] {
+        let [a, b] = &self.ends;
+        let (half, middle) = (BigRational::new(1.into(), 2.into()), (a + b) / integer(2));
+        let (mut level, mut left, mut right) = (self.net.clone(), Vec::new(), Vec::new());
+        while let (Some(first), Some(last)) = (level.first(), level.last()) {
+            left.push(first.clone());
+            right.push(last.clone());
+            level = level.windows(2).map(|pair| blend(&pair[0], &pair[1], &half)).collect();
+        }
+        right.reverse();
+        let part = |net, ends| Self { span: self.span, ends, net };
+        [part(left, [a.clone(), middle.clone()]), part(right, [middle, b.clone()])]
+    }
+
     /// The same of a degree D ≥ N: in u = s/(1 − s), where B_m^N is C(N, m) u^m/(1 + u)^N, times (1 + u)^(D − N) above and below.
     pub(super) fn elevated(mut self, degree: usize) -> Self {
         let own = self.degree();

@@ -46,7 +46,7 @@ pub use decision::{Decision, PositivePoint, SignPattern, always_nonnegative, alw
 pub use descartes::{RootInterval, isolate_between};
 pub use extremum::{Extremum, ExtremumKind, Jump, Location, turns_back};
 pub use formal::{Factored, FormalBasis, FormalFunction, FormalPiece, Whose};
-pub use graph::{Extreme, Graph, GraphRange, Solution, SolutionKind};
+pub use graph::{Graph, GraphRange, RangeEnd, Solution, SolutionKind};
 pub use greatest::{Greatest, compare};
 pub use joins::{Branch, Join, joins};
 pub use linear::{

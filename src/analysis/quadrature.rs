@@ -11,6 +11,8 @@
 //!
 //! **Chord and polygon**, for lengths: a piece is not shorter than the distance of its ends, and, its weights being positive, not longer
 //! than its control polygon, since de Casteljau's algorithm cuts corners. Close to a cusp, where W has a root, this settles it.
+//!
+//! In one dimension the length is the variation, from the values where the slope changes its sign.
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -19,6 +21,7 @@ use num_traits::{One, Signed};
 use crate::scalar::{Polynomial, Ring, integer, over_one_denominator, spend};
 use crate::spline::Point;
 
+use super::graph::Graph;
 use super::homogeneous::Homogeneous;
 use super::rational_bezier::RationalBezier;
 use super::surd::root;
@@ -93,8 +96,17 @@ pub fn integrals(pieces: &[RationalBezier], width: &BigRational) -> Vec<(BigRati
 /// ```
 #[must_use]
 pub fn length(pieces: &[RationalBezier], width: &BigRational) -> (BigRational, BigRational) {
+    if pieces.first().is_some_and(|piece| piece.points()[0].len() == 1) {
+        return rounded(Graph::of(pieces, &[integer(1)]).variation(&(width / integer(2))), width);
+    }
     let share = width / integer(2 * pieces.len().max(1));
     let of_piece = |piece: &RationalBezier| {
+        let homogeneous = piece.homogeneous();
+        // Of a straight line both are the length.
+        let drawn = chord_and_polygon(&homogeneous, &share);
+        if &drawn.1 - &drawn.0 <= share {
+            return drawn;
+        }
         let (weight, coordinates) = piece.in_positive_coordinate();
         let all: Vec<_> = coordinates.iter().chain([&weight]).collect();
         let (parts, _) =
@@ -114,7 +126,7 @@ pub fn length(pieces: &[RationalBezier], width: &BigRational) -> (BigRational, B
         let radicand = polynomials.iter().map(square).reduce(|sum, square| sum.plus(&square));
         let integrand =
             Integrand { numerator: Ring::one(&q), denominator: q.times(&q), radicand, factor: integer(1) };
-        enclosed(integrand, Some(&piece.homogeneous()), &share)
+        enclosed(integrand, Some(homogeneous), &share)
     };
     rounded(pieces.iter().map(of_piece).fold((integer(0), integer(0)), add), width)
 }
@@ -151,49 +163,37 @@ struct Integrand {
     factor: BigRational,
 }
 
-/// How often an interval is halved before chord and polygon are tried: where neither a pole nor a cusp is near, the series comes first.
-const HALVINGS: usize = 6;
-
 /// A part of [−1, 1] that is still to be looked at.
 struct Task {
     integrand: Integrand,
-    /// The part of the piece's interval.
-    ends: Option<[BigRational; 2]>,
+    /// The part of the piece, if it is its length.
+    piece: Option<Homogeneous>,
     width: BigRational,
-    depth: usize,
 }
 
 /// Bounds of the integral over [−1, 1], at most `width` apart; with the piece of which it is the length, if it is one.
 fn enclosed(
     integrand: Integrand,
-    piece: Option<&Homogeneous>,
+    piece: Option<Homogeneous>,
     width: &BigRational,
 ) -> (BigRational, BigRational) {
     let mut sum = (integer(0), integer(0));
-    let ends = piece.map(|piece| piece.ends.clone());
-    let mut left = vec![Task { integrand, ends, width: width.clone(), depth: 0 }];
-    while let Some(Task { integrand, ends, width, depth }) = left.pop() {
+    let mut left = vec![Task { integrand, piece, width: width.clone() }];
+    while let Some(Task { integrand, piece, width }) = left.pop() {
         spend();
-        let drawn = || {
-            let [from, to] = ends.as_ref()?;
-            let part = piece?.clone().within([from, to])?;
-            Some(chord_and_polygon(&part, &width)).filter(|(lo, hi)| hi - lo <= width)
+        let settled = match series(&integrand, &width) {
+            Series::Bounds(bounds) => Some(bounds),
+            // A cusp is near, or the piece is straight.
+            Series::RootNear => piece.as_ref().map(|piece| chord_and_polygon(piece, &width)),
+            Series::PoleNear => None,
         };
-        let early = if depth == 0 { drawn() } else { None };
-        let settled = early.or_else(|| series(&integrand, &width));
-        match settled.or_else(|| if depth < HALVINGS { None } else { drawn() }) {
+        match settled.filter(|(lo, hi)| hi - lo <= width) {
             Some(bounds) => sum = add(sum, bounds),
             None => {
-                let ends = match &ends {
-                    Some([from, to]) => {
-                        let middle = (from + to) / integer(2);
-                        [[from.clone(), middle.clone()], [middle, to.clone()]].map(Some)
-                    }
-                    None => [None, None],
-                };
+                let pieces = piece.map_or([None, None], |piece| piece.halves().map(Some));
                 let half = width / integer(2);
-                for (integrand, ends) in halves(&integrand).into_iter().zip(ends) {
-                    left.push(Task { integrand, ends, width: half.clone(), depth: depth + 1 });
+                for (integrand, piece) in halves(&integrand).into_iter().zip(pieces) {
+                    left.push(Task { integrand, piece, width: half.clone() });
                 }
             }
         }
@@ -238,19 +238,32 @@ fn halves(integrand: &Integrand) -> [Integrand; 2] {
     })
 }
 
-/// Bounds by the series, at most `width` apart; `None` where the disc is too large for it.
-fn series(integrand: &Integrand, width: &BigRational) -> Option<(BigRational, BigRational)> {
+/// What the series comes to.
+enum Series {
+    /// Bounds of the integral.
+    Bounds((BigRational, BigRational)),
+    /// The disc is too large for √W.
+    RootNear,
+    /// It is too large for 1/Q.
+    PoleNear,
+}
+
+/// Bounds by the series, at most `width` apart, where the disc is not too large for it.
+fn series(integrand: &Integrand, width: &BigRational) -> Series {
     let (p, q) = (integrand.numerator.coefficients(), integrand.denominator.coefficients());
     if Ring::is_zero(&integrand.numerator) {
-        return Some((integer(0), integer(0)));
+        return Series::Bounds((integer(0), integer(0)));
     }
     let one = [BigInt::from(1)];
     let w = integrand.radicand.as_ref().map_or(&one[..], |w| w.coefficients());
     let on_disc = |c: &[BigInt]| c.iter().rev().fold(BigInt::ZERO, |sum, c| sum * RADIUS + c.abs());
     // Σ_{i≥1} |c_i|Rⁱ ≤ c₀/2.
     let is_steady = |c: &[BigInt]| c[0].is_positive() && on_disc(c) * 2 <= &c[0] * 3;
-    if !is_steady(q) || !is_steady(w) {
-        return None;
+    if !is_steady(q) {
+        return Series::PoleNear;
+    }
+    if !is_steady(w) {
+        return Series::RootNear;
     }
     let [q_0, w_0] = [&q[0], &w[0]].map(|c| BigRational::from_integer(c.clone()));
     let unit = &integrand.factor / q_0;
@@ -258,7 +271,8 @@ fn series(integrand: &Integrand, width: &BigRational) -> Option<(BigRational, Bi
     let largest = integer(on_disc(p)) * most * &unit * integer(2);
     // 8·2M·R⁻ⁿ/(1 − 1/R) ≤ width, with R = 2²; the error is this divided by 8, and by n + 1.
     let ratio = &largest * integer(16 * RADIUS) / (width * integer(RADIUS - 1));
-    let terms = usize::try_from(ratio.ceil().numer().bits().div_ceil(2)).ok()?.max(1);
+    // More terms than a machine can count would not fit into its memory either.
+    let terms = usize::try_from(ratio.ceil().numer().bits().div_ceil(2)).unwrap_or(usize::MAX).max(1);
     let error = width / integer(8);
     // The series of P/Σ|p_i|, √(W/w₀) and q₀/Q have coefficients of about 1 at most, and what is left is this factor.
     let scale: BigInt = p.iter().map(Signed::abs).sum();
@@ -268,11 +282,11 @@ fn series(integrand: &Integrand, width: &BigRational) -> Option<(BigRational, Bi
         let (least, most) = root(&w_0, bits);
         let sum = Balls { bits }.sum([p, q, w], &scale, terms);
         let (lo, hi) = sum.bounds(bits);
-        let products = [&lo * &least, &lo * &most, &hi * &least, hi * most];
-        let lo = products.iter().min()? * &unit - &error;
-        let hi = products.iter().max()? * &unit + &error;
+        // √w₀ is between two numbers ≥ 0: a bound below 0 is least for the larger one.
+        let lo = if lo.is_negative() { lo * &most } else { lo * &least } * &unit - &error;
+        let hi = if hi.is_negative() { hi * &least } else { hi * &most } * &unit + &error;
         if &hi - &lo <= *width {
-            return Some((lo, hi));
+            return Series::Bounds((lo, hi));
         }
         bits += GUARD;
     }

@@ -64,6 +64,9 @@ pub(super) struct Plotted {
     schema: &'static str,
     #[serde(flatten)]
     on: OnKnots,
+    /// α, of each panel; nothing for another family.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    alpha: Vec<String>,
     /// What is drawn.
     show: Show,
     /// The file that was written; `null` if there is none.
@@ -123,7 +126,8 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
             (Some(path.clone()), None)
         }
     };
-    output.result(&Plotted { schema: "knotproof.plot/1", on, show, file, svg })?;
+    let alpha = example.indices().map(ToString::to_string).collect();
+    output.result(&Plotted { schema: "knotproof.plot/1", on, alpha, show, file, svg })?;
     Ok(Exit::Holds)
 }
 

@@ -6,7 +6,7 @@ use num_rational::BigRational;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::analysis::{Extreme, Graph, Location};
+use crate::analysis::{Graph, Location, RangeEnd};
 
 use super::error::CliError;
 use super::exact::{Exact, as_given};
@@ -107,7 +107,7 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
 }
 
 impl BoundRecord {
-    fn new(bound: Extreme, width: &BigRational, notation: Notation) -> Self {
+    fn new(bound: RangeEnd, width: &BigRational, notation: Notation) -> Self {
         let place = |(place, taken): &(Location, bool)| BoundPlace {
             place: Place::of(place, width, notation),
             taken: *taken,
