@@ -1,5 +1,7 @@
 //! The figures: all there, the same bytes every time, well-formed, and with what they are meant to show.
 
+#![allow(clippy::unwrap_used, reason = "helpers of tests")]
+
 use std::fs;
 
 use knotproof::language::{claims, paper};
