@@ -203,7 +203,7 @@ impl Written {
                 VECTORS,
                 vec![
                     titled("What was written", of::<vectors::Written>(to)),
-                    titled("The file", of::<Stamped<vectors::Vectors>>(to)),
+                    titled("The file", of::<vectors::Vectors>(to)),
                 ],
             ),
             Self::Search => (

@@ -141,7 +141,8 @@ pub fn vectors(
 /// an `f64` has, the ones next to an eighth, a half and three quarters of the span, as far as there are any inside.
 fn places(knots: &KnotVector) -> Vec<(BigRational, bool)> {
     let stops: Vec<_> = knots.stop_knots().map(|(t, _)| t.clone()).collect();
-    let mut all = vec![(knots.first() - integer(1), false)];
+    let length = knots.last() - knots.first();
+    let mut all = vec![(knots.first() - &length, false)];
     for pair in stops.windows(2) {
         all.push((pair[0].clone(), true));
         let length = &pair[1] - &pair[0];
@@ -151,7 +152,7 @@ fn places(knots: &KnotVector) -> Vec<(BigRational, bool)> {
         all.extend(between.filter(|x| pair[0] < *x && *x < pair[1]).map(|x| (x, false)));
     }
     all.push((knots.last().clone(), true));
-    all.push((knots.last() + integer(1), false));
+    all.push((knots.last() + length, false));
     all
 }
 

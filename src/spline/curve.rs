@@ -7,8 +7,9 @@ use crate::scalar::{Jet, RationalAlgebra, integer};
 
 use super::basis::Basis;
 use super::index::Index;
-use super::kind::{HasWeights, Sampler};
+use super::kind::HasWeights;
 use super::knots::{KnotVector, Side, Span};
+use super::sampler::Sampler;
 use super::triangle::Active;
 
 /// A point of R^d, 1 ≤ d ≤ 3.

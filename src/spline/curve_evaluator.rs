@@ -8,8 +8,9 @@ use crate::scalar::{Jet, gcd, integer, lcm};
 
 use super::curve::{Curve, Point};
 use super::index::Index;
-use super::kind::{HasWeights, Sampler};
+use super::kind::HasWeights;
 use super::knots::{Side, Span};
+use super::sampler::Sampler;
 use super::triangle::Active;
 
 /// Exact values of one curve at any number of points: what [`Curve`] computes anew for each of them is prepared once.

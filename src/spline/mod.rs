@@ -14,6 +14,7 @@ mod kind;
 mod knots;
 mod linear_weights;
 mod reducer;
+mod sampler;
 mod triangle;
 mod weight;
 
@@ -27,7 +28,8 @@ pub use factors::Factors;
 pub use forms::{FormTable, Forms, Obligation, Pairs};
 pub use fraction_free::FractionFree;
 pub use index::{Index, IndexError};
-pub use kind::{AnyWeights, HasWeights, Sampler, WeightKind};
+pub use kind::{AnyWeights, HasWeights, WeightKind};
 pub use knots::{KnotError, KnotVector, Side, Span, SpanError};
+pub use sampler::Sampler;
 pub use triangle::{Active, Triangle, de_boor, triangle};
 pub use weight::{FormalWeights, PointWeights, Split, Weights, weight};
