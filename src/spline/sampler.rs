@@ -71,7 +71,7 @@ impl<'a, W: HasWeights> Sampler<'a, W> {
 mod tests {
     use super::*;
     use crate::scalar::rational;
-    use crate::spline::{Curve, CurveEvaluator, Forms, KnotVector};
+    use crate::spline::{Curve, CurveEvaluator, FormTable, Forms, Index, KnotVector};
 
     /// Linear forms with one ratio are an index: the same functions as by its own kernels.
     #[test]
