@@ -61,7 +61,7 @@ impl<W: HasWeights> Basis<W> {
     /// the result is the functions as formulas.
     ///
     /// Over exact numbers this is the reference: every operation is reduced at once, and slow. For linear weights,
-    /// those of an index among them, [`Evaluator`] gives the same values and jets.
+    /// those of an index among them, [`Evaluator`](super::Evaluator) gives the same values and jets.
     ///
     /// # Errors
     /// [`SpanError`] for a span of another knot vector, and for a point outside of the closed span, NaN included.
