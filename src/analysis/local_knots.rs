@@ -187,14 +187,14 @@ impl LocalKnots<BigInt> {
     /// If i > n.
     #[must_use]
     pub fn of(basis: &Basis, i: usize) -> Option<Self> {
-        let (knots, ratio) = (basis.knots(), basis.index().ratio());
+        let knots = basis.knots();
         assert!(i <= basis.n(), "there is no function {i}: the basis has the functions 0 to {}", basis.n());
         let mut gaps = integer_gaps(&knots.knots()[i..=i + basis.degree() + 1]);
         make_coprime(&mut gaps);
         if gaps.iter().all(Ring::is_zero) {
             return None;
         }
-        Some(Self { gaps, ratio: (ratio.numer().clone(), ratio.denom().clone()) })
+        Some(Self { gaps, ratio: basis.index().slopes() })
     }
 }
 

@@ -51,7 +51,7 @@ struct FactoredQuotient<R = BigInt> {
 /// [`SpanError::Foreign`] for a span of another knot vector.
 pub fn span_quotients(basis: &Basis, span: Span) -> Result<Active<SpanQuotient<BigInt>>, SpanError> {
     basis.knots().ends(span)?;
-    Ok(own_quotients(basis, slopes(basis.index()), span))
+    Ok(own_quotients(basis, vec![basis.index().slopes()], span))
 }
 
 /// [`span_quotients`] on a span of the basis, for linear weights with these [slopes](Basis::slopes).
@@ -125,17 +125,12 @@ pub fn symbolic_quotients(
 
 /// [`span_quotients`] with the factors of the denominators.
 fn factored_quotients<W>(basis: &Basis<W>, index: &Index, span: Span) -> Active<FactoredQuotient> {
-    let near = Neighbourhood::of_span(basis.knots(), basis.degree(), span, slopes(index));
+    let near = Neighbourhood::of_span(basis.knots(), basis.degree(), span, vec![index.slopes()]);
     let long = |FactoredQuotient { quotient, constant, factors }: FactoredQuotient<u64>| {
         let factors = factors.into_iter().map(|(a, b)| (a.into(), b.into())).collect();
         FactoredQuotient { quotient, constant, factors }
     };
     near.short_quotients().map_or_else(|| near.quotients(), |all| all.into_map(long))
-}
-
-/// The one pair (p, q) of an index.
-fn slopes(index: &Index) -> Vec<(BigInt, BigInt)> {
-    vec![(index.ratio().numer().clone(), index.ratio().denom().clone())]
 }
 
 /// The gaps around a span, from the knot t_low on.
@@ -566,6 +561,10 @@ mod tests {
                 let reference = basis.active(span, &positive_coordinate(&knots, span).unwrap()).unwrap();
                 let slopes = basis.slopes(span).unwrap();
                 assert!(degree == 1 || slopes.len() > 1);
+                for (i, g) in reference.iter() {
+                    let alone = own_quotient(&basis, slopes.clone(), (span, i)).unwrap();
+                    assert_eq!(&alone.piece(), g, "{degree}, {}, {i}", span.index());
+                }
                 let quotients = own_quotients(&basis, slopes, span);
                 assert_eq!(quotients.map(SpanQuotient::piece), reference, "{degree}, {}", span.index());
             }

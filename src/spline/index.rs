@@ -105,6 +105,11 @@ impl Index {
         &self.ratio
     }
 
+    /// (p, q) with r = p/q in lowest terms: the slopes of its weights, p(x − a) : q(b − x).
+    pub(crate) fn slopes(&self) -> (BigInt, BigInt) {
+        (self.ratio.numer().clone(), self.ratio.denom().clone())
+    }
+
     /// α = r/(r − 1); `None` for α = ∞.
     #[must_use]
     pub fn alpha(&self) -> Option<BigRational> {

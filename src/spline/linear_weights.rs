@@ -21,7 +21,7 @@ impl LinearWeights<BigInt> {
     /// Those of a basis, if all of its weights are linear.
     pub(super) fn of<W: HasWeights>(basis: &Basis<W>) -> Option<Self> {
         if let WeightKind::Index(index) = basis.weights().kind() {
-            return Some(Self::Same([(index.ratio().numer().clone(), index.ratio().denom().clone())]));
+            return Some(Self::Same([index.slopes()]));
         }
         let on = |span: Span| Some((span.index(), basis.slopes(span)?));
         basis.knots().spans().map(on).collect::<Option<_>>().map(Self::Each)
@@ -59,9 +59,7 @@ impl<W: HasWeights> Basis<W> {
     pub(crate) fn slopes(&self, span: Span) -> Option<Vec<(BigInt, BigInt)>> {
         let (j, k) = (span.index(), self.degree());
         let table = match self.weights().kind() {
-            WeightKind::Index(index) => {
-                return Some(vec![(index.ratio().numer().clone(), index.ratio().denom().clone())]);
-            }
+            WeightKind::Index(index) => return Some(vec![index.slopes()]),
             WeightKind::Forms(table) => table,
         };
         let mut slopes = Vec::with_capacity(k * (k + 1) / 2);
