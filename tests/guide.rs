@@ -55,6 +55,41 @@ fn every_example_of_the_help_ends_as_it_says() {
     assert!(count >= 10, "{count}");
 }
 
+/// The examples at the end of what `--help` prints, each on a line of its own or on several that end with `\`.
+fn examples(help: &str) -> Vec<String> {
+    let mut lines = help.lines().skip_while(|line| !line.starts_with("Example"));
+    let mut examples = Vec::new();
+    while let Some(line) = lines.next() {
+        let Some(begun) = line.strip_prefix("  ").filter(|line| line.contains("knotproof ")) else { continue };
+        let mut example = begun.to_owned();
+        while let Some(open) = example.strip_suffix('\\') {
+            example = format!("{}{}", open, lines.next().unwrap().trim_start());
+        }
+        examples.push(example);
+    }
+    examples
+}
+
+/// What one of them writes, the next one reads. Those of `completions` and `man` are about the reader's own folders.
+#[test]
+fn every_example_of_a_command_ends_as_it_says() {
+    let folder = tempfile::tempdir().unwrap();
+    let pages = folder.path().join("man");
+    let named = text(&["man", "--out", pages.to_str().unwrap()]);
+    let commands = named.lines().filter_map(|path| path.strip_suffix(".1")?.rsplit_once("knotproof-"));
+    let mut count = 0;
+    for (_, command) in commands.filter(|(_, command)| !["completions", "man"].contains(command)) {
+        let topic: Value = serde_json::from_str(&text(&["help", command, "--format", "json"])).unwrap();
+        let examples = examples(topic["help"].as_str().unwrap());
+        assert!(!examples.is_empty(), "{command} has no example");
+        let lines: Vec<_> = examples.iter().map(String::as_str).collect();
+        let output = crate::pages::shell(folder.path(), &lines.join("\n"));
+        assert!(output.status.success(), "{command}: {}", String::from_utf8_lossy(&output.stderr));
+        count += lines.len();
+    }
+    assert!(count >= 90, "{count}");
+}
+
 /// What the guide prints in ```` ```text ```` blocks after a command comes out of the program.
 #[test]
 fn the_guide_quotes_what_the_program_prints() {
