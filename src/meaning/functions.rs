@@ -7,7 +7,7 @@ use crate::language::{Argument, Definition, Function, Int, Name, Pattern, Side};
 use crate::scalar::{BigRational, Jet, Polynomial, RationalAlgebra, Ring, integer};
 use crate::spline::{self, FormTable, Forms};
 
-use super::cell::Cell;
+use super::cell::{Cell, Focus};
 use super::reading::{Look, Reading, place};
 use super::truth::Stop;
 use super::value::{Fraction, Plain, Value};
@@ -396,21 +396,45 @@ impl Reading<'_> {
         {
             return Ok(Where::Span(j));
         }
-        for (t, _) in knots.stop_knots() {
-            match self.sign(&x.minus(&t.clone().into())?)? {
-                Sign::Zero => return Ok(Where::Knot(t.clone())),
-                Sign::Negative => {
-                    let below = knots.knots().partition_point(|s| s < t);
-                    return Ok(below.checked_sub(1).map_or(Where::Outside, Where::Span));
-                }
-                Sign::Positive => {}
+        if let Some(j) = self.span_of_sample(x) {
+            let (from, to) = (knots.t(j).clone().into(), knots.t(j + 1).clone().into());
+            let signs = (self.sign(&x.minus(&from)?), self.sign(&x.minus(&to)?));
+            if signs == (Ok(Sign::Positive), Ok(Sign::Negative)) {
+                return Ok(Where::Span(j));
             }
         }
-        Ok(Where::Outside)
+        // All knots before `below` lie under x on the whole part, and those from `above` on over it.
+        let list = knots.knots();
+        let (mut below, mut above) = (0, list.len());
+        while below < above {
+            let t = &list[(below + above) / 2];
+            match self.sign(&x.minus(&t.clone().into())?)? {
+                Sign::Zero => return Ok(Where::Knot(t.clone())),
+                Sign::Negative => above = list.partition_point(|s| s < t),
+                Sign::Positive => below = list.partition_point(|s| s <= t),
+            }
+        }
+        let inside = below.checked_sub(1).filter(|_| below < list.len());
+        Ok(inside.map_or(Where::Outside, Where::Span))
+    }
+
+    /// The span in which an argument lies at some number of the part that is looked at.
+    fn span_of_sample(&self, x: &Value) -> Option<usize> {
+        let (Value { plain: Plain::Piece(f), root: None }, Some(frame)) = (x, &self.frame) else {
+            return None;
+        };
+        let value = match &frame.focus {
+            Focus::Whole => f.piece().evaluate(&integer(1)),
+            Focus::Between(u) => f.piece().evaluate(u),
+            Focus::At(_) => None,
+        };
+        let span = self.on.knots()?.span_at(&value?, spline::Side::Right)?;
+        Some(span.index())
     }
 }
 
-fn of(side: Option<Side>) -> spline::Side {
+/// From the right where nothing is said.
+pub(super) fn of(side: Option<Side>) -> spline::Side {
     if side == Some(Side::Left) { spline::Side::Left } else { spline::Side::Right }
 }
 

@@ -36,7 +36,6 @@ pub struct Instance {
     definition: OnceLock<Vec<Vec<Vec<Piece>>>>,
     compared: Kept<usize, ()>,
     fault: OnceLock<String>,
-    /// Are values computed by the definition, word for word?
     reference: bool,
 }
 
@@ -176,6 +175,11 @@ impl Instance {
     #[must_use]
     pub fn by_definition(&self) -> Self {
         Self { reference: true, ..self.with(self.weights.clone()) }
+    }
+
+    /// Are values computed by the definition, word for word?
+    pub(super) fn is_reference(&self) -> bool {
+        self.reference
     }
 
     /// k.

@@ -11,6 +11,7 @@ mod family;
 mod frame;
 mod functions;
 mod instance;
+mod local;
 mod points;
 mod reading;
 mod reals;

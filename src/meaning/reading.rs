@@ -272,8 +272,12 @@ impl<'a> Reading<'a> {
                 self.combine(fold, a, b)
             }
             Real::Fold(fold, range, body) => {
+                let mut range_of = self.range(range)?;
+                if *fold == Fold::Sum {
+                    range_of = self.local(range, body, range_of);
+                }
                 let mut all = None;
-                for i in self.range(range)? {
+                for i in range_of {
                     let next = self.with_integer(&range.name, i, |own| own.real(body))?;
                     all = Some(match all {
                         None => next,
