@@ -130,8 +130,8 @@ def check_basis(
                     yield x, True if last == "left" else None if x == knots[-1] else False
             elif x > start or not left:
                 yield x, left
-        spans = [(a, b) for a, b in zip(stops, stops[1:])]
-        for a, b in spans:
+        for a, b in zip(stops, stops[1:]):
+            # What is asked is a number that a float has.
             inside = [Fraction(float(a + (b - a) * part)) for part in (Fraction(1, 2), Fraction(1, 8), Fraction(3, 4))]
             yield from ((x, False) for x in inside if a < x < b)
         yield from ((x, False) for x in drawn if start < x < end and x not in stops)
