@@ -67,8 +67,8 @@ def check_basis(
     side
         of which side ``f`` takes limits at knots. With "left" the first knot of the domain is not asked for.
     last
-        what ``f`` gives at the last knot of the domain, whatever ``side`` is: "left", the limit from inside, as SciPy and this package; "right", as
-        the recursion on half-open intervals says, at t_m that is 0; "skip", it is not asked for.
+        what ``f`` gives at the last knot of the domain, whatever ``side`` is: "left", the limit from inside, as SciPy, and at t_m ``Basis.B``; "right",
+        as the recursion on half-open intervals says, at t_m that is 0; "skip", it is not asked for.
     domain
         of which x it is asked: "base", [t_k, t_{n+1}]; "support", [t_0, t_m]; "line", also outside, where all functions are 0.
     multiplicity, clamped
