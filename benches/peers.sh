@@ -11,6 +11,8 @@
 #                                     runs these of the jobs A, B, C, E and writes to standard output, in place of benches/peers.md,
 #                                     the rows that benches/table.rs reads
 #
+# PROFILE=dev runs what the tests were built with: to see that the results are equal, for times are of no use then.
+#
 # The virtual environment of python-flint is target/peers/venv, or $PEERS_VENV.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -36,12 +38,13 @@ done
 
 rm -rf "$out/cases"
 mkdir -p "$out/cases"
-cargo build --locked --release --quiet --example peers
+profile=${PROFILE:-release}
+cargo build --locked --profile "$profile" --quiet --example peers
 gcc -O3 benches/peers/flint.c -lflint -lgmp -o "$out/flint"
 libraries=$("$venv/bin/python" -c 'import flint, pathlib; print(pathlib.Path(flint.__file__).parents[1] / "python_flint.libs")')
 gcc -O3 benches/peers/flint3.c "$libraries"/libflint-*.so* "$libraries"/libgmp-*.so* "-Wl,-rpath,$libraries" -o "$out/flint3"
 one_core=()
 command -v taskset >/dev/null && one_core=(taskset -c "$(taskset -cp $$ | sed 's/.*[ ,-]//')")
 "${one_core[@]}" "$venv/bin/python" benches/peers/compare.py \
-    "$out/cases" benches/peers.md target/release/examples/peers "$out/flint" "$out/flint3" "$repetitions" "${rows[@]}"
+    "$out/cases" benches/peers.md "target/${profile/dev/debug}/examples/peers" "$out/flint" "$out/flint3" "$repetitions" "${rows[@]}"
 ((${#rows[@]})) || echo "Written: benches/peers.md"

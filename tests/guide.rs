@@ -3,6 +3,7 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
+use std::fs;
 use std::path::Path;
 
 use assert_cmd::Command;
@@ -53,6 +54,47 @@ fn every_example_of_the_help_ends_as_it_says() {
         }
     }
     assert!(count >= 10, "{count}");
+}
+
+/// The examples at the end of what `--help` prints, each on a line of its own or on several that end with `\`.
+fn examples(help: &str) -> Vec<String> {
+    let mut lines = help.lines().skip_while(|line| !line.starts_with("Example"));
+    let mut examples = Vec::new();
+    while let Some(line) = lines.next() {
+        let Some(begun) = line.strip_prefix("  ").filter(|line| line.contains("knotproof ")) else {
+            continue;
+        };
+        let mut example = begun.to_owned();
+        while let Some(open) = example.strip_suffix('\\') {
+            example = format!("{}{}", open, lines.next().unwrap().trim_start());
+        }
+        examples.push(example);
+    }
+    examples
+}
+
+/// What one of them writes, the next one of the same command reads, beside points of the reader's own and the certificates of the project.
+/// Those of `completions` and `man` are about the reader's own folders.
+#[test]
+#[cfg(unix)]
+fn every_example_of_a_command_ends_as_it_says() {
+    let pages = tempfile::tempdir().unwrap();
+    let named = text(&["man", "--out", pages.path().join("man1").to_str().unwrap()]);
+    let commands = named.lines().filter_map(|path| path.strip_suffix(".1")?.rsplit_once("knotproof-"));
+    let mut count = 0;
+    for (_, command) in commands.filter(|(_, command)| !["completions", "man"].contains(command)) {
+        let topic: Value = serde_json::from_str(&text(&["help", command, "--format", "json"])).unwrap();
+        let examples = examples(topic["help"].as_str().unwrap());
+        assert!(!examples.is_empty(), "{command} has no example");
+        let folder = tempfile::tempdir().unwrap();
+        fs::write(folder.path().join("points.csv"), "0\n1/2\n").unwrap();
+        let proofs = concat!(env!("CARGO_MANIFEST_DIR"), "/proofs");
+        std::os::unix::fs::symlink(proofs, folder.path().join("proofs")).unwrap();
+        let output = crate::pages::shell(folder.path(), &examples.join("\n"));
+        assert!(output.status.success(), "{command}: {}", String::from_utf8_lossy(&output.stderr));
+        count += examples.len();
+    }
+    assert!(count >= 90, "{count}");
 }
 
 /// What the guide prints in ```` ```text ```` blocks after a command comes out of the program.

@@ -217,6 +217,13 @@ fn files() {
     };
     let all: Vec<_> = STANZAS.iter().filter_map(check).collect();
     assert!(all.is_empty(), "{}", all.join("\n"));
+    // Another format is complained of first, and alone: who knows what else it has.
+    let (text, place) = marked(&format!("format = ‸2\nnovelty = true\n{CLAIM}then = [\"1 = 1\"]"));
+    let complaints = stanzas("claims.toml", &text).unwrap_err();
+    assert_eq!((complaints.len(), complaints[0].place()), (1, place));
+    let complaint = complaints[0].to_string();
+    assert!(complaint.contains("this is format 2") && complaint.contains("reads format 1"), "{complaint}");
+    assert!(stanzas("claims.toml", &format!("format = 1\n{CLAIM}then = [\"1 = 1\"]")).is_ok());
     // These have no place of their own in the stanza.
     for (text, rule) in [("words = \"so\"", "words need a reason"), ("for = \"k\"", "nothing is said")] {
         let complaint = stanzas("claims.toml", &format!("{CLAIM}{text}")).unwrap_err().swap_remove(0);

@@ -8,7 +8,7 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Output};
 
 const EXCUSE: &str = "<!-- not run by tests/pages.rs: ";
 
@@ -80,20 +80,25 @@ fn script(commands: &str) -> String {
     script
 }
 
-#[test]
-fn every_command_block_ends_as_the_page_says() {
+/// Runs commands in a folder, up to the first that does not end as it says.
+pub(crate) fn shell(folder: &Path, commands: &str) -> Output {
     let program = Path::new(crate::PATH);
     let path = format!("{}:{}", program.parent().unwrap().display(), std::env::var("PATH").unwrap());
+    Command::new("bash")
+        .args(["-c", &script(commands)])
+        .current_dir(folder)
+        .env("PATH", &path)
+        .env("KNOTPROOF_PROGRESS", "never")
+        .output()
+        .unwrap()
+}
+
+#[test]
+fn every_command_block_ends_as_the_page_says() {
     let (mut run, mut failed) = (0, Vec::new());
     for block in blocks().iter().filter(|block| block.excuse.is_none()) {
         let folder = tempfile::tempdir().unwrap();
-        let output = Command::new("bash")
-            .args(["-c", &script(&block.commands)])
-            .current_dir(folder.path())
-            .env("PATH", &path)
-            .env("KNOTPROOF_PROGRESS", "never")
-            .output()
-            .unwrap();
+        let output = shell(folder.path(), &block.commands);
         if !output.status.success() {
             let messages = String::from_utf8_lossy(&output.stderr);
             failed.push(format!("{}, line {}: {messages}", block.page, block.line));

@@ -510,7 +510,7 @@ fn instance_files_are_as_their_schema_says() {
         (json!({"degree": 2.0, "knots": knots, "alpha": "-1", "$schema": "instance.schema.json"}), true),
         (json!({"degree": 2, "knots": knots, "alpha": ["inf"], "points": [["0"], [1], [2], [3]]}), true),
         (
-            json!({"degree": 2, "knots": knots, "schema": "knotproof.eval/1", "version": "0.1.0", "values": []}),
+            json!({"degree": 2, "knots": knots, "schema": "knotproof.eval/1", "version": env!("CARGO_PKG_VERSION"), "values": []}),
             true,
         ),
         (json!({"degree": 2, "knots": knots, "values": []}), false),

@@ -4,13 +4,16 @@
 #
 #   benches/float/compare.sh [PYTHON]        a Python with numpy and scipy, python3 unless given
 #   benches/float/compare.sh PYTHON rows     prints the rows that benches/table.rs reads, milliseconds for a million points
+#
+# PROFILE=dev runs what the tests were built with: to see that the results are equal, for times are of no use then.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 python=${1:-python3}
 rows=${2:-}
 "$python" -c 'import scipy' 2>/dev/null || { echo "compare.sh: $python has no SciPy: name one that has" >&2; exit 2; }
 
-cargo build --locked --release --quiet --example float-throughput
+profile=${PROFILE:-release}
+cargo build --locked --profile "$profile" --quiet --example float-throughput
 one_core=()
 command -v taskset >/dev/null && one_core=(taskset -c "$(taskset -cp $$ | sed 's/.*[ ,-]//')")
 folder=$(mktemp -d)
@@ -19,7 +22,7 @@ figures() { if [[ $rows ]]; then cat > "$1"; else tee "$1"; fi; }
 
 # SciPy writes its points and its values for α = ∞, which are compared before anything is timed here.
 "${one_core[@]}" "$python" benches/float/scipy_side.py "$folder" | figures "$folder/scipy"
-"${one_core[@]}" target/release/examples/float-throughput "$folder" | figures "$folder/ours"
+"${one_core[@]}" "target/${profile/dev/debug}/examples/float-throughput" "$folder" | figures "$folder/ours"
 
 awk -F'  +' -v rows="$rows" '
     { rate[$1] = $2 }

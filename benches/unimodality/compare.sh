@@ -5,6 +5,8 @@
 #   benches/unimodality/compare.sh [COUNT]        COUNT functions of each degree, 2000 unless given
 #   benches/unimodality/compare.sh COUNT rows     prints the rows that benches/table.rs reads, milliseconds for a function
 #
+# PROFILE=dev runs what the tests were built with: to see that the results are equal, for times are of no use then.
+#
 # PARI/GP is the package pari-gp of Debian and Ubuntu: apt-get install pari-gp.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
@@ -13,7 +15,8 @@ rows=${2:-}
 [[ $count =~ ^[1-9][0-9]{0,6}$ ]] || { echo "compare.sh: the number of functions is '$count': write 1 to 9999999" >&2; exit 2; }
 command -v gp >/dev/null || { echo "compare.sh: gp is missing: install PARI/GP, on Debian: apt-get install pari-gp" >&2; exit 2; }
 
-cargo build --locked --release --quiet --example throughput
+profile=${PROFILE:-release}
+cargo build --locked --profile "$profile" --quiet --example throughput
 one_core=()
 command -v taskset >/dev/null && one_core=(taskset -c "$(taskset -cp $$ | sed 's/.*[ ,-]//')")
 folder=$(mktemp -d)
@@ -24,7 +27,7 @@ for degree in 3 4 5; do
     # Twice each in turn, the better run counts: other work on the machine disturbs neither side alone.
     declare -A best=()
     for round in 1 2; do
-        read -r seconds share < <("${one_core[@]}" target/release/examples/throughput "$degree" "$count" "$folder")
+        read -r seconds share < <("${one_core[@]}" "target/${profile/dev/debug}/examples/throughput" "$degree" "$count" "$folder")
         best[knotproof]=$(awk -v a="$seconds" -v b="${best[knotproof]:-1e9}" 'BEGIN { print a < b ? a : b }')
         for route in by_numerators by_quotients by_quotients_in_u; do
             seconds=$(echo "run(\"$folder\", \"$route\", $route)" |

@@ -69,14 +69,16 @@ pub(super) struct Args {
 }
 
 const EXAMPLE: &str = r#"Examples:
-  knotproof check --degree 2 --knots "0 0 0 1 1 1 2 2 2" --alpha -1
+  knotproof check --degree 2 --knots "0 0 0 1 1 1 2 2 2" --alpha -1  # exit code 1
   knotproof check --instance U4 --property T3.5.4 --property X.G1 --format json
   knotproof check --instance U4 --alpha -1 --amended
   knotproof check --instance U4 --alpha -1 --all --baseline
-  knotproof check --degree 2 --knots "0 0 0 1 2 2 2" --alpha -1 --claim "i in 0..n; x in [t[0], t[m]] : G[i](x) <= 1"
+  knotproof check --degree 2 --knots "0 0 0 1 2 2 2" --alpha -1 \
+    --claim "i in 0..n; x in [t[0], t[m]] : G[i](x) <= 1"
   knotproof check --claim "k; U open; i in 0..n : maxima(G[i]) <= 1"
-  knotproof check --family lupas --classical --property unity --property C1
-  knotproof check --family lupas --claim "k; U clamped : G'[0](t[0]) = -k*q^(k-1)/(t[k+1]-t[0])"
+  knotproof check --family lupas --classical --property unity --property C1  # exit code 1
+  knotproof check --family lupas \
+    --claim "k; U clamped : G'[0](t[0]) = -k*q^(k-1)/(t[k+1]-t[0])"  # exit code 1
 Exit code 1 means that some claim is refuted, the first two and many others as printed, and the last three; the witness
 says where. The others end with 0: what is known to be true holds here too."#;
 

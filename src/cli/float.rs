@@ -71,7 +71,8 @@ pub(super) struct Args {
 const EXAMPLE: &str = r#"Examples:
   knotproof float --degree 3 --seed 1
   knotproof float --instance U4 --out pictures
-  knotproof float --degree 2 --knots "100000000 100000001 100000002 100000003 100000004 100000005" --alpha -1
+  knotproof float --degree 2 \
+    --knots "100000000 100000001 100000002 100000003 100000004 100000005" --alpha -1
   knotproof float --degree 1 --knots "0 1 2" --alpha -0x1.8p-3 --x 0x1.8p-1 --format json
   knotproof float --degree 3 --knots "0 0 0 0 1 2 3 3 3 3" --family lupas --set q=1/3
 Exit code 1: an error is larger than its proved bound, or a result is no number: with given knots one of any formula,

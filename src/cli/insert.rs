@@ -40,9 +40,11 @@ pub(super) struct Args {
 const EXAMPLE: &str = r#"Exit codes: 0 the curve is one on the new knots; 1 it is none.
 
 Examples:
-  knotproof insert --degree 2 --knots "0 0 0 1 2 2 2" --alpha inf --points "0,0 1,2 2,2 3,0" --at "1/2 1"
-  knotproof insert --degree 2 --knots "0 0 0 1 1 2 2 2" --alpha 5 --points "0,0 1,2 2,2 3,0 4,0" --at 1 --format json > cut.json
-  knotproof insert --instance C5 --alpha -4 --at 1/2
+  knotproof insert --degree 2 --knots "0 0 0 1 2 2 2" --alpha inf --points "0,0 1,2 2,2 3,0" \
+    --at "1/2 1"
+  knotproof insert --degree 2 --knots "0 0 0 1 1 2 2 2" --alpha 5 \
+    --points "0,0 1,2 2,2 3,0 4,0" --at 1 --format json > cut.json
+  knotproof insert --instance C5 --alpha -4 --at 1/2  # exit code 1
 The JSON is an instance file, with the new knots: knotproof eval --instance cut.json --x 1/3."#;
 
 /// The result: its fields are the JSON.

@@ -57,10 +57,10 @@ pub(super) struct Args {
 
 const EXAMPLE: &str = "\
 Examples:
-  knotproof judge classical
-  knotproof new my-paper && knotproof judge my-paper --out my-report
-  knotproof judge my-paper --claim P2 --degrees 1..3 --format json
-  knotproof judge my-paper --record my-paper/verdicts.json
+  knotproof judge classical  # exit code 1
+  knotproof new my-paper && knotproof judge my-paper --out my-report  # exit code 1
+  knotproof judge my-paper --claim P2 --degrees 1..3 --format json  # exit code 1
+  knotproof judge my-paper --record my-paper/verdicts.json  # exit code 1
   knotproof judge my-paper --baseline my-paper/verdicts.json
 Exit code 0: every claim holds as printed. Exit code 1: one is refuted, if only as printed. Exit code 3: one is undecided.
 With --baseline, exit code 0: every verdict is as recorded. Exit code 1: one differs.";

@@ -43,8 +43,8 @@ pub(super) struct Args {
 
 const EXAMPLE: &str = "\
 Example:
-  knotproof search --degree 3 --shard 0/2 --checkpoint shard-0.jsonl  # exit code 0: nothing in this half
-  knotproof search --degree 3 --shard 1/2 --checkpoint shard-1.jsonl  # exit code 1: something was found
+  knotproof search --degree 3 --shard 0/2 --checkpoint shard-0.jsonl  # exit code 1
+  knotproof search --degree 3 --shard 1/2 --checkpoint shard-1.jsonl
   knotproof merge shard-0.jsonl shard-1.jsonl --audit 3 --out all.jsonl  # exit code 1
 Exit code 1: something was found, or an audit found something else than the shards say: then nothing is written; 0: nothing; 3: nothing, but
 some case is not decided; 2: a shard is missing, given twice, unfinished, damaged, of another search or written by a program that may decide otherwise.";

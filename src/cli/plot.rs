@@ -41,8 +41,10 @@ pub(super) struct Args {
 }
 
 const EXAMPLE: &str = r#"Examples:
-  knotproof plot --degree 2 --knots "0 0 0 1 2 2 2" --alpha -1 --alpha 2 --alpha inf --out basis.svg
-  knotproof plot --degree 2 --knots "0 0 0 1 2 2 2" --alpha 5 --points "0,0 1,2 2,2 3,0" --out curve.png
+  knotproof plot --degree 2 --knots "0 0 0 1 2 2 2" --alpha -1 --alpha 2 --alpha inf \
+    --out basis.svg
+  knotproof plot --degree 2 --knots "0 0 0 1 2 2 2" --alpha 5 --points "0,0 1,2 2,2 3,0" \
+    --out curve.png
   knotproof plot --instance C5 --show basis > basis.svg
 The same program writes the same bytes every time."#;
 

@@ -44,7 +44,7 @@ pub(super) struct Args {
 
 const EXAMPLE: &str = "\
 Examples:
-  knotproof prove --out my-certificates
+  knotproof prove --out my-certificates  # takes a while
   knotproof prove --claim T3.5.2 --claim X.totalpositivity --out my-certificates --format json
 The claims are judged first: a certificate of a refutation rests on the witness that was found.";
 

@@ -49,7 +49,7 @@ pub(super) struct Args {
 
 const EXAMPLE: &str = "\
 Examples:
-  knotproof report --out report
+  knotproof report --out report  # takes a while
   knotproof report --claim T3.5.3 --claim P3.2 --format json
   knotproof report --errata
 Exit code 0: every verdict is as recorded, refuted claims included. Exit code 1: one differs.";

@@ -92,6 +92,10 @@ impl Parameter {
 #[serde(deny_unknown_fields)]
 #[schemars(title = "Families of splines")]
 struct RawFamily {
+    /// The format of the file; 1 if nothing is said.
+    #[serde(rename = "format")]
+    #[schemars(extend("const" = 1))]
+    _format: Option<u8>,
     /// Its name: letters, digits and `-`.
     #[schemars(with = "String")]
     name: Text,

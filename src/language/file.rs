@@ -118,6 +118,10 @@ pub struct RestsOn {
 #[serde(deny_unknown_fields)]
 #[schemars(title = "Files of claims")]
 pub(super) struct RawFile {
+    /// The format of the file; 1 if nothing is said.
+    #[serde(rename = "format")]
+    #[schemars(extend("const" = 1))]
+    _format: Option<u8>,
     /// What the file is about.
     title: Option<String>,
     /// Names for terms, for all claims of the file: "mean[i]" = "(t[i+1] + t[i+2])/2".
@@ -283,6 +287,14 @@ struct Outlines {
     claim: Vec<Outline>,
 }
 
+/// The format of the files of a paper and of families. It rises when a file that was right is no longer so, or means something else.
+const FORMAT: i64 = 1;
+
+#[derive(Deserialize)]
+struct OfFormat {
+    format: Option<Spanned<toml::Value>>,
+}
+
 /// A file that is being read, with what was wrong in it so far.
 pub(super) struct Reading {
     origin: Arc<Origin>,
@@ -337,6 +349,20 @@ impl Reading {
     /// The data of a TOML file.
     pub(super) fn toml<T: serde::de::DeserializeOwned>(&mut self) -> Option<T> {
         let origin = Arc::clone(&self.origin);
+        // Before the rest: another format may have keys that are not known here.
+        if let Ok(OfFormat { format: Some(given) }) = toml::from_str(&origin.text)
+            && given.get_ref().as_integer() != Some(FORMAT)
+        {
+            let (given_number, version) = (&origin.text[given.span()], env!("CARGO_PKG_VERSION"));
+            let rule =
+                format!("this is format {given_number}, and knotproof {version} reads format {FORMAT}");
+            self.complain(
+                given.span(),
+                rule,
+                "read it with another version, or say `format = 1` and write what that has",
+            );
+            return None;
+        }
         toml::from_str(&origin.text)
             .map_err(|error| {
                 let at = error.span().unwrap_or(0..0);

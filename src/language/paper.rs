@@ -91,6 +91,10 @@ pub struct Headline {
 #[serde(deny_unknown_fields)]
 #[schemars(title = "paper.toml")]
 pub(super) struct RawAbout {
+    /// The format of the file; 1 if nothing is said.
+    #[serde(rename = "format")]
+    #[schemars(extend("const" = 1))]
+    _format: Option<u8>,
     /// The title.
     title: String,
     /// The authors.

@@ -75,6 +75,10 @@ impl Row {
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct RawRows {
+    /// The format of the file; 1 if nothing is said.
+    #[serde(rename = "format")]
+    #[schemars(extend("const" = 1))]
+    _format: Option<u8>,
     /// The paper's examples.
     #[serde(default)]
     instance: Vec<RawRow>,
@@ -140,7 +144,7 @@ pub(super) fn indices(reading: &mut Reading, text: &Spanned<String>) -> Vec<Opti
 
 /// The rows of a file; what is wrong in it goes to the complaints. A row with a wrong number is none.
 pub(super) fn rows(reading: &mut Reading) -> Vec<Row> {
-    let Some(RawRows { instance, case }) = reading.toml::<RawRows>() else { return Vec::new() };
+    let Some(RawRows { instance, case, .. }) = reading.toml::<RawRows>() else { return Vec::new() };
     let mut rows = Vec::new();
     for (raw, named) in
         instance.into_iter().map(|raw| (raw, true)).chain(case.into_iter().map(|raw| (raw, false)))

@@ -130,12 +130,13 @@ impl Reading<'_> {
         side: spline::Side,
         order: usize,
     ) -> BigRational {
-        let value = self.on.value(&self.weights, (i, degree), x, side, order);
-        let look = Look { i, degree, order, x: x.clone(), side, weights: self.weights.clone() };
-        if let Some(looked) = self.looked.as_mut().filter(|looked| !looked.contains(&look)) {
-            looked.push(look);
+        if let Some(looked) = &mut self.looked {
+            let look = Look { i, degree, order, x: x.clone(), side, weights: self.weights.clone() };
+            if !looked.contains(&look) {
+                looked.push(look);
+            }
         }
-        value
+        self.on.value(&self.weights, (i, degree), x, side, order)
     }
 
     fn at_number(

@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, OnceLock};
 
-use num_traits::Signed;
+use num_traits::{One, Signed, Zero};
 
 use crate::analysis::{Piece, constant};
 use crate::language::Int;
@@ -124,18 +124,18 @@ impl Plain {
     }
 
     fn is_zero(&self) -> bool {
-        matches!(self, Self::Number(q) if *q == integer(0))
+        matches!(self, Self::Number(q) if Zero::is_zero(q))
     }
 
     fn is_one(&self) -> bool {
-        matches!(self, Self::Number(q) if *q == integer(1))
+        matches!(self, Self::Number(q) if One::is_one(q))
     }
 
     fn plus(&self, other: &Self) -> Self {
         let sum = match (self, other) {
-            (Self::Number(a), Self::Number(b)) => return Self::Number(a + b),
             _ if self.is_zero() => return other.clone(),
             _ if other.is_zero() => return self.clone(),
+            (Self::Number(a), Self::Number(b)) => return Self::Number(a + b),
             (Self::Piece(f), Self::Number(c)) | (Self::Number(c), Self::Piece(f)) if f.over.is_some() => {
                 let (p, q) = f.parts();
                 f.over_the_same(p.plus(&q.scaled(c)))
@@ -148,10 +148,10 @@ impl Plain {
 
     fn times(&self, other: &Self) -> Self {
         match (self, other) {
-            (Self::Number(a), Self::Number(b)) => Self::Number(a * b),
             _ if self.is_zero() || other.is_zero() => Self::Number(integer(0)),
             _ if self.is_one() => other.clone(),
             _ if other.is_one() => self.clone(),
+            (Self::Number(a), Self::Number(b)) => Self::Number(a * b),
             (Self::Piece(f), Self::Number(c)) | (Self::Number(c), Self::Piece(f)) => match &f.over {
                 Some((p, q)) => Fraction::sum(p.scaled(c), q).into(),
                 None => Self::of(self.piece().times(&other.piece())),

@@ -94,7 +94,8 @@ impl Form {
 const EXAMPLE: &str = r#"Examples:
   knotproof bezier --degree 2 --knots "0 0 0 1 2 2 2" --alpha 5 --points "0,0 1,2 2,2 3,0"
   knotproof bezier --instance C5 --alpha -4 --format json
-  knotproof bezier --degree 2 --knots "0 0 0 1 2 2 2" --family lupas --set q=1/2 --points "0 1 0 0"
+  knotproof bezier --degree 2 --knots "0 0 0 1 2 2 2" --family lupas --set q=1/2 \
+    --points "0 1 0 0"
   knotproof bezier --instance C5 --alpha -4 --derivative
   knotproof bezier --instance C5 --alpha -4 --as nurbs --standard-form
   knotproof bezier --instance C5 --alpha -4 --as nurbs --format json > curve.json

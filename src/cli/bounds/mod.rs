@@ -34,7 +34,8 @@ pub(super) struct Args {
 const EXAMPLE: &str = r#"Examples, the second for the width of the curve across the direction (1, 1):
   knotproof bounds --instance C5 --alpha -4
   knotproof bounds --instance C5 --alpha -4 --normal "1 1" --digits 20
-  knotproof bounds --degree 2 --knots "0 0 0 1 2 2 2" --family lupas --set q=1/2 --points "0,0 1,2 2,2 3,0" --format json
+  knotproof bounds --degree 2 --knots "0 0 0 1 2 2 2" --family lupas --set q=1/2 \
+    --points "0,0 1,2 2,2 3,0" --format json
 Local maxima and minima as well: knotproof shape --curve."#;
 
 /// The result: its fields are the JSON.

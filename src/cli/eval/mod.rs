@@ -67,7 +67,7 @@ const EXAMPLE: &str = r#"Examples:
   knotproof eval --degree 2 --knots "0 0 0 1 2 2 2" --alpha 5 --x 1/2 --points "0,0 1,2 2,2 3,0"
   knotproof eval --degree 2 --knots "0 0 0 1 2 2 2" --family lupas --set q=1/2 --x 1/3
   knotproof eval --instance U4 --alpha -1 --points-file points.csv > values.csv
-  seq 0 1/64 3 | knotproof eval --instance U4 --alpha -1 --points-file - --format json
+  seq 0 0.125 3 | knotproof eval --instance U4 --alpha -1 --points-file - --format json
 
 Files of points are read and answered line by line, in constant memory:
   CSV (.csv, .txt)

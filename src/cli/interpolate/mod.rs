@@ -41,9 +41,11 @@ pub(super) struct Args {
 const EXAMPLE: &str = r#"Exit codes: 0 there is one curve, or the matrix was asked for; 1 there is none, or more than one.
 
 Examples:
-  knotproof interpolate --degree 2 --knots "0 0 0 1 2 2 2" --alpha 5 --at "0 1/2 3/2 2" --points "0,0 1,2 2,2 3,0"
+  knotproof interpolate --degree 2 --knots "0 0 0 1 2 2 2" --alpha 5 --at "0 1/2 3/2 2" \
+    --points "0,0 1,2 2,2 3,0"
   knotproof interpolate --degree 2 --knots "0 0 0 1 2 2 2" --alpha 5 --at "0 1/2 3/2 2"
-  knotproof interpolate --degree 2 --knots "0 0 0 1 2 2 2" --alpha 5 --at "0 1/2 3/4 2" --points "0 1 2 3" --format json > curve.json
+  knotproof interpolate --degree 2 --knots "0 0 0 1 2 2 2" --alpha 5 --at "0 1/2 3/4 2" \
+    --points "0 1 2 3" --format json > curve.json
 The JSON is an instance file, with the control points: knotproof eval --instance curve.json --x 1."#;
 
 /// The result: its fields are the JSON.

@@ -48,8 +48,10 @@ const EXAMPLE: &str = r#"The exit code is 0 whatever is found: a corner is no fa
 
 Examples:
   knotproof joins --instance C5 --alpha -4
-  knotproof joins --degree 2 --knots "0 0 0 1 2 2 2" --alpha 5 --points "0,0 1,2 2,2 3,0" --format json
-  knotproof joins --degree 2 --knots "0 0 0 1 2 2 2" --family lupas --set q=1/2 --points "0,0 1,2 2,2 3,0"
+  knotproof joins --degree 2 --knots "0 0 0 1 2 2 2" --alpha 5 --points "0,0 1,2 2,2 3,0" \
+    --format json
+  knotproof joins --degree 2 --knots "0 0 0 1 2 2 2" --family lupas --set q=1/2 \
+    --points "0,0 1,2 2,2 3,0"
   knotproof joins --all"#;
 
 /// The joins of one curve, or of one for each index: the fields are the JSON.

@@ -93,14 +93,16 @@ pub(super) struct Args {
 
 const EXAMPLE: &str = "\
 Examples:
-  knotproof search --degree 3
-  knotproof search --degree 4 --limit 14 --limit-height 3 --format json
-  knotproof search --degree 5 --find most --count 100000 --seed 1
-  knotproof search --degree 3 --find deepest --count 20000 --alpha -4 --alpha -1/2 --alpha -1/7
+  knotproof search --degree 3  # exit code 1
+  knotproof search --degree 4 --limit 14 --limit-height 3 --format json  # exit code 1
+  knotproof search --degree 5 --find most --count 100000 --seed 1  # exit code 1
+  knotproof search --degree 3 --find deepest --count 20000 --alpha -4 --alpha -1/2 \\
+    --alpha -1/7  # exit code 1
   knotproof search --degree 3 --family knot-weights --limit 6
-  knotproof search --degree 3 --family lupas --set q=1/3 --count 2000
-  knotproof search --degree 3 --find equal --limit 12 --shard 0/4 --checkpoint equal-0.jsonl
-  knotproof search --resume equal-0.jsonl
+  knotproof search --degree 3 --family lupas --set q=1/3 --count 2000  # exit code 1
+  knotproof search --degree 3 --find equal --limit 12 --shard 0/4 \\
+    --checkpoint equal-0.jsonl  # exit code 1
+  knotproof search --resume equal-0.jsonl  # exit code 1
 With --format json each finding is one line: `witness.dip` has bounds of its dip, decimals of ten digits. The last line says what was
 searched: `decides` is a digest of the sources that decide, and `blocks` says for each block of positions how many cases there were,
 with a digest of all of them, so that `knotproof merge --audit` can compare them with a second run.

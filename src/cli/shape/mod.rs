@@ -67,10 +67,12 @@ several; 3 nothing but that is known, and some value of the parameter is undecid
 
 Examples:
   knotproof shape --instance U4 --alpha -1
-  knotproof shape --degree 3 --knots "0 0 0 0 1 2 4 4" --alpha 5/2 --index 2 --width 1e-12
-  knotproof shape --degree 4 --knots "0 1 2 3 4 5 5 5 5" --index 0 --alpha all
+  knotproof shape --degree 3 --knots "0 0 0 0 1 2 4 4" --alpha 5/2 --index 2 \
+    --width 1e-12  # exit code 1
+  knotproof shape --degree 4 --knots "0 1 2 3 4 5 5 5 5" --index 0 --alpha all  # exit code 1
   knotproof shape --degree 2 --knots "0 0 0 1 2 2 2" --family lupas --set q=1/2
-  knotproof shape --degree 3 --knots "0 0 0 0 1 2 4 4" --alpha 5/2 --index 2 --free-knot 5
+  knotproof shape --degree 3 --knots "0 0 0 0 1 2 4 4" --alpha 5/2 --index 2 \
+    --free-knot 5  # exit code 1
   knotproof shape --instance C5 --alpha -4 --curve"#;
 
 /// The result: its fields are the JSON.
