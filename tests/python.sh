@@ -10,9 +10,9 @@ export CARGO_INCREMENTAL=0 CARGO_PROFILE_DEV_DEBUG=0
 repository=$(cd "$(dirname "$0")/.." && pwd)
 venv=$repository/target/python
 
-if ! "$venv/bin/python" -c 'import numpy, scipy, sympy, pytest, sybil, mypy' 2> /dev/null || ! "$venv/bin/maturin" --version > /dev/null 2>&1; then
-    python3 -m venv --clear "$venv" && "$venv/bin/pip" install --quiet --disable-pip-version-check maturin numpy scipy sympy pytest sybil mypy || {
-        echo "SKIPPED: maturin, numpy, scipy, sympy, pytest, sybil and mypy can't be installed" >&2
+if ! "$venv/bin/python" -c 'import numpy, scipy, sympy, pytest, hypothesis, sybil, mypy' 2> /dev/null || ! "$venv/bin/maturin" --version > /dev/null 2>&1; then
+    python3 -m venv --clear "$venv" && "$venv/bin/pip" install --quiet --disable-pip-version-check maturin numpy scipy sympy pytest hypothesis sybil mypy || {
+        echo "SKIPPED: maturin, numpy, scipy, sympy, pytest, hypothesis, sybil and mypy can't be installed" >&2
         exit 77
     }
 fi

@@ -5,6 +5,7 @@
 //! cargo test --test suite golden::
 //! ```
 
+mod action;
 mod analysis;
 mod certificates;
 mod cli_bezier;

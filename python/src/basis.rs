@@ -4,7 +4,8 @@ use std::ffi::OsString;
 use std::sync::Arc;
 
 use knotproof::analysis::{
-    ExtremumKind, Factored, FormalBasis, Location, Pieces, Shape, knot_slopes, settled,
+    Collocation, ExtremumKind, Factored, FormalBasis, InterpolationError, Location, Pieces, Shape,
+    knot_slopes, settled,
 };
 use knotproof::cli::{CliError, family_of};
 use knotproof::formula::{Form, Language, expression, formula};
@@ -16,13 +17,13 @@ use knotproof::typed::TypedError;
 use pyo3::prelude::*;
 
 use crate::check::{Wanted, judged};
-use crate::curve::Curve;
+use crate::curve::{Curve, Point};
 use crate::error::Wrong;
 use crate::floats;
 use crate::work::{wait, wait_for};
 
 /// Digits beside an exact enclosure.
-const DIGITS: usize = 10;
+pub(crate) const DIGITS: usize = 10;
 
 /// α as it is given: a text, which may be `inf`, or a number.
 #[derive(FromPyObject)]
@@ -79,6 +80,8 @@ type Step = (BigRational, BigRational, BigRational);
 type Slope = (BigRational, Option<BigRational>, Option<BigRational>);
 /// A piece: its ends, does the right one belong to it, numerator and denominator by rising powers of x, and both as text and in LaTeX.
 type Piece = ((BigRational, BigRational), bool, [Vec<BigRational>; 2], [[String; 2]; 2]);
+/// The rows of a collocation matrix, its rank and determinant, each i with G_i(x_i) = 0, and a relation of its columns.
+type Matrix = (Vec<Vec<BigRational>>, usize, Option<BigRational>, Vec<usize>, Option<Vec<BigRational>>);
 
 #[pymethods]
 impl Basis {
@@ -228,6 +231,31 @@ impl Basis {
         let curve = spline::Curve::new(self.0.basis.clone(), points);
         let curve = curve.map_err(|error| Wrong::with("points", error))?;
         Ok(Curve(Arc::new(curve)))
+    }
+
+    /// The matrix of all functions at these places.
+    fn collocation(&self, py: Python<'_>, at: Vec<BigRational>) -> PyResult<Matrix> {
+        let own = self.clone();
+        wait(py, move || {
+            let collocation = Collocation::new(&own.0.basis, at).map_err(CliError::from)?;
+            let (rows, rank) = (collocation.rows().to_vec(), collocation.rank());
+            let (determinant, misplaced) = (collocation.determinant(), collocation.misplaced());
+            Ok((rows, rank, determinant, misplaced, collocation.relation()))
+        })
+    }
+
+    /// The control points of the curve through these points.
+    fn interpolate(&self, py: Python<'_>, at: Vec<BigRational>, points: Vec<Point>) -> PyResult<Vec<Point>> {
+        let own = self.clone();
+        wait(py, move || {
+            let collocation = Collocation::new(&own.0.basis, at).map_err(CliError::from)?;
+            let curve = collocation.interpolate(&points).map_err(|error| {
+                let of_points =
+                    matches!(error, InterpolationError::Points { .. } | InterpolationError::Curve(_));
+                Wrong::with(if of_points { "points" } else { "at" }, error)
+            });
+            Ok(curve?.points().to_vec())
+        })
     }
 
     /// The first function that lives at each x, and k + 1 values for each: see [`floats::design`].

@@ -4,23 +4,21 @@ use std::sync::Arc;
 
 use knotproof::analysis::{
     Angle, Branch, CurvePartError, Join, Nurbs, NurbsError, NurbsRequest, RationalBezier, Surd, joins,
-    settled,
+    refined, settled,
 };
-use knotproof::cli::CliError;
+use knotproof::cli::{CliError, if_too_high};
 use knotproof::report::{NurbsFile, nurbs_file};
 use knotproof::scalar::BigRational;
 use knotproof::spline::{self, AnyWeights, CurveEvaluator};
 use pyo3::prelude::*;
 
-use crate::basis::{SLOW, side};
+use crate::basis::{DIGITS, SLOW, side};
 use crate::error::Wrong;
 use crate::floats;
+use crate::measure::{self, Bounds, Function, Known, Part, Solved};
 use crate::work::{wait, wait_for};
 
-/// Digits of what is a root.
-const DIGITS: usize = 10;
-
-type Point = Vec<BigRational>;
+pub(crate) type Point = Vec<BigRational>;
 
 /// A side of a join: point, first derivative, direction and vector of curvature.
 type SideOf = (Point, Point, Option<Point>, Option<Point>);
@@ -116,6 +114,48 @@ impl Curve {
             };
             let text = text.transpose().map_err(|error| Wrong::with("format", error))?;
             Ok((runs.iter().map(nurbs).collect(), text))
+        })
+    }
+
+    /// Where a·c(x) is a value.
+    fn solve(
+        &self,
+        py: Python<'_>,
+        part: Part,
+        function: Function,
+        value: BigRational,
+    ) -> PyResult<Vec<Solved>> {
+        let own = self.clone();
+        wait(py, move || measure::solutions(&own.0, &part, function, &value))
+    }
+
+    /// The lowest and the highest value of a·c(x), or of each coordinate.
+    fn bounds(&self, py: Python<'_>, part: Part, function: Option<Function>) -> PyResult<Vec<[Bounds; 2]>> {
+        let own = self.clone();
+        wait(py, move || measure::bounds(&own.0, &part, function))
+    }
+
+    fn length(&self, py: Python<'_>, part: Part) -> PyResult<Known> {
+        let own = self.clone();
+        wait(py, move || measure::length_of(&own.0, &part))
+    }
+
+    /// Of each coordinate.
+    fn integrals(&self, py: Python<'_>, part: Part) -> PyResult<Vec<Known>> {
+        let own = self.clone();
+        wait(py, move || measure::integrals_of(&own.0, &part))
+    }
+
+    /// The control points of the same curve on its knots and these; `family` is what its basis is of.
+    fn insert(&self, py: Python<'_>, at: Vec<BigRational>, family: String) -> PyResult<Vec<Point>> {
+        let own = self.clone();
+        wait(py, move || {
+            let AnyWeights::Index(index) = own.0.basis().weights() else {
+                return Err(CliError::OnlyIndices { option: "--at", family }.into());
+            };
+            if_too_high(own.0.basis())?;
+            let finer = refined(&own.0.with(index.clone()), &at).map_err(CliError::from)?;
+            Ok(finer.points().to_vec())
         })
     }
 

@@ -12,6 +12,7 @@ mod error;
 mod floats;
 mod instance;
 mod judging;
+mod measure;
 mod searching;
 mod work;
 

@@ -73,7 +73,7 @@ def test_a_search_that_is_stopped_ends():
     [
         "knotproof.search(9, limit=60).run()",
         "list(knotproof.judge('rational-bsplines'))",
-        "knotproof.Basis(range(40), 11, alpha='-1/3').curve(range(28)).to_nurbs()",
+        "knotproof.Basis(range(60), 20, alpha='-1/3').curve(range(39)).to_nurbs()",
     ],
 )
 def test_ctrl_c_stops_long_work(work):

@@ -11,16 +11,16 @@ use serde::Serialize;
 use crate::language::{Claim, Form, Paper, Source};
 use crate::meaning::examples_of;
 use crate::report::{
-    Drift, Errata, Finding, PageSource, Record, Report, by_severity, dependence_picture, errata_page,
-    figures, markdown, opening, page,
+    Baseline, Difference, Drift, Errata, Finding, PageSource, Record, Report, by_severity,
+    dependence_picture, errata_page, figures, markdown, opening, page,
 };
 use crate::settle::SettleError;
 use crate::typed::TypedError;
 
-use super::atomic::Folder;
+use super::atomic::{Folder, write_atomically};
 use super::error::CliError;
 use super::exit::Exit;
-use super::file::InstanceFile;
+use super::file::{InstanceFile, read};
 use super::output::{Output, pretty_json, stamped_json};
 use super::paper::paper_of;
 use super::progress::Progress;
@@ -46,6 +46,13 @@ pub(super) struct Args {
     /// Judges only cases of these degrees, one or the first and the last: 2 or 1..3. Nothing is proved beyond them.
     #[arg(long, value_name = "RANGE")]
     degrees: Option<String>,
+    /// Compares with the verdicts in this file, which --record has written: what counts is then that each is as it was,
+    /// refuted ones included.
+    #[arg(long, value_name = "FILE", conflicts_with = "degrees")]
+    baseline: Option<PathBuf>,
+    /// Accepts the verdicts: writes them into this file, for --baseline.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["claim", "degrees", "baseline"])]
+    record: Option<PathBuf>,
 }
 
 const EXAMPLE: &str = "\
@@ -53,7 +60,10 @@ Examples:
   knotproof judge classical  # exit code 1
   knotproof new my-paper && knotproof judge my-paper --out my-report  # exit code 1
   knotproof judge my-paper --claim P2 --degrees 1..3 --format json  # exit code 1
-Exit code 0: every claim holds as printed. Exit code 1: one is refuted, if only as printed. Exit code 3: one is undecided.";
+  knotproof judge my-paper --record my-paper/verdicts.json  # exit code 1
+  knotproof judge my-paper --baseline my-paper/verdicts.json
+Exit code 0: every claim holds as printed. Exit code 1: one is refuted, if only as printed. Exit code 3: one is undecided.
+With --baseline, exit code 0: every verdict is as recorded. Exit code 1: one differs.";
 
 const JSON: &str = "report.json";
 const MARKDOWN: &str = "report.md";
@@ -76,6 +86,9 @@ pub(super) struct Judged<'a> {
     schema: &'static str,
     #[serde(flatten)]
     report: Report<'a>,
+    /// The verdicts that are not as recorded; left out unless they are compared with some.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    differences: Option<Vec<Difference>>,
     #[serde(skip)]
     written: Vec<PathBuf>,
     /// The instances that there is no picture of.
@@ -88,6 +101,8 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     let paper = paper_of("FOLDER", &args.paper)?;
     let chosen = choose(Claim::of(&paper).collect(), &args.claim)?;
     let degrees = args.degrees.as_deref().map(degrees).transpose()?;
+    // Whatever can be wrong with the files is found out before the work begins.
+    let baseline = args.baseline.as_deref().map(read_baseline).transpose()?;
     if let Some(folder) = &args.out {
         Folder::try_out("--out", folder)?;
     }
@@ -96,11 +111,23 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         Report::of(&paper, &chosen, degrees.as_ref(), |done, name| progress.reach(done as u64, name));
     let report = report.map_err(|error| settle_error("FOLDER", &paper, &args.paper, error))?;
     drop(progress);
-    let mut judged = Judged { schema: "knotproof.judge/1", report, written: Vec::new(), undrawn: Vec::new() };
+    let found = Baseline::of(&report.claims);
+    let partial = !args.claim.is_empty();
+    let differences = baseline.map(|baseline| baseline.differences(&found, partial));
+    let (written, undrawn) = (Vec::new(), Vec::new());
+    let mut judged = Judged { schema: "knotproof.judge/1", report, differences, written, undrawn };
     if let Some(folder) = &args.out {
-        (judged.written, judged.undrawn) = write(folder, &judged, &paper)?;
+        let compared = args.baseline.as_ref().map(|path| path.display().to_string());
+        (judged.written, judged.undrawn) = write(folder, &judged, &paper, compared.as_deref())?;
+    }
+    if let Some(file) = &args.record {
+        write_atomically("--record", file, pretty_json(&found)?)?;
+        judged.written.push(file.clone());
     }
     output.result(&judged)?;
+    if let Some(differences) = &judged.differences {
+        return Ok(if differences.is_empty() { Exit::Holds } else { Exit::Refuted });
+    }
     let records = judged.report.claims.iter();
     let all: Tally = records
         .flat_map(|record| [Some(&record.as_printed), record.amended.as_ref()])
@@ -108,6 +135,23 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
         .map(|stated| &stated.finding)
         .collect();
     Ok(all.exit())
+}
+
+/// The verdicts in a file.
+pub(super) fn read_baseline(path: &Path) -> Result<Baseline, CliError> {
+    let text = read("--baseline", path)?;
+    Baseline::parse(&text).map_err(|error| CliError::Baseline { path: path.to_owned(), error })
+}
+
+/// Verdicts beside recorded ones.
+pub(super) fn compared(f: &mut fmt::Formatter<'_>, differences: &[Difference]) -> fmt::Result {
+    match differences {
+        [] => writeln!(f, "Every verdict is as recorded."),
+        differences => {
+            writeln!(f, "Not as recorded: {}", differences.len())?;
+            differences.iter().try_for_each(|difference| writeln!(f, "  {difference}"))
+        }
+    }
 }
 
 /// Of a paper in a folder, what is wrong with its windows is no bug of the program.
@@ -165,7 +209,12 @@ pub(super) fn report_files(
 
 /// Writes the report with the pictures of the paper's own instances and its certificates; gives the files, and the instances
 /// that can't be drawn.
-fn write(folder: &Path, judged: &Judged<'_>, paper: &Paper) -> Result<(Vec<PathBuf>, Vec<String>), CliError> {
+fn write(
+    folder: &Path,
+    judged: &Judged<'_>,
+    paper: &Paper,
+    name: Option<&str>,
+) -> Result<(Vec<PathBuf>, Vec<String>), CliError> {
     let report = &judged.report;
     let (mut pictures, mut undrawn) = (Vec::new(), Vec::new());
     for example in examples_of(&paper.examples, &paper.about.family) {
@@ -179,7 +228,7 @@ fn write(folder: &Path, judged: &Judged<'_>, paper: &Paper) -> Result<(Vec<PathB
     let mut beside = BESIDE.to_vec();
     beside.push(INSTANCE_SCHEMA);
     let source = PageSource {
-        compared: None,
+        compared: name.zip(judged.differences.as_deref()),
         pictures: &[],
         instances: &drawn,
         certificates: (!report.certificates.is_empty()).then_some(CERTIFICATES),
@@ -293,6 +342,10 @@ impl fmt::Display for Judged<'_> {
                     told(&record.id, form, &stated.finding)?;
                 }
             }
+        }
+        if let Some(differences) = &self.differences {
+            writeln!(f)?;
+            compared(f, differences)?;
         }
         Ok(())
     }

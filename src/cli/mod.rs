@@ -67,6 +67,7 @@ pub use error::CliError;
 pub use exit::Exit;
 pub use family::find as family_of;
 pub use judge::settle_error;
+pub use on_curve::if_too_high;
 pub use output::{Format, Output};
 pub use paper::paper_of;
 pub use point_error::PointError;

@@ -94,7 +94,7 @@ const QUOTIENT_LIMIT: usize = 120;
 ///
 /// # Errors
 /// [`CliError::TooHigh`], [`CliError::Quotients`].
-pub(super) fn if_too_high<W: HasWeights>(basis: &Basis<W>) -> Result<(), CliError> {
+pub fn if_too_high<W: HasWeights>(basis: &Basis<W>) -> Result<(), CliError> {
     if basis.degree() > DEGREE_LIMIT {
         let reason = "a piece has degree k(k + 1)/2, and the time grows with the sixth power of k";
         return Err(CliError::TooHigh { degree: basis.degree(), limit: DEGREE_LIMIT, reason });

@@ -18,7 +18,7 @@ use super::atomic::{Folder, write_atomically};
 use super::error::CliError;
 use super::exit::Exit;
 use super::file::read;
-use super::judge::{BESIDE, ERRATA, INSTANCE_SCHEMA, Shown, choose, report_files};
+use super::judge::{BESIDE, ERRATA, INSTANCE_SCHEMA, Shown, choose, compared, read_baseline, report_files};
 use super::output::{OfPaper, Output, pretty_json, stamped_json};
 use super::progress::Progress;
 
@@ -174,11 +174,6 @@ fn errata(report: &Report<'_>, args: &Args, output: &Output) -> Result<Exit, Cli
     Ok(Exit::Holds)
 }
 
-fn read_baseline(path: &Path) -> Result<Baseline, CliError> {
-    let text = read("--baseline", path)?;
-    Baseline::parse(&text).map_err(|error| CliError::Baseline { path: path.to_owned(), error })
-}
-
 /// The way from the folder to another one of the project, if both are below the current folder.
 fn way(folder: &Path, other: &str) -> Option<String> {
     let here = Path::new(".").canonicalize().ok()?;
@@ -239,12 +234,6 @@ fn unwritable(argument: &'static str, path: &Path, error: std::io::Error) -> Cli
 impl fmt::Display for Outcome<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", Shown { report: &self.report, written: &self.written })?;
-        match self.differences.as_slice() {
-            [] => write!(f, "Every verdict is as recorded."),
-            differences => {
-                writeln!(f, "Not as recorded: {}", differences.len())?;
-                differences.iter().try_for_each(|difference| writeln!(f, "  {difference}"))
-            }
-        }
+        compared(f, &self.differences)
     }
 }

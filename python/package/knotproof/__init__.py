@@ -19,12 +19,17 @@ from ._native import __version__
 from ._basis import Basis, Extremum, Family, Jump, Piece, Pieces, Shape, Slopes, families
 from ._curve import Curve, Join, JoinSide, Nurbs, Tangent
 from ._judge import Judging, judge
+from ._measure import Bound, BoundPlace, Collocation, Enclosure, Place, Range, Solution
 from ._search import Finding, Search, SearchState, search
 from ._verdict import Theorem, Verdict, Verdicts, Witness
 
 __all__ = [
     "Basis",
+    "Bound",
+    "BoundPlace",
+    "Collocation",
     "Curve",
+    "Enclosure",
     "Extremum",
     "Family",
     "Finding",
@@ -35,10 +40,13 @@ __all__ = [
     "Nurbs",
     "Piece",
     "Pieces",
+    "Place",
+    "Range",
     "Search",
     "SearchState",
     "Shape",
     "Slopes",
+    "Solution",
     "Tangent",
     "Theorem",
     "Verdict",

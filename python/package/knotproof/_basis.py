@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from . import _native
 from ._exact import Exact, Setting, Side, exact, exacts, index, is_left, rows, shown, whole
+from ._measure import Collocation, positive
 from ._verdict import Verdicts, read
 
 if TYPE_CHECKING:
@@ -304,10 +305,8 @@ class Basis:
         What is not rational is enclosed in an interval of at most ``width`` > 0. ``ValueError`` for a function of another family
         that is negative somewhere.
         """
-        i, length = self._function(i), exact(width, "width")
-        if length <= 0:
-            raise ValueError(f"width: {length} is not positive; give the longest interval wanted, such as Fraction(1, 10**9)")
-        extrema, jumps, slopes, once = self._native.shape(i, length)
+        i = self._function(i)
+        extrema, jumps, slopes, once = self._native.shape(i, positive(width, "width"))
         made = [
             Extremum(kind, place, plateau, at_knot, value, *digits)  # type: ignore[arg-type]
             for kind, place, plateau, at_knot, value, digits in extrema
@@ -355,6 +354,32 @@ class Basis:
         from ._curve import Curve
 
         return Curve(self, points)
+
+    def interpolate(self, at: str | Iterable[Exact], points: Iterable[Any]) -> Curve:
+        """The curve that has these points at the places x_0 < … < x_n of ``at``, in [t_0, t_m]: exactly. Points are as for ``curve``.
+
+        ``ValueError`` where there is not exactly one: ``collocation`` shows why; and for other numbers of places or points than n + 1.
+
+        >>> Basis("0 0 0 1 1 1", 2, alpha="inf").interpolate("0 1/2 1", [0, 1, 0]).points
+        (Fraction(0, 1), Fraction(2, 1), Fraction(0, 1))
+        """
+        from ._curve import Curve, _points
+
+        through, plain = _points(points)
+        controls = self._native.interpolate(exacts(at, "at"), through)
+        return Curve(self, [point[0] for point in controls] if plain else controls)
+
+    def collocation(self, at: str | Iterable[Exact]) -> Collocation:
+        """The values of all functions at the places x_0 < x_1 < … of ``at``, in [t_0, t_m], as a matrix with its rank and determinant: exactly.
+
+        Values are those from the right, at t_m from the left. ``ValueError`` for places out of order or outside.
+        """
+        places = exacts(at, "at")
+        rows, rank, determinant, misplaced, relation = self._native.collocation(places)
+        matrix = tuple(tuple(row) for row in rows)
+        return Collocation(
+            tuple(places), matrix, rank, determinant, tuple(misplaced), None if relation is None else tuple(relation)
+        )
 
     def design_matrix(self, x: Any, extrapolate: bool = False) -> scipy.sparse.csr_array:
         """The values of all functions at an array of floats, as SciPy's ``BSpline.design_matrix`` gives them: a CSR array with a

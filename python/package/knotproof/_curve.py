@@ -11,13 +11,14 @@ from typing import TYPE_CHECKING, Any, Literal
 from . import _native
 from ._basis import Basis, _floats
 from ._exact import Exact, Side, exact, exacts, is_left, whole
+from ._measure import NARROW, Bound, BoundPlace, Enclosure, Range, Solution, known, place, positive
 from ._verdict import Verdicts
 
 if TYPE_CHECKING:
     import numpy
     import scipy.interpolate
 
-    from ._native import NurbsOf
+    from ._native import BoundOf, Function, NurbsOf, Part
 
 Point = tuple[Fraction, ...]
 
@@ -127,13 +128,8 @@ class Curve:
     _plain: bool
 
     def __init__(self, basis: Basis, points: Iterable[Any]) -> None:
-        listed = list(points)
+        controls, self._plain = _points(points)
         self.basis = basis
-        self._plain = all(isinstance(point, str) or not isinstance(point, Iterable) for point in listed)
-        if self._plain:
-            controls = [[exact(value, f"points[{place}]")] for place, value in enumerate(listed)]
-        else:
-            controls = [exacts(point, f"points[{place}]") for place, point in enumerate(listed)]
         self._native = basis._native.curve(controls)
 
     @classmethod
@@ -217,6 +213,93 @@ class Curve:
         raised = None if degree is None else whole(degree, "degree")
         return self._native.nurbs((raised, ends[0], ends[1]), standard_form, file)
 
+    def solve(
+        self,
+        value: Exact = 0,
+        *,
+        coordinate: int | None = None,
+        normal: str | Iterable[Exact] | None = None,
+        start: Exact | None = None,
+        end: Exact | None = None,
+        width: Exact = NARROW,
+    ) -> tuple[Solution, ...]:
+        """Where a coordinate of c(x), counted from 0, or a·c(x) with a = ``normal``, is ``value``: every x of [t_0, t_m], or of
+        [``start``, ``end``], from left to right, exactly.
+
+        Roots are isolated, not searched for: rational ones are found as such, others lie in intervals of at most ``width`` > 0. An
+        interval on which it is the value throughout is one solution. At a knot of more than k copies, where a curve may jump, a
+        limit from the left that is the value, and a jump past it, are told by their ``kind``. Degrees up to 10.
+
+        A function needs no coordinate. ``ValueError`` if a curve has none, and for a part that the curve has not.
+
+        >>> Basis("0 0 0 1 1 1", 2, alpha="inf").curve([0, 1, 0]).solve("3/8")[0].x.exact
+        Fraction(1, 4)
+        """
+        part, function = self._part(start, end, width), _function(coordinate, normal)
+        found = self._native.solve(part, function, exact(value, "value"))
+        return tuple(
+            Solution(*place(where), kind, *signs, None if point is None else self._own([known(of) for of in point]))  # type: ignore[arg-type]
+            for kind, where, signs, point in found
+        )
+
+    def bounds(self, start: Exact | None = None, end: Exact | None = None, width: Exact = NARROW) -> tuple[Range, ...]:
+        """The bounding box: for each coordinate its ``range``."""
+        return self._ranges(self._part(start, end, width), None)
+
+    def range(
+        self,
+        *,
+        coordinate: int | None = None,
+        normal: str | Iterable[Exact] | None = None,
+        start: Exact | None = None,
+        end: Exact | None = None,
+        width: Exact = NARROW,
+    ) -> Range:
+        """The infimum and the supremum of a coordinate, or of a·c(x) with a = ``normal``, and every x that has it: exactly.
+
+        Equal values at irrational x are found equal, so that a symmetric curve has both of its highest points. Where a curve jumps,
+        a bound may be a limit from the left that is not taken. Arguments and errors are those of ``solve``.
+        """
+        return self._ranges(self._part(start, end, width), _function(coordinate, normal))[0]
+
+    def length(self, start: Exact | None = None, end: Exact | None = None, width: Exact = NARROW) -> Enclosure:
+        """∫ |c′(x)| dx over [t_0, t_m], or [``start``, ``end``], between two exact bounds at most ``width`` > 0 apart; jumps add nothing.
+
+        The bounds are proved, and equal where the length is known exactly. Degrees up to 10.
+
+        >>> Basis("0 0 1 2 2", 1, alpha=5).curve([(0, 0), (3, 4), (3, 5)]).length().exact
+        Fraction(6, 1)
+        """
+        return known(self._native.length(self._part(start, end, width)))
+
+    def integral(self, start: Exact | None = None, end: Exact | None = None, width: Exact = NARROW) -> Any:
+        """∫ c(x) dx over [t_0, t_m], or [``start``, ``end``], as ``length``: an ``Enclosure`` for each coordinate, and of a function
+        one. For α = inf it is exact.
+        """
+        return self._own([known(of) for of in self._native.integrals(self._part(start, end, width))])
+
+    def insert(self, at: str | Iterable[Exact]) -> Curve:
+        """The same curve, for every x, on its knots and those of ``at``, each as often as it is given: exactly.
+
+        For α = inf there always is one (Boehm's knot insertion). For another α the functions have a corner at a new knot, so there
+        is one for special curves only, or where the knot has k copies already: there the curve is cut. ``ValueError`` where there
+        is none, with the ranks that show it; for a knot outside of [t_0, t_m]; and for another family.
+
+        >>> Basis("0 0 0 2 2 2", 2, alpha="inf").curve([0, 1, 0]).insert([1]).points
+        (Fraction(0, 1), Fraction(1, 2), Fraction(1, 2), Fraction(0, 1))
+        """
+        new = exacts(at, "at")
+        points = self._native.insert(new, self.basis.family)
+        basis = Basis(sorted([*self.basis.knots, *new]), self.basis.degree, alpha=self.basis.alpha)
+        return Curve(basis, [self._own(point) for point in points])
+
+    def _part(self, start: Exact | None, end: Exact | None, width: Exact) -> Part:
+        ends = [None if x is None else exact(x, name) for x, name in ((start, "start"), (end, "end"))]
+        return ends[0], ends[1], positive(width, "width")
+
+    def _ranges(self, part: Part, function: Function | None) -> tuple[Range, ...]:
+        return tuple(Range(_bound(low), _bound(high)) for low, high in self._native.bounds(part, function))
+
     def sample(self, x: Any, extrapolate: bool = False) -> numpy.ndarray[Any, Any]:
         """The points at an array of floats, as SciPy's ``BSpline(…, extrapolate=False)`` gives them: an array with a row for each x,
         and of NaN for an x outside of [t_k, t_{n+1}]. How exact it is, and why ``extrapolate`` is refused, says
@@ -239,9 +322,29 @@ class Curve:
         """As ``Basis.check``, and what a claim says of control points is about these."""
         return self.basis._check(self._native.points, claims, sentence, paper, classical)
 
-    def _own(self, point: list[Fraction]) -> Any:
+    def _own(self, point: list[Any]) -> Any:
         return point[0] if self._plain else tuple(point)
 
     def __repr__(self) -> str:
         points = [str(point[0]) if self._plain else f"({', '.join(map(str, point))})" for point in self._native.points]
         return f"<curve with control points {', '.join(points)} on {self.basis!r}>"
+
+
+def _points(points: Iterable[Any]) -> tuple[list[list[Fraction]], bool]:
+    """Lists of coordinates; and are they numbers, as those of a function?"""
+    listed = list(points)
+    if plain := all(isinstance(point, str) or not isinstance(point, Iterable) for point in listed):
+        return [[exact(value, f"points[{place}]")] for place, value in enumerate(listed)], plain
+    return [exacts(point, f"points[{place}]") for place, point in enumerate(listed)], plain
+
+
+def _function(coordinate: int | None, normal: str | Iterable[Exact] | None) -> Function:
+    return (
+        None if coordinate is None else whole(coordinate, "coordinate"),
+        None if normal is None else exacts(normal, "normal"),
+    )
+
+
+def _bound(of: BoundOf) -> Bound:
+    value, places = of
+    return Bound(known(value), tuple(BoundPlace(*place(where), taken) for where, taken in places))
