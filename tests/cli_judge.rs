@@ -166,7 +166,7 @@ const FAULTS: &[Fault] = &[
     (
         Text(PAPER, "family = ", "famly = "),
         PAPER,
-        12,
+        13,
         "famly",
         "unknown field `famly`",
         "did you mean `family`?",
@@ -175,7 +175,7 @@ const FAULTS: &[Fault] = &[
     (
         Text(PAPER, "\"mobius\"\n", "\"mobus\"\n"),
         PAPER,
-        12,
+        13,
         "\"mobus\"",
         "no family is called `mobus`",
         "did you mean `mobius`?",
@@ -183,7 +183,7 @@ const FAULTS: &[Fault] = &[
     (
         Text(PAPER, "\"mobius\"\n", "\"bezier\"\n"),
         PAPER,
-        12,
+        13,
         "\"bezier\"",
         "no family is called `bezier`",
         "write one of classical, free-ratios",
@@ -199,7 +199,7 @@ const FAULTS: &[Fault] = &[
     (
         Text(PAPER, "[\"01-basis\"]", "[\"01-basis\", \"01-bases\"]"),
         PAPER,
-        15,
+        16,
         "\"01-bases\"",
         "there is no claims/01-bases.toml",
         "did you mean `01-basis`?",
@@ -207,22 +207,22 @@ const FAULTS: &[Fault] = &[
     (
         Text(PAPER, "[\"01-basis\"]", "[\"01-basis\", \"01-basis\"]"),
         PAPER,
-        15,
+        16,
         "\"01-basis\"",
         "listed twice",
         "once",
     ),
-    (Text(PAPER, "[\"01-basis\"]", "[]"), PAPER, 15, "[]", "no file of claims is listed", "list one"),
+    (Text(PAPER, "[\"01-basis\"]", "[]"), PAPER, 16, "[]", "no file of claims is listed", "list one"),
     (
         File("claims/02-more.toml", ""),
         PAPER,
-        15,
+        16,
         "[\"01-basis\"]",
         "nothing names claims/02-more.toml",
         "name it under `claims`",
     ),
-    (File("cases.toml", ""), PAPER, 15, "[\"01-basis\"]", "nothing names cases.toml", "move it away"),
-    (Gone(CLAIMS), PAPER, 15, "\"01-basis\"", "there is no claims/01-basis.toml", "write it"),
+    (File("cases.toml", ""), PAPER, 16, "[\"01-basis\"]", "nothing names cases.toml", "move it away"),
+    (Gone(CLAIMS), PAPER, 16, "\"01-basis\"", "there is no claims/01-basis.toml", "write it"),
     (File(CLAIMS, "[[claim]\n"), CLAIMS, 1, "", "", "toml.io"),
     (Folder("claims/02.toml"), "claims/02.toml", 1, "", "this is no file", "move it away"),
     (

@@ -38,6 +38,35 @@ fn the_witness_is_the_first_failing_case_on_any_number_of_threads() {
     }
 }
 
+/// Sums of products with a factor that lives on k + 1 spans are read there alone; with 0 added to a factor, all of their terms are.
+#[test]
+fn a_sum_over_all_functions_is_the_sum_over_those_that_live_there() {
+    for (given, factor, function) in [
+        ("x in [t[0]-1, t[m]+1]", "1", "G[i](x)"),
+        ("x in [t[0]-1, t[m]]", "1", "G[i](x-)"),
+        ("x in [t[0], t[m]+1]", "1", "G[i](x+)"),
+        ("j in 0..m-1; x in (t[j], t[j+1])", "-1", "G'[i](x)"),
+        ("x in [t[0], t[m]]", "x", "G[i](x; alpha = 1-alpha)"),
+        ("d points; x in [t[0], t[m]]", "d[i]", "G[i](x)"),
+        ("j in 0..n; x in [t[0], t[m]]", "G[j](x)", "G[i](x)"),
+        ("x in [t[0], t[m]]", "2", "G[i](t[0]+t[m]-x)"),
+    ] {
+        let sum = |factor: &str| format!("sum(i in 0..n: {factor}*{function})");
+        let (local, whole) = (sum(factor), sum(&format!("({factor} + 0*i)")));
+        let text = format!("k; U; {given} : {local} = {whole}");
+        let verdict = judged(&text);
+        assert!(matches!(verdict, Verdict::Proved { .. }), "{text}: {verdict:?}");
+        let text = format!("k; U; {given} : {local} = 1/7 + {whole}");
+        assert!(matches!(judged(&text), Verdict::Refuted(_)), "{text}");
+    }
+    // What has no value has none where the function that it is multiplied with is 0.
+    for term in ["sum(i in 0..n+1: G[i](x))", "sum(i in -1..n: G[i](x))", "sum(i in 0..n: t[i+k+2]*G[i](x))"]
+    {
+        let text = format!("k; U; x in [t[0], t[m]] : {term} = {term}");
+        assert!(matches!(judged(&text), Verdict::Refuted(_)), "{text}");
+    }
+}
+
 #[test]
 fn nothing_checked_is_nothing_proved() {
     let none = sentence("k; U : 0 = 0");

@@ -3,7 +3,7 @@
 use crate::analysis::{IsolatedRoot, sign_pattern};
 use crate::language::{Interval, Name};
 use crate::scalar::{BigRational, Ring, integer};
-use crate::spline::Span;
+use crate::spline::{Side, Span};
 
 use super::cell::{Cell, Focus, Frame};
 use super::reading::Reading;
@@ -98,7 +98,10 @@ impl Reading<'_> {
                 self.frames += 1;
                 let ends = from.as_ref().zip(to.as_ref());
                 let span = self.on.knots().zip(ends).and_then(|(knots, ends)| {
-                    knots.spans().find(|span| knots.ends(*span) == Ok(ends)).map(Span::index)
+                    knots
+                        .span_at(ends.0, Side::Right)
+                        .filter(|span| knots.ends(*span) == Ok(ends))
+                        .map(Span::index)
                 });
                 let frame = Frame::new(self.frames, name.clone(), cell.clone(), span);
                 self.bound.reals.push((name.clone(), frame.coordinate.clone().into(), frame.id));
