@@ -26,7 +26,8 @@ pub fn decimal(value: &BigRational, significant: usize) -> String {
     }
     let places = i64::try_from(significant.max(1)).unwrap_or(i64::MAX) - 1;
     let mut exponent = decimal_exponent(value);
-    let mut digits = round_half_even(&(value.abs() * power_of_ten(places - exponent))).to_string();
+    let (numer, denom) = shifted(value, places - exponent);
+    let mut digits = round_half_even(&numer.abs(), &denom).to_string();
     if digits.len() > significant.max(1) {
         // 9.99… has become 10.0: one digit too many, and it is a 0.
         digits.pop();
@@ -80,9 +81,11 @@ pub fn decimal_neighbours(value: &BigRational, significant: usize) -> (BigRation
         return (value.clone(), value.clone());
     }
     let places = i64::try_from(significant.max(1)).unwrap_or(i64::MAX) - 1;
-    let unit = power_of_ten(decimal_exponent(value) - places);
-    let scaled = value / &unit;
-    (scaled.floor() * &unit, scaled.ceil() * unit)
+    let exponent = decimal_exponent(value) - places;
+    let (numer, denom) = shifted(value, -exponent);
+    let [below, above] = [numer.div_floor(&denom), numer.div_ceil(&denom)];
+    let unit = power_of_ten(exponent);
+    (BigRational::from_integer(below) * &unit, BigRational::from_integer(above) * unit)
 }
 
 /// e with 10^e ≤ |value| < 10^(e+1), for value ≠ 0.
@@ -104,9 +107,16 @@ fn power_of_ten(exponent: i64) -> BigRational {
     integer(10).pow(BigInt::from(exponent))
 }
 
-fn round_half_even(value: &BigRational) -> BigInt {
-    let (whole, rest) = value.numer().div_mod_floor(value.denom());
-    let up = match (rest * 2_u8).cmp(value.denom()) {
+/// value·10^e over a positive denominator, not in lowest terms: these would take longer than all the rest.
+fn shifted(value: &BigRational, e: i64) -> (BigInt, BigInt) {
+    let (numer, denom, power) =
+        (value.numer().clone(), value.denom().clone(), BigInt::from(10).pow(e.unsigned_abs()));
+    if e < 0 { (numer, denom * power) } else { (numer * power, denom) }
+}
+
+fn round_half_even(numer: &BigInt, denom: &BigInt) -> BigInt {
+    let (whole, rest) = numer.div_mod_floor(denom);
+    let up = match (rest * 2_u8).cmp(denom) {
         std::cmp::Ordering::Less => false,
         std::cmp::Ordering::Equal => whole.is_odd(),
         std::cmp::Ordering::Greater => true,
