@@ -134,6 +134,8 @@ fn draw(file: &str, curves: &[Curve<'_>]) -> Result<(), Box<dyn Error>> {
         let mut chart = ChartBuilder::on(&area)
             .caption(row.what.replace('`', ""), ("sans-serif", 15))
             .margin(10)
+            // The last size is written to both sides of its tick.
+            .margin_right(28)
             .x_label_area_size(32)
             .y_label_area_size(48)
             .build_cartesian_2d(

@@ -48,3 +48,18 @@ fn other_licences_are_noticed() {
     assert!(permissive("MIT OR Apache-2.0") && permissive("MPL-2.0 OR MIT"));
     assert!(!permissive("GPL-3.0") && !permissive("MIT AND LGPL-3.0"));
 }
+
+/// A version is written where it is read: in the manifest, for who cites it, and at the head of what changed.
+#[test]
+fn the_version_is_one() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let read = |name: &str| std::fs::read_to_string(root.join(name)).unwrap();
+    let version = env!("CARGO_PKG_VERSION");
+    assert!(read("CITATION.cff").contains(&format!("\nversion: {version}\n")));
+    let changes = read("CHANGELOG.md");
+    let first = changes.lines().find(|line| line.starts_with("## ")).unwrap();
+    assert!(first.starts_with(&format!("## {version} ")), "{first}");
+    for section in ["Added", "Changed", "Fixed", "Security"] {
+        assert!(changes.contains(&format!("\n### {section}\n")), "{section}");
+    }
+}

@@ -136,8 +136,12 @@ impl From<Find> for Goal {
 const LONGEST: u64 = 1 << 30;
 /// More threads than that help no machine, and could be more than it can start.
 const MOST_THREADS: usize = 1024;
-/// The time between two checkpoints.
-const PAUSE: Duration = Duration::from_secs(2);
+
+/// From one checkpoint to the next after so long: what an interruption costs is a sixtieth of what has been done, and ten thousand shards
+/// on one file system do not write all the time.
+fn pause(after: Duration) -> Duration {
+    (after / 60).max(Duration::from_secs(2))
+}
 
 /// Searches, and prints what was found.
 pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
@@ -157,12 +161,13 @@ pub(super) fn run(args: &Args, output: &Output) -> Result<Exit, CliError> {
     let total = part.range().end - part.range().start;
     let progress = Progress::new(usize::try_from(total).unwrap_or(usize::MAX));
     progress.reach(part.done(), &format!("{} found", part.findings().len()));
-    let mut saved = Instant::now();
+    let begun = Instant::now();
+    let mut saved = begun;
     pool.install(|| {
         part.run(|part| {
             progress.reach(part.done(), &format!("{} found", part.findings().len()));
             match &file {
-                Some(file) if part.is_complete() || saved.elapsed() >= PAUSE => {
+                Some(file) if part.is_complete() || saved.elapsed() >= pause(begun.elapsed()) => {
                     saved = Instant::now();
                     file.save(part)
                 }
