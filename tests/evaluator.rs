@@ -46,6 +46,25 @@ fn jets_agree(evaluator: &mut Evaluator, basis: &Basis, x: &BigRational, order: 
     }
 }
 
+/// So many factors that equal ones are looked for: nearly all are equal to others, some are, none is.
+#[test]
+fn many_factors_have_the_same_lowest_terms() {
+    let equidistant = |t: i64| integer(t);
+    let uneven = |t: i64| integer(t + i64::from(t % 7 == 3) * 5 * t);
+    let all_apart = |t: i64| rational(t * t * t + 17 * t, 3);
+    for knots in [
+        (0..110).map(equidistant).collect::<Vec<_>>(),
+        (0..110).map(uneven).collect(),
+        (0..110).map(all_apart).collect(),
+    ] {
+        let mut knots = knots;
+        knots.sort();
+        let x = (&knots[54] * integer(2) + &knots[55]) / integer(3);
+        let basis = Basis::new(KnotVector::new(knots).unwrap(), 48, "-1".parse::<Index>().unwrap()).unwrap();
+        agree(&mut Evaluator::new(&basis), &basis, &x);
+    }
+}
+
 /// Knots of a few sizes, often repeated, some of them fractions or huge.
 fn bases() -> impl Strategy<Value = Basis> {
     let gap = prop_oneof![

@@ -77,8 +77,10 @@ def test_a_search_that_is_stopped_ends():
     ],
 )
 def test_ctrl_c_stops_long_work(work):
+    # Where the tests run in the background of a script, Ctrl-C is ignored, and Python leaves it so.
     program = f"""
-import knotproof
+import knotproof, signal
+signal.signal(signal.SIGINT, signal.default_int_handler)
 print("begun", flush=True)
 try:
     {work}
