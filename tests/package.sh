@@ -11,21 +11,26 @@ value() { sed -n "s/^$1 = \"\(.*\)\"$/\1/p" Cargo.toml | head -n 1; }
 version=$(value version)
 oldest=$(value rust-version).0
 packed=$PWD/target/package
-unpacked=$PWD/target/unpacked
+built=$PWD/target/packed
+# Not below this folder: there it would be taken for a part of the workspace.
+unpacked=$(mktemp -d)
+trap 'rm -rf "$unpacked"' EXIT
 
 # Everything but the upload. What is not yet committed is packed as well: CI has nothing of that kind.
-cargo publish --dry-run --quiet --locked --allow-dirty --no-verify --package knotproof --package knotproof-checker
+both=(--quiet --locked --allow-dirty --no-verify --package knotproof --package knotproof-checker)
+cargo publish --dry-run "${both[@]}"
+rm -f "$packed"/*.crate
+cargo package "${both[@]}"
 
 if ! rustup run "$oldest" rustc --version 2> /dev/null && ! rustup toolchain install "$oldest" --profile minimal; then
     echo "SKIPPED: Rust $oldest can't be had" >&2
     exit 77
 fi
-rm -rf "$unpacked" && mkdir -p "$unpacked"
 for package in knotproof knotproof-checker; do
     tar -xzf "$packed/$package-$version.crate" -C "$unpacked"
 done
 cd "$unpacked/knotproof-$version"
 # Those who install it get the versions of Cargo.lock with --locked; the checker comes from beside it, as it is on no registry yet.
-rustup run "$oldest" cargo check --quiet --all-features --lib --bins --target-dir "$unpacked/target" \
+rustup run "$oldest" cargo check --quiet --all-features --lib --bins --target-dir "$built" \
     --config "patch.crates-io.knotproof-checker.path = '$unpacked/knotproof-checker-$version'"
 echo "knotproof and knotproof-checker $version are packed, and compile with Rust $oldest"

@@ -396,10 +396,7 @@ impl<'a> Reading<'a> {
             Member::Index(Real::Infinity) => return Ok(Index::infinity()),
             Member::Index(Real::Index(name)) => return self.index_named(name),
             // The family is closed under 1 − α, and there ∞ is its own partner.
-            Member::Index(Real::Minus(one, alpha))
-                if let Real::Index(name) = &**alpha
-                    && self.index_named(name)?.is_infinite() =>
-            {
+            Member::Index(Real::Minus(one, alpha)) if self.is_infinite_index(alpha)? => {
                 self.real(one)?;
                 return Ok(Index::infinity());
             }
@@ -408,6 +405,13 @@ impl<'a> Reading<'a> {
             Member::Parameter(..) | Member::Dual => return self.own_index().cloned(),
         };
         index.map_err(|error| Stop::Undefined(error.to_string()))
+    }
+
+    fn is_infinite_index(&mut self, t: &Real) -> Result<bool, Stop> {
+        match t {
+            Real::Index(name) => Ok(self.index_named(name)?.is_infinite()),
+            _ => Ok(false),
+        }
     }
 
     /// With another member for a while.
