@@ -1,5 +1,6 @@
 //! One place of x with what is known there, while the integers of a sentence are chosen.
 
+use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use crate::env::Env;
@@ -83,7 +84,7 @@ impl<'t> Numbers<'t> {
 
     /// A coordinate of a control point of the example.
     pub(crate) fn coordinate(&self, i: i64, coordinate: i64) -> Option<Node<'t>> {
-        Example::new(self.example.as_ref()?).ok()?.coordinate(i, coordinate).cloned()
+        Example::of(self.example.as_ref()?).ok()?.coordinate(i, coordinate).cloned()
     }
 
     /// (knots W 0 t_0 …), which counts as the knots are counted.
@@ -103,6 +104,8 @@ pub(crate) struct Case<'c, 't> {
     pub(crate) section: Section<'t>,
     /// The parameters of the derivation, with what declares them.
     pub(crate) parameters: Vec<(&'static str, Node<'t>)>,
+    /// x and the knots of the window, as far as somebody has asked.
+    pub(crate) shown_knots: BTreeMap<Option<i64>, Value<'t>>,
     /// The first and the last knot of the window, counted from s.
     pub(crate) shown: (i64, i64),
     /// Gaps that hypotheses close.
@@ -147,6 +150,7 @@ impl<'c, 't> Case<'c, 't> {
             facts: Facts::at(place, k),
             section: Section::new(&[], Env::new(family.clone()))?,
             parameters: Vec::new(),
+            shown_knots: BTreeMap::new(),
             shown: place.shown(k),
             closed: Vec::new(),
             ints: Vec::new(),
@@ -171,6 +175,7 @@ impl<'c, 't> Case<'c, 't> {
         let fixed: Vec<_> = [origin].into_iter().chain(self.windows()).collect();
         self.section = Section::new(&fixed, Env::new(self.family.clone()))?;
         self.parameters.clear();
+        self.shown_knots.clear();
         Ok(fixed)
     }
 
@@ -220,7 +225,7 @@ impl<'c, 't> Case<'c, 't> {
 
     /// A term that the knots and parameters give a value.
     pub(crate) fn leaf(&self, term: Node<'t>) -> Result<Value<'t>> {
-        let plain = Some(self.section.term(&term, &self.section.env)?);
+        let plain = Some(self.section.value(&term)?);
         Ok(Value { term, plain, knot: None })
     }
 

@@ -2,6 +2,7 @@
 //!
 //! Whatever is not understood, or not decided, is no derivation. Hypotheses may be left out: what is shown is then stronger.
 
+use std::collections::HashSet;
 use std::rc::Rc;
 
 use crate::case::{At, Bound, Case, Stop, read};
@@ -202,8 +203,16 @@ impl<'w, 't> Walk<'w, 't> {
         if goals.is_empty() {
             return Ok(true);
         }
-        let named = |name: &Node<'t>| goals.iter().any(|goal: &Node<'t>| goal.any(&mut |node| node == name));
-        let declared = case.parameters.iter().filter(|(_, name)| named(name));
+        let mut named = HashSet::new();
+        let mut note = |node: &Node<'t>| {
+            if node.is_flat() {
+                named.insert(node.clone());
+            }
+            false
+        };
+        goals.iter().for_each(|goal: &Node<'t>| _ = goal.any(&mut note));
+        // A parameter is a name, or one with numbers.
+        let declared = case.parameters.iter().filter(|(_, name)| named.contains(name));
         let mut fields: Vec<_> = declared.map(|(sign, name)| Node::made(sign, vec![name.clone()])).collect();
         fields.extend(self.declared.iter().cloned());
         fields.extend(fixed);

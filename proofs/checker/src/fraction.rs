@@ -1,6 +1,7 @@
 //! Quotients of polynomials. A denominator is kept as a product of factors, each of which has been shown to be
 //! positive: common denominators stay small although nothing is ever cancelled.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
@@ -71,7 +72,7 @@ impl Fraction {
 
     /// The denominator, multiplied out.
     pub(crate) fn denominator(&self) -> Result<Poly> {
-        missing(&self.den, &Factors::new())
+        Ok(missing(&self.den, &Factors::new())?.unwrap_or_else(|| Poly::constant(1)))
     }
 
     /// What this fraction adds to a common denominator.
@@ -84,18 +85,27 @@ impl Fraction {
     }
 
     /// The numerator over a common denominator.
-    pub(crate) fn over_common(&self, common: &Factors) -> Result<Poly> {
-        self.num.times(&missing(common, &self.den)?)
+    pub(crate) fn over_common(&self, common: &Factors) -> Result<Cow<'_, Poly>> {
+        Ok(match missing(common, &self.den)? {
+            Some(factor) => Cow::Owned(self.num.times(&factor)?),
+            None => Cow::Borrowed(&self.num),
+        })
     }
 
     pub(crate) fn plus(&self, other: &Self) -> Result<Self> {
         spend(self.size() + other.size())?;
-        if self.is_zero() || other.is_zero() {
-            return Ok(if self.is_zero() { other.clone() } else { self.clone() });
+        match () {
+            () if other.is_zero() => Ok(self.clone()),
+            () if self.is_zero() => Ok(other.clone()),
+            () => self.joined(other, Poly::plus),
         }
+    }
+
+    /// The sum or the difference.
+    fn joined(&self, other: &Self, of: impl Fn(Poly, &Poly) -> Poly) -> Result<Self> {
         let mut den = self.den.clone();
         other.widen(&mut den);
-        let num = self.over_common(&den)?.plus(&other.over_common(&den)?);
+        let num = of(self.over_common(&den)?.into_owned(), &*other.over_common(&den)?);
         Ok(Fraction { num, den })
     }
 
@@ -104,7 +114,12 @@ impl Fraction {
     }
 
     pub(crate) fn minus(&self, other: &Self) -> Result<Self> {
-        self.plus(&other.negated())
+        spend(self.size() + other.size())?;
+        match () {
+            () if other.is_zero() => Ok(self.clone()),
+            () if self.is_zero() => Ok(other.negated()),
+            () => self.joined(other, Poly::minus),
+        }
     }
 
     pub(crate) fn times(&self, other: &Self) -> Result<Self> {
@@ -126,13 +141,13 @@ impl Fraction {
     }
 }
 
-/// The product of the factors in `all` that `some` lacks.
-fn missing(all: &Factors, some: &Factors) -> Result<Poly> {
-    let mut product = Poly::constant(1);
+/// The product of the factors in `all` that `some` lacks, if it lacks any.
+fn missing(all: &Factors, some: &Factors) -> Result<Option<Poly>> {
+    let mut product: Option<Poly> = None;
     for (factor, times) in all {
         let lacking = times.saturating_sub(some.get(factor).copied().unwrap_or(0));
         for _ in 0..lacking {
-            product = product.times(factor)?;
+            product = Some(product.map_or_else(|| Ok((**factor).clone()), |product| product.times(factor))?);
         }
     }
     Ok(product)

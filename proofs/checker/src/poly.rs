@@ -160,26 +160,31 @@ impl Poly {
     }
 
     pub(crate) fn plus(self, other: &Self) -> Self {
+        self.merged(other, |value| value.clone())
+    }
+
+    pub(crate) fn minus(self, other: &Self) -> Self {
+        self.merged(other, |value| -value)
+    }
+
+    /// The sum with another one, whose coefficients become something else that is not 0.
+    fn merged(self, other: &Self, of: impl Fn(&IBig) -> IBig) -> Self {
         let mut terms = Vec::with_capacity(self.terms.len() + other.terms.len());
         let mut right = other.terms.iter().peekable();
         for (monomial, value) in self.terms {
-            while let Some(term) = right.next_if(|(other, _)| *other < monomial) {
-                terms.push(term.clone());
+            while let Some((monomial, value)) = right.next_if(|(other, _)| *other < monomial) {
+                terms.push((monomial.clone(), of(value)));
             }
             let sum = match right.next_if(|(other, _)| *other == monomial) {
-                Some((_, other)) => value + other,
+                Some((_, other)) => value + of(other),
                 None => value,
             };
             if sum != IBig::ZERO {
                 terms.push((monomial, sum));
             }
         }
-        terms.extend(right.cloned());
+        terms.extend(right.map(|(monomial, value)| (monomial.clone(), of(value))));
         Poly { terms }
-    }
-
-    pub(crate) fn minus(self, other: &Self) -> Self {
-        self.plus(&other.negated())
     }
 
     pub(crate) fn negated(&self) -> Self {
@@ -194,9 +199,10 @@ impl Poly {
         }
         let rows = self.terms.len().min(other.terms.len());
         let sums_fit = bits + rows.checked_ilog2().unwrap_or(0) as usize + 1 < 127;
-        let product = match Packing::of(self, other)? {
-            Some(packing) if rows > 2 && sums_fit => packing.times(self, other)?,
-            _ => self.times_by_terms(other, bits)?,
+        let packing = if rows > 2 && sums_fit { Packing::of(self, other)? } else { None };
+        let product = match packing {
+            Some(packing) => packing.times(self, other)?,
+            None => self.times_by_terms(other, bits)?,
         };
         keep(product.size()).map(|()| product)
     }
@@ -204,6 +210,11 @@ impl Poly {
     fn times_by_terms(&self, other: &Self, bits: usize) -> Result<Self> {
         // In the order of the longer one, so that a product with one term is in order.
         let (short, long) = if self.size() < other.size() { (self, other) } else { (other, self) };
+        if let [(monomial, value)] = short.terms.as_slice() {
+            spend(long.terms.len() * (1 + bits / 64))?;
+            let term = |(other, right): &(_, _)| Ok((monomial_product(other, monomial)?, value * right));
+            return Ok(Poly { terms: long.terms.iter().map(term).collect::<Result<_>>()? });
+        }
         let mut product = Poly::default();
         let mut terms = Vec::with_capacity(long.size());
         for (a, left) in &short.terms {

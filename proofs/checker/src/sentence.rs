@@ -102,20 +102,30 @@ pub(crate) struct Example<'n, 't> {
 
 impl<'n, 't> Example<'n, 't> {
     pub(crate) fn new(row: &'n Node<'t>) -> Result<Self> {
+        let example = Example::of(row)?;
+        check_knots(row, example.knots, example.degree)?;
+        for point in example.points {
+            point.list("a point")?.iter().try_for_each(|number| number.ratio().map(|_| ()))?;
+        }
+        Ok(example)
+    }
+
+    /// The parts of one whose numbers have been looked at.
+    pub(crate) fn of(row: &'n Node<'t>) -> Result<Self> {
         let [name, degree, knots, points @ ..] = row.fields("instance")? else {
             return row.wrong("a name, a degree and knots");
         };
-        let (degree, knots) = (i64::from(degree.degree()?), knots.some("knots")?);
-        check_knots(row, knots, degree)?;
         let points = match points {
             [] => &[],
             [points] => points.some("points")?,
             _ => return row.wrong("points behind the knots, and nothing else"),
         };
-        for point in points {
-            point.list("a point")?.iter().try_for_each(|number| number.ratio().map(|_| ()))?;
-        }
-        Ok(Example { name: name.name()?, degree, knots, points })
+        Ok(Example {
+            name: name.name()?,
+            degree: degree.degree()?.into(),
+            knots: knots.some("knots")?,
+            points,
+        })
     }
 
     /// A coordinate of a control point, counted from 1.
@@ -298,7 +308,7 @@ impl<'t> Reader<'_, 't> {
             (Real, Kind::Number(..)) | (Real, Kind::Name("ratio" | "infinity")) => return Ok(()),
             (Int | Index | Coefficients, Kind::Name(_)) => return self.bound(node, sort),
             (Interval, Kind::List(ends)) => {
-                let [from, a, to, b] = ends.as_slice() else { return node.wrong("an interval") };
+                let [from, a, to, b] = &**ends else { return node.wrong("an interval") };
                 from.word(&["closed", "open"], "closed or open")?;
                 to.word(&["closed", "open"], "closed or open")?;
                 return self.read(Real, a).and_then(|()| self.read(Real, b));

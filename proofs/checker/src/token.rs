@@ -1,5 +1,8 @@
 //! Text to a tree of brackets, and what can be asked about its nodes.
 
+use std::hash::{Hash, Hasher};
+use std::rc::Rc;
+
 use dashu_int::IBig;
 
 use crate::error::{Reason, Result};
@@ -24,19 +27,28 @@ pub(crate) struct Node<'t> {
     pub(crate) kind: Kind<'t>,
 }
 
-#[derive(Clone, PartialEq)]
+#[derive(Clone, PartialEq, Eq, Hash)]
 pub(crate) enum Kind<'t> {
     /// Numerator and denominator, in lowest terms.
     Number(IBig, IBig),
     Name(&'t str),
     Text(&'t str),
-    List(Vec<Node<'t>>),
+    /// Shared: terms of a derivation are parts of many others.
+    List(Rc<[Node<'t>]>),
 }
 
 /// Two nodes are equal if they are the same text, wherever that stands.
 impl PartialEq for Node<'_> {
     fn eq(&self, other: &Self) -> bool {
         self.kind == other.kind
+    }
+}
+
+impl Eq for Node<'_> {}
+
+impl Hash for Node<'_> {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.kind.hash(state);
     }
 }
 
@@ -57,12 +69,12 @@ impl<'t> Node<'t> {
 
     /// A bracket without a name in front.
     pub(crate) fn group_of(items: Vec<Node<'t>>) -> Self {
-        Node::derived(Kind::List(items))
+        Node::derived(Kind::List(items.into()))
     }
 
     /// A bracket.
     pub(crate) fn made(head: &'t str, fields: Vec<Node<'t>>) -> Self {
-        Node::group_of([Node::name_of(head)].into_iter().chain(fields).collect())
+        Node::derived(Kind::List([Node::name_of(head)].into_iter().chain(fields).collect()))
     }
 
     /// With every place inside of a span at an end of it.
@@ -77,10 +89,18 @@ impl<'t> Node<'t> {
     /// Whether it, or a part of it, is such.
     pub(crate) fn any(&self, is: &mut dyn FnMut(&Self) -> bool) -> bool {
         let inside = match &self.kind {
-            Kind::List(items) => items.as_slice(),
+            Kind::List(items) => &**items,
             _ => &[],
         };
         is(self) || inside.iter().any(|item| item.any(is))
+    }
+
+    /// Whether there is no bracket in it.
+    pub(crate) fn is_flat(&self) -> bool {
+        match &self.kind {
+            Kind::List(items) => items.iter().all(|item| !matches!(item.kind, Kind::List(_))),
+            _ => true,
+        }
     }
 
     /// Whether it is this name.
@@ -154,7 +174,7 @@ impl<'t> Node<'t> {
     /// A name, and the indices that it has.
     pub(crate) fn indexed(&self) -> Result<(&'t str, &[Node<'t>])> {
         match &self.kind {
-            Kind::List(items) => match items.as_slice() {
+            Kind::List(items) => match &**items {
                 [name, indices @ ..] if !indices.is_empty() => Ok((name.head()?, indices)),
                 _ => self.wrong("a name with an index"),
             },
@@ -286,7 +306,7 @@ pub(crate) fn tree(text: &str) -> Result<Node<'_>> {
                 open.push((line, Vec::new()));
                 continue;
             }
-            ")" => open.pop().map(|(line, inside)| Node { line, kind: Kind::List(inside) }),
+            ")" => open.pop().map(|(line, inside)| Node { line, kind: Kind::List(inside.into()) }),
             _ if !rest.is_empty() && !rest.starts_with(is_break) => return wrong("white space"),
             _ => atom(token).map(|kind| Node { line, kind }),
         };

@@ -142,7 +142,7 @@ impl<'t> Case<'_, 't> {
             }
             ("instance", names) => {
                 let example = self.numbers.as_ref().and_then(|numbers| numbers.example.as_ref());
-                let name = Example::new(example.ok_or(Stop::Undecided)?)?.name;
+                let name = Example::of(example.ok_or(Stop::Undecided)?)?.name;
                 Ok(Truth::of(names.iter().any(|known| known.is_word(name))))
             }
             ("defined", [of]) => {

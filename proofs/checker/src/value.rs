@@ -1,5 +1,7 @@
 //! The terms of a sentence in a case: what they are on the window.
 
+use std::rc::Rc;
+
 use crate::case::{At, Bound, Case, Found, Stop};
 use crate::error::Result;
 use crate::fraction::Fraction;
@@ -12,18 +14,18 @@ use crate::token::{Kind, Node};
 #[derive(Clone)]
 pub(crate) struct Value<'t> {
     pub(crate) term: Node<'t>,
-    pub(crate) plain: Option<Fraction>,
+    pub(crate) plain: Option<Rc<Fraction>>,
     /// It is this knot of the window.
     pub(crate) knot: Option<i64>,
 }
 
 impl<'t> Value<'t> {
     pub(crate) fn whole(value: i64) -> Self {
-        Value { term: Node::whole_of(value), plain: Some(Fraction::integer(value)), knot: None }
+        Value { term: Node::whole_of(value), plain: Some(Fraction::integer(value).into()), knot: None }
     }
 
     pub(crate) fn is_zero(&self) -> bool {
-        self.plain.as_ref().is_some_and(Fraction::is_zero)
+        self.plain.as_ref().is_some_and(|plain| plain.is_zero())
     }
 
     fn is_one(&self) -> Result<bool> {
@@ -35,7 +37,8 @@ impl<'t> Value<'t> {
         [a, b]: [Self; 2],
         plain: impl Fn(&Fraction, &Fraction) -> Result<Fraction>,
     ) -> Result<Self> {
-        let plain = a.plain.as_ref().zip(b.plain.as_ref()).map(|(a, b)| plain(a, b)).transpose()?;
+        let plain =
+            a.plain.as_ref().zip(b.plain.as_ref()).map(|(a, b)| plain(a, b)).transpose()?.map(Rc::new);
         Ok(Value { term: Node::made(head, vec![a.term, b.term]), plain, knot: None })
     }
 
@@ -264,13 +267,21 @@ impl<'t> Case<'_, 't> {
             return Ok(self.parameter("real", Node::name_of("outside"))?);
         };
         let x = Node::made("x", vec![Node::made(place, vec![Node::name_of("W"), Node::whole_of(0)])]);
-        let x = self.leaf(x)?;
-        Ok(self.leaf(Node::name_of("o"))?.plus(x)?)
+        self.from_origin(None, x)
     }
 
-    fn shown_knot(&self, e: i64) -> Found<Value<'t>> {
-        let knot = self.leaf(Node::made("t", vec![Node::name_of("W"), Node::whole_of(e)]))?;
-        Ok(Value { knot: Some(e), ..self.leaf(Node::name_of("o"))?.plus(knot)? })
+    fn shown_knot(&mut self, e: i64) -> Found<Value<'t>> {
+        self.from_origin(Some(e), Node::made("t", vec![Node::name_of("W"), Node::whole_of(e)]))
+    }
+
+    /// x or a knot of the window, from the origin.
+    fn from_origin(&mut self, knot: Option<i64>, term: Node<'t>) -> Found<Value<'t>> {
+        if let Some(known) = self.shown_knots.get(&knot) {
+            return Ok(known.clone());
+        }
+        let value = Value { knot, ..self.leaf(Node::name_of("o"))?.plus(self.leaf(term)?)? };
+        self.shown_knots.insert(knot, value.clone());
+        Ok(value)
     }
 
     /// t_i: a knot of the window, or one that is some way beyond one.

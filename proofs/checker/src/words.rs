@@ -1,5 +1,7 @@
 //! Words at a point: what samples show of them. They show that something is false, or a bound of a number, and no more.
 
+use std::rc::Rc;
+
 use crate::case::{At, Bound, Case, Found, Numbers, Stop};
 use crate::env::Env;
 use crate::error::Result;
@@ -56,7 +58,7 @@ impl<'t> Case<'_, 't> {
         value
     }
 
-    fn at(&mut self, function: &Node<'t>, x: &Node<'t>, side: At) -> Found<Fraction> {
+    fn at(&mut self, function: &Node<'t>, x: &Node<'t>, side: At) -> Found<Rc<Fraction>> {
         self.value_at(function, x, side)?.plain.ok_or(Stop::Undecided)
     }
 
@@ -68,7 +70,10 @@ impl<'t> Case<'_, 't> {
     }
 
     /// Σ c·f(x) over the factors and samples, none of which is a knot, or beyond them.
-    fn functional(&mut self, of: &mut dyn FnMut(&mut Self, &Node<'t>) -> Found<Fraction>) -> Found<Fraction> {
+    fn functional(
+        &mut self,
+        of: &mut dyn FnMut(&mut Self, &Node<'t>) -> Found<Rc<Fraction>>,
+    ) -> Found<Fraction> {
         let (samples, factors) = (self.samples()?, self.list("factors")?);
         if samples.len() != factors.len() {
             return Err(Stop::Undecided);
@@ -82,7 +87,8 @@ impl<'t> Case<'_, 't> {
             if !inside {
                 return Err(Stop::Undecided);
             }
-            sum = sum.plus(&Fraction::number(c)?.times(&of(self, x)?)?)?;
+            let value = of(self, x)?;
+            sum = sum.plus(&Fraction::number(c)?.times(&value)?)?;
         }
         Ok(sum)
     }
@@ -128,7 +134,7 @@ impl<'t> Case<'_, 't> {
     }
 
     /// The minor of functions of a degree at the samples.
-    fn minor(&mut self, degree: i64) -> Found<Fraction> {
+    fn minor(&mut self, degree: i64) -> Found<Rc<Fraction>> {
         let (samples, basis) = (self.samples()?, self.basis(degree)?);
         self.all_in(&samples, &tree("(closed (t 0) closed (t m))")?)?;
         let columns = self.list("columns")?.iter().map(Node::whole).collect::<Result<Vec<_>>>()?;
@@ -213,7 +219,7 @@ impl<'t> Case<'_, 't> {
 
 impl<'t> Case<'_, 't> {
     /// A term with a number for its variable.
-    fn expression(&mut self, body: &Node<'t>, name: &Node<'t>, x: &Node<'t>) -> Found<Fraction> {
+    fn expression(&mut self, body: &Node<'t>, name: &Node<'t>, x: &Node<'t>) -> Found<Rc<Fraction>> {
         let x = self.leaf(x.clone())?;
         self.reals.push((name.name()?, Bound::Free(x)));
         let value = self.real(body);
