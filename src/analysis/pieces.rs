@@ -27,10 +27,14 @@ pub fn positive_coordinate(knots: &KnotVector, span: Span) -> Result<Piece, Span
 /// x = (a + u·b)/(1 + u), the positive coordinate of any interval [a, b].
 #[must_use]
 pub fn coordinate_between(a: &BigRational, b: &BigRational) -> Piece {
+    if a == b {
+        return constant(a.clone());
+    }
     let one = a.one();
-    match RationalFunction::new(
-        &Polynomial::new(a.clone(), [b.clone()]),
-        &Polynomial::new(one.clone(), [one]),
+    // 1 + u divides no other a + bu.
+    match RationalFunction::coprime(
+        Polynomial::new(a.clone(), [b.clone()]),
+        Polynomial::new(one.clone(), [one]),
     ) {
         Some(x) => x,
         None => unreachable!("1 + u is not 0"),

@@ -1,7 +1,7 @@
 //! Terms as quotients of polynomials in the parameters, by the library's own triangle.
 
 use std::cell::RefCell;
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
 use num_traits::Signed;
 
@@ -52,7 +52,13 @@ pub struct Evaluator<'a> {
     knots: HashMap<&'a str, (i64, Vec<Quotient>)>,
     variables: RefCell<Vec<(Option<Unknown>, Class)>>,
     names: HashMap<String, Quotient>,
+    /// What has been computed with these names: functions, and weights with their complements.
+    functions: Known<Jet<Quotient>>,
+    pairs: Known<(Jet<Quotient>, Jet<Quotient>)>,
 }
+
+/// By the place, i, d, and the order of derivatives.
+type Known<T> = RefCell<BTreeMap<(Place, i64, usize, usize), T>>;
 
 impl<'a> Evaluator<'a> {
     /// Prepares a section.
@@ -68,6 +74,8 @@ impl<'a> Evaluator<'a> {
             knots: HashMap::new(),
             variables: RefCell::new(Vec::new()),
             names: HashMap::new(),
+            functions: RefCell::default(),
+            pairs: RefCell::default(),
         };
         for (name, class) in evaluator.parameters() {
             evaluator.declare(name, class)?;
@@ -149,6 +157,12 @@ impl<'a> Evaluator<'a> {
 
     fn integer(&self, value: i64) -> Quotient {
         Quotient::from_polynomial(Multivariate::constant(value))
+    }
+
+    /// How many variables there are: parameters, gaps, and unknowns so far.
+    #[must_use]
+    pub fn size(&self) -> usize {
+        self.variables.borrow().len()
     }
 
     /// The number of the variable that a parameter is.
@@ -257,14 +271,23 @@ impl<'a> Evaluator<'a> {
             knots: self.knots.clone(),
             variables: RefCell::new(self.variables.take()),
             names,
+            functions: RefCell::default(),
+            pairs: RefCell::default(),
         };
         let value = inner.term(body);
         self.variables.replace(inner.variables.into_inner());
         value
     }
 
-    /// G_i^d with derivatives up to the order, by the triangle on its own d + 2 knots: no other is looked at.
+    /// G_i^d with derivatives up to the order.
     fn function(&self, place: &Place, i: i64, degree: usize, order: usize) -> Evaluated<Jet<Quotient>> {
+        remembered(&self.functions, (place.clone(), i, degree, order), || {
+            self.by_triangle(place, i, degree, order)
+        })
+    }
+
+    /// The same by the triangle on its own d + 2 knots: no other is looked at.
+    fn by_triangle(&self, place: &Place, i: i64, degree: usize, order: usize) -> Evaluated<Jet<Quotient>> {
         let zero = Jet::constant(self.integer(0), order);
         let Some(j) = usize::try_from(place.span - i).ok().filter(|j| *j <= degree) else { return Ok(zero) };
         let (weights, span, m) = (self.weights(place, i, order)?, Span::assumed(j), degree + 1);
@@ -421,6 +444,20 @@ fn to_i64(value: usize) -> i64 {
     i64::try_from(value).unwrap_or(i64::MAX)
 }
 
+/// What is known, or becomes known now.
+fn remembered<T: Clone>(
+    known: &Known<T>,
+    key: (Place, i64, usize, usize),
+    value: impl FnOnce() -> Evaluated<T>,
+) -> Evaluated<T> {
+    if let Some(value) = known.borrow().get(&key) {
+        return Ok(value.clone());
+    }
+    let value = value()?;
+    known.borrow_mut().insert(key, value.clone());
+    Ok(value)
+}
+
 /// The weights at a place.
 struct PlaceWeights<'e, 'a> {
     evaluator: &'e Evaluator<'a>,
@@ -440,6 +477,10 @@ impl PlaceWeights<'_, '_> {
 
     /// w_i^d and 1 − w_i^d, by the index in the window.
     fn pair_at(&self, i: i64, d: usize) -> Evaluated<(Jet<Quotient>, Jet<Quotient>)> {
+        remembered(&self.evaluator.pairs, (self.place.clone(), i, d, self.order), || self.pair_of(i, d))
+    }
+
+    fn pair_of(&self, i: i64, d: usize) -> Evaluated<(Jet<Quotient>, Jet<Quotient>)> {
         let (evaluator, Place { window, span, .. }) = (self.evaluator, &self.place);
         let knot = |index| evaluator.knot(window, index);
         let outside = |index| EvaluationError::OutsideWindow { window: window.clone(), index };

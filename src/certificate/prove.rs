@@ -2,6 +2,9 @@
 //!
 //! It decides by its own arithmetic (the triangle over [`Quotient`]) and leaves the last word to the checker.
 
+use std::cell::RefCell;
+use std::rc::Rc;
+
 use num_traits::Signed;
 use rayon::prelude::*;
 use thiserror::Error;
@@ -69,21 +72,34 @@ pub(super) fn prove_sections(
 }
 
 /// A section, and the weights in it.
-#[derive(Clone, Copy)]
 struct Subject<'a> {
     section: &'a Section,
     weighted: &'a Weighted,
+    /// Goals of a section name the same functions.
+    evaluators: RefCell<Vec<(Unfolding, Rc<Evaluator<'a>>)>>,
 }
 
+/// An evaluator with more variables than this is left alone: the next goal's own have to fit too.
+const SHARED: usize = 32;
+
 impl<'a> Subject<'a> {
-    fn evaluator(self, unfolding: Unfolding) -> Result<Evaluator<'a>, EvaluationError> {
-        Evaluator::new(self.section, self.weighted, unfolding)
+    fn evaluator(&self, unfolding: Unfolding) -> Result<Rc<Evaluator<'a>>, EvaluationError> {
+        let mut evaluators = self.evaluators.borrow_mut();
+        if let Some((_, known)) =
+            evaluators.iter().find(|(known, own)| *known == unfolding && own.size() <= SHARED)
+        {
+            return Ok(Rc::clone(known));
+        }
+        let evaluator = Rc::new(Evaluator::new(self.section, self.weighted, unfolding)?);
+        evaluators.retain(|(known, _)| *known != unfolding);
+        evaluators.push((unfolding, Rc::clone(&evaluator)));
+        Ok(evaluator)
     }
 }
 
 fn of_section(number: usize, section: &Section, weighted: &Weighted) -> Result<SectionProof, ProofError> {
     let failed = |goal, reason| ProofError::Goal { section: number, goal, reason };
-    let subject = Subject { section, weighted };
+    let subject = &Subject { section, weighted, evaluators: RefCell::default() };
     let lemmas = lemmas(subject).map_err(|reason| failed(0, reason))?;
     let rule = |(goal, formula): (usize, &Formula)| {
         let hinted = section.hints.iter().find(|hint| hint.formula == *formula);
@@ -99,7 +115,7 @@ fn of_section(number: usize, section: &Section, weighted: &Weighted) -> Result<S
 }
 
 /// The lemmas that hints tell of, each proved from those before it.
-fn lemmas(subject: Subject<'_>) -> Result<Vec<(Formula, Lemma)>, GoalError> {
+fn lemmas(subject: &Subject<'_>) -> Result<Vec<(Formula, Lemma)>, GoalError> {
     let mut proved = Vec::new();
     let Subject { section, .. } = subject;
     for hint in section.hints.iter().filter(|hint| !section.goals.contains(&hint.formula)) {
@@ -110,7 +126,7 @@ fn lemmas(subject: Subject<'_>) -> Result<Vec<(Formula, Lemma)>, GoalError> {
 }
 
 /// An equation by other equations: left − right is the sum of theirs, each with its factor.
-fn by_hint(subject: Subject<'_>, hint: &Hint, lemmas: &[(Formula, Lemma)]) -> Result<Rule, GoalError> {
+fn by_hint(subject: &Subject<'_>, hint: &Hint, lemmas: &[(Formula, Lemma)]) -> Result<Rule, GoalError> {
     if hint.using.is_empty() {
         return rule_for(subject, &hint.formula);
     }
@@ -144,7 +160,7 @@ fn ways(section: &Section, sides: [&Term; 2]) -> impl Iterator<Item = Option<usi
     (1..=highest).map(Some).chain([None])
 }
 
-fn rule_for(subject: Subject<'_>, formula: &Formula) -> Result<Rule, GoalError> {
+fn rule_for(subject: &Subject<'_>, formula: &Formula) -> Result<Rule, GoalError> {
     match formula {
         Formula::Equal(left, right) => {
             for weights in ways(subject.section, [left, right]) {
@@ -194,7 +210,7 @@ fn enough(found: Class, wanted: Class) -> bool {
 }
 
 /// large > small, or ≥.
-fn compare(subject: Subject<'_>, large: &Term, small: &Term, wanted: Class) -> Result<Rule, GoalError> {
+fn compare(subject: &Subject<'_>, large: &Term, small: &Term, wanted: Class) -> Result<Rule, GoalError> {
     for weights in ways(subject.section, [large, small]) {
         let unfolding = Unfolding { weights_from: weights, ..Unfolding::default() };
         let evaluator = subject.evaluator(unfolding)?;
@@ -270,7 +286,7 @@ fn shifted(p: &Multivariate, variable: usize) -> Multivariate {
 }
 
 /// A functional Σ c·f(u) that is 0 on the others and not on the term.
-fn functional(subject: Subject<'_>, term: &Term, others: &[Term]) -> Result<Rule, GoalError> {
+fn functional(subject: &Subject<'_>, term: &Term, others: &[Term]) -> Result<Rule, GoalError> {
     let evaluator = subject.evaluator(Unfolding::default())?;
     let u = evaluator.variable_of("u").ok_or(GoalError::NoRule)?;
     let at = |f: &Quotient, point: &BigRational| {
@@ -300,7 +316,7 @@ fn functional(subject: Subject<'_>, term: &Term, others: &[Term]) -> Result<Rule
 }
 
 /// Does one of the functions have a pole at u?
-fn pole(subject: Subject<'_>, functions: &[Term], at: &BigRational) -> Result<Rule, GoalError> {
+fn pole(subject: &Subject<'_>, functions: &[Term], at: &BigRational) -> Result<Rule, GoalError> {
     let evaluator = subject.evaluator(Unfolding::default())?;
     let u = evaluator.variable_of("u").ok_or(GoalError::NoRule)?;
     for function in functions {

@@ -64,7 +64,7 @@ pub(super) fn has_no_root(coefficients: &[BigInt], prime: u64) -> bool {
 /// By Euclid's algorithm, for a last coefficient of `a` ≠ 0.
 fn degree_of_gcd(mut a: Vec<u64>, mut b: Vec<u64>) -> usize {
     while let Some(leading) = strip(&mut b) {
-        let inverse = power(leading, PRIME - 2);
+        let inverse = inverse(leading);
         while a.len() >= b.len() {
             let Some(&top) = a.last() else { break };
             let factor = PRIME - product(top, inverse);
@@ -105,11 +105,23 @@ fn reduced(value: u128) -> u64 {
     }
 }
 
-fn product(a: u64, b: u64) -> u64 {
+/// A number for each variable: a place for polynomials in many variables, the same in every run.
+pub(super) fn coordinate(v: usize) -> u64 {
+    // The fractional parts of multiples of the golden ratio, stirred: no polynomial that is met is made to vanish there.
+    let mut word = (v as u64 + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+    word = (word ^ word >> 30).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+    reduced(u128::from(word ^ word >> 27))
+}
+
+pub(super) fn sum(a: u64, b: u64) -> u64 {
+    reduced(u128::from(a) + u128::from(b))
+}
+
+pub(super) fn product(a: u64, b: u64) -> u64 {
     reduced(u128::from(a) * u128::from(b))
 }
 
-fn power(mut base: u64, mut exponent: u64) -> u64 {
+pub(super) fn power(mut base: u64, mut exponent: u64) -> u64 {
     let mut result = 1;
     while exponent > 0 {
         if exponent % 2 == 1 {
@@ -119,6 +131,11 @@ fn power(mut base: u64, mut exponent: u64) -> u64 {
         exponent /= 2;
     }
     result
+}
+
+/// 1/a for an a ≠ 0, by Fermat's little theorem.
+fn inverse(a: u64) -> u64 {
+    power(a, PRIME - 2)
 }
 
 #[cfg(test)]
@@ -144,7 +161,8 @@ mod tests {
         }
         assert_eq!(product(PRIME - 1, PRIME - 1), 1);
         assert_eq!(reduced((1 << 125) - 1), 7);
-        assert_eq!(product(power(12_345, PRIME - 2), 12_345), 1);
+        assert_eq!(product(inverse(12_345), 12_345), 1);
+        assert_eq!((sum(PRIME - 1, 1), sum(5, 7), power(3, 5), power(3, 0)), (0, 12, 243, 1));
     }
 
     #[test]

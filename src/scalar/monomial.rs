@@ -64,8 +64,9 @@ impl Monomial {
 
     /// Pairs (v, e) of the variables that occur and their exponents, by rising v.
     pub fn exponents(&self) -> impl Iterator<Item = (usize, usize)> + use<> {
-        let bytes = self.words.into_iter().flat_map(u64::to_be_bytes);
-        bytes.enumerate().filter(|(_, e)| *e != 0).map(|(v, e)| (v, usize::from(e)))
+        let used = self.words.into_iter().enumerate().filter(|(_, word)| *word != 0);
+        let bytes = used.flat_map(|(i, word)| (8 * i..).zip(word.to_be_bytes()));
+        bytes.filter(|(_, e)| *e != 0).map(|(v, e)| (v, usize::from(e)))
     }
 
     /// The product: the exponents add up.

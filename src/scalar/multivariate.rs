@@ -9,6 +9,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed};
 
 use super::gcd::gcd;
+use super::modular;
 use super::monomial::Monomial;
 use super::product::{Terms, degrees, merged, product};
 use super::ring::{RationalAlgebra, Ring};
@@ -113,6 +114,15 @@ impl Multivariate {
     #[must_use]
     pub fn degrees(&self) -> Monomial {
         degrees(&self.terms)
+    }
+
+    /// The value modulo a prime at a place that is the same for all: where two values differ, so do the polynomials.
+    pub(super) fn residue(&self) -> u64 {
+        let power = |(v, e): (usize, usize)| modular::power(modular::coordinate(v), e as u64);
+        let term = |(m, c): &(Monomial, BigInt)| {
+            m.exponents().map(power).fold(modular::residue(c), modular::product)
+        };
+        self.terms.iter().map(term).fold(0, modular::sum)
     }
 
     /// The variables that occur, rising.

@@ -5,6 +5,7 @@ use num_rational::BigRational;
 
 use super::factors::{Factors, as_variable, combined, expanded, factored};
 use super::gcd::lcm;
+use super::modular;
 use super::monomial::Monomial;
 use super::multivariate::Multivariate;
 use super::ring::{ExactField, Field, RationalAlgebra, Ring};
@@ -244,6 +245,15 @@ impl PartialEq for Quotient {
         if self.is_zero() || rhs.is_zero() {
             return self.is_zero() && rhs.is_zero();
         }
+        // At one place modulo a prime most that differ do so, and nothing has to be multiplied out.
+        let down = |q: &Self| {
+            let power = |(factor, e): (&Multivariate, usize)| modular::power(factor.residue(), e as u64);
+            q.factors().map(power).fold(modular::residue(&q.divisor), modular::product)
+        };
+        let across = |p: &Self, q: &Self| modular::product(p.numerator.residue(), down(q));
+        if across(self, rhs) != across(rhs, self) {
+            return false;
+        }
         let (left, right, _, _) = self.on_one_denominator(rhs);
         left == right
     }
@@ -437,6 +447,11 @@ mod tests {
         assert_ne!(as_one, as_two.times(&r.embed(&rational(1, 2))));
         assert_ne!(as_one, as_two.reciprocal().unwrap());
         assert_eq!(as_one.reciprocal().unwrap().numerator, difference.numerator);
+        // 2⁶¹ − 1 is the prime that they are looked at with first.
+        let prime = Quotient::constant(&rational((1 << 61) - 1, 1));
+        assert_ne!(as_one, as_two.plus(&prime.times(&r)));
+        assert_ne!(as_one.over(&prime), as_two.over(&prime.times(&u)));
+        assert_eq!(as_one.over(&prime), as_two.over(&prime));
     }
 
     /// 1/(r + x) at x = u: the derivatives are ±d!/(r + u)^(d + 1).

@@ -36,10 +36,20 @@ impl<S: ExactField> RationalFunction<S> {
     /// numerator/denominator, reduced; `None` if the denominator is 0.
     #[must_use]
     pub fn new(numerator: &Polynomial<S>, denominator: &Polynomial<S>) -> Option<Self> {
+        if denominator.is_zero() {
+            return None;
+        }
         let common = numerator.gcd(denominator);
-        let (numerator, _) = numerator.divide(&common)?;
-        let (denominator, _) = denominator.divide(&common)?;
-        let inverse = denominator.leading().reciprocal()?;
+        Self::coprime(quotient(numerator, &common), quotient(denominator, &common))
+    }
+
+    /// numerator/denominator for polynomials without a common factor; `None` if the denominator is 0.
+    pub(crate) fn coprime(numerator: Polynomial<S>, denominator: Polynomial<S>) -> Option<Self> {
+        let leading = denominator.leading();
+        if *leading == leading.one() {
+            return Some(Self { numerator, denominator });
+        }
+        let inverse = leading.reciprocal()?;
         Some(Self { numerator: numerator.scaled(&inverse), denominator: denominator.scaled(&inverse) })
     }
 
@@ -146,6 +156,9 @@ impl<S: ExactField> Ring for RationalFunction<S> {
         }
         if rhs.is_zero() {
             return self.clone();
+        }
+        if self.denominator == rhs.denominator {
+            return self.rebuilt(&self.numerator.plus(&rhs.numerator), &self.denominator);
         }
         let common = self.denominator.gcd(&rhs.denominator);
         let (own, other) = (quotient(&self.denominator, &common), quotient(&rhs.denominator, &common));
