@@ -66,6 +66,25 @@ pub fn combinations<S: ExactField>(vectors: &[Vec<S>], targets: &[Vec<S>]) -> Ve
     targets.iter().map(combination).collect()
 }
 
+/// Is every target a combination of the vectors? As in [`rank`], missing entries are 0.
+///
+/// ```
+/// # use knotproof::analysis::spans;
+/// # use knotproof::scalar::integer;
+/// let vectors = [[1, 1, 0], [0, 1, 1]].map(|row| row.map(integer).to_vec());
+/// let targets = [[2, 5, 3], [1, 0, -1]].map(|row| row.map(integer).to_vec());
+/// assert!(spans(&vectors, &targets));
+/// assert!(!spans(&vectors, &[[1, 0, 1].map(integer).to_vec()]));
+/// ```
+#[must_use]
+pub fn spans<S: ExactField>(vectors: &[Vec<S>], targets: &[Vec<S>]) -> bool {
+    let mut echelon = Echelon::default();
+    for vector in vectors {
+        let _ = echelon.insert(vector);
+    }
+    targets.iter().all(|target| echelon.reduce(target).entries.iter().all(S::is_zero))
+}
+
 /// Coefficients c_i, not all 0, with Σ c_i v_i = 0, one for each vector; `None` if they are independent. Missing entries are 0.
 ///
 /// ```
@@ -205,7 +224,7 @@ fn add_multiple<S: Ring>(target: &mut Vec<S>, factor: &S, vector: &[S]) {
     if target.len() < vector.len() {
         target.resize(vector.len(), factor.zero());
     }
-    for (t, v) in target.iter_mut().zip(vector) {
+    for (t, v) in target.iter_mut().zip(vector).filter(|(_, v)| !v.is_zero()) {
         *t = t.plus(&factor.times(v));
     }
 }
@@ -230,11 +249,24 @@ pub fn common_numerators<S: ExactField>(functions: &[RationalFunction<S>]) -> Ve
         Some((quotient, _)) => quotient,
         None => unreachable!("a denominator is not 0"),
     };
-    let common = functions.iter().fold(first.denominator().clone(), |common, f| {
-        let divisor = common.gcd(f.denominator());
-        common.times(&quotient(f.denominator(), &divisor))
+    // Functions on a span have few denominators between them, most of them one.
+    let mut denominators: Vec<&Polynomial<S>> = Vec::new();
+    let own: Vec<usize> = functions
+        .iter()
+        .map(|f| {
+            let known = denominators.iter().position(|known| *known == f.denominator());
+            known.unwrap_or_else(|| {
+                denominators.push(f.denominator());
+                denominators.len() - 1
+            })
+        })
+        .collect();
+    let common = denominators.iter().fold(first.denominator().one(), |common, denominator| {
+        let divisor = common.gcd(denominator);
+        common.times(&quotient(denominator, &divisor))
     });
-    functions.iter().map(|f| f.numerator().times(&quotient(&common, f.denominator()))).collect()
+    let missing: Vec<_> = denominators.iter().map(|denominator| quotient(&common, denominator)).collect();
+    functions.iter().zip(own).map(|(f, at)| f.numerator().times(&missing[at])).collect()
 }
 
 /// Q, monic, and with it the P_i of [`common_numerators`]: no polynomial divides Q and all of them. `None` without a function.

@@ -51,7 +51,7 @@ pub use greatest::{Greatest, compare};
 pub use joins::{Branch, Join, joins};
 pub use linear::{
     coefficient_rows, combinations, common_numerators, determinant, determinant_by_elimination, in_span,
-    over_common_denominator, rank, relation,
+    over_common_denominator, rank, relation, spans,
 };
 pub use local_knots::{LocalKnots, LocalKnotsError, SpanQuotient, is_continuous};
 pub use minors::{NegativeMinor, negative_minor};

@@ -7,8 +7,8 @@ use crate::language::{Argument, Definition, Function, Int, Name, Pattern, Side};
 use crate::scalar::{BigRational, Jet, Polynomial, RationalAlgebra, Ring, integer};
 use crate::spline::{self, FormTable, Forms};
 
-use super::cell::{Cell, Focus};
-use super::reading::{Look, Reading, place};
+use super::cell::{Cell, Focus, Frame};
+use super::reading::{Look, Reading, Spot, place};
 use super::truth::Stop;
 use super::value::{Fraction, Plain, Value};
 
@@ -350,8 +350,13 @@ impl Reading<'_> {
         if self.depth > DEEPEST {
             return Err(Stop::Unknown(format!("{name} calls itself without an end")));
         }
-        let key = (name.clone(), of, self.weights.clone());
         let argument = x.cloned().unwrap_or_else(|| 0.into());
+        let spot = match (argument.number(), &self.frame) {
+            (Some(x), _) => Spot::Number(x.clone()),
+            (None, Some(Frame { span: Some(j), .. })) => Spot::Span(*j),
+            (None, _) => Spot::Elsewhere,
+        };
+        let key = (name.clone(), of, self.weights.clone(), spot);
         let known = self.memo.known.get(&key).and_then(|known| known.iter().find(|(at, _)| *at == argument));
         if let Some((_, value)) = known {
             return Ok(value.clone());

@@ -128,11 +128,19 @@ pub struct Reading<'a> {
 /// Arguments of a function and its values.
 pub(super) type Graph = Vec<(Value, Value)>;
 
+/// Where an argument is looked for among those that are known: few are at the same place.
+#[derive(Debug, PartialEq, Eq, Hash)]
+pub(super) enum Spot {
+    Number(BigRational),
+    Span(usize),
+    Elsewhere,
+}
+
 /// The values of definitions that depend on their indices, their argument, the index of the moment, and on what changes
 /// seldom, control values and other indices: found out while they are computed, by how far out the names lie that they look at.
 #[derive(Default)]
 pub(super) struct Memo {
-    pub(super) known: HashMap<(Name, Vec<i64>, Weighting), Graph>,
+    pub(super) known: HashMap<(Name, Vec<i64>, Weighting, Spot), Graph>,
     /// The outermost integer and real looked at since it was set.
     pub(super) outermost: (usize, usize),
 }

@@ -55,9 +55,11 @@ impl Reading<'_> {
 
     /// The cells of an open interval, or of the whole line.
     pub(super) fn line(&self, from: Option<&BigRational>, to: Option<&BigRational>) -> Vec<Cell> {
-        let knots = self.on.knots().into_iter().flat_map(|knots| knots.stop_knots());
-        let mut stops: Vec<_> = knots.map(|(t, _)| t.clone()).collect();
-        stops.retain(|t| from.is_none_or(|from| from < t) && to.is_none_or(|to| t < to));
+        let knots = self.on.knots().map_or(&[][..], |knots| knots.knots());
+        let first = from.map_or(0, |from| knots.partition_point(|t| t <= from));
+        let behind = to.map_or(knots.len(), |to| knots.partition_point(|t| t < to));
+        let mut stops = knots.get(first..behind).unwrap_or(&[]).to_vec();
+        stops.dedup();
         if stops.is_empty() && from.is_none() && to.is_none() {
             stops.push(integer(0));
         }

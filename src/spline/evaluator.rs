@@ -13,6 +13,7 @@ use super::knots::{Side, Span};
 use super::linear_weights::LinearWeights;
 use super::reducer::Reducer;
 use super::triangle::{Active, Triangle, triangle};
+use super::weight::Weights;
 
 /// Exact values of the G_i^k of one basis at any number of points.
 ///
@@ -63,6 +64,27 @@ struct InWords {
     scale: i64,
     knots: Vec<i64>,
     slopes: LinearWeights<u64>,
+}
+
+/// From this degree on the triangle over fractions may be the faster one.
+const HIGH: usize = 96;
+
+/// The weights with these factors, in lowest terms.
+struct Shares<'a>(&'a Factors<u64>);
+
+impl Weights for Shares<'_> {
+    type Scalar = BigRational;
+
+    fn one(&self) -> BigRational {
+        integer(1)
+    }
+
+    fn pair(&self, i: usize, d: usize) -> (BigRational, BigRational) {
+        let (rise, fall) = self.0.shares(i, d);
+        let whole = BigInt::from(*rise) + fall;
+        let share = |part: &u64| BigRational::new((*part).into(), whole.clone());
+        (share(rise), share(fall))
+    }
 }
 
 /// What one run of the recursion writes to.
@@ -119,9 +141,7 @@ impl Evaluator {
         let m = self.knots.len() - 1;
         let in_words = self.words.as_ref().and_then(|words| words.place(x));
         let span = match &in_words {
-            Some((words, dx, xi)) => {
-                span(m, side, |i| (i128::from(words.knots[i]) * i128::from(*xi)).cmp(dx))?
-            }
+            Some((words, dx, xi)) => words.span(side, *dx, *xi)?,
             None => {
                 let (dx, xi) = (&self.scale * x.numer(), x.denom());
                 span(m, side, |i| (&self.knots[i] * xi).cmp(&dx))?
@@ -150,7 +170,26 @@ impl Evaluator {
 
     /// The values at x in lowest terms: [`at`](Self::at), [`Unreduced::reduced`].
     pub fn values(&mut self, x: &BigRational, side: Side) -> Option<Active<BigRational>> {
-        self.at(x, side).map(|mut unreduced| unreduced.reduced())
+        self.by_fractions(x, side).or_else(|| self.at(x, side).map(|mut unreduced| unreduced.reduced()))
+    }
+
+    /// The same by the triangle over fractions in lowest terms, where these stay short: in high degrees, if most factors are equal.
+    /// Between equidistant knots there are some 3k of them on k²/2 places, and nearly all of a numerator cancels.
+    fn by_fractions(&mut self, x: &BigRational, side: Side) -> Option<Active<BigRational>> {
+        if self.degree < HIGH {
+            return None;
+        }
+        let m = self.knots.len() - 1;
+        let (words, dx, xi) = self.words.as_ref()?.place(x)?;
+        let span = words.span(side, dx, xi)?;
+        words.factors(&mut self.long.factors, span, dx, xi)?;
+        let mut factors = self.long.factors.places().to_vec();
+        let places = factors.len();
+        factors.sort_unstable();
+        factors.dedup();
+        // k gcds of fractions as long as all different factors for each of k numerators, or exact divisions of all by all.
+        let are_few = factors.len().pow(2).saturating_mul(self.degree) < places.pow(2);
+        are_few.then(|| triangle(&Shares(&self.long.factors), span, self.degree, m))
     }
 
     /// The functions that live at x as jets of the given order, in lowest terms: values and one-sided derivatives;
@@ -232,6 +271,10 @@ impl InWords {
     fn place(&self, x: &BigRational) -> Option<(&Self, i128, i64)> {
         let (numerator, denominator) = (i64::try_from(x.numer()).ok()?, i64::try_from(x.denom()).ok()?);
         Some((self, i128::from(self.scale) * i128::from(numerator), denominator))
+    }
+
+    fn span(&self, side: Side, dx: i128, xi: i64) -> Option<Span> {
+        span(self.knots.len() - 1, side, |i| (i128::from(self.knots[i]) * i128::from(xi)).cmp(&dx))
     }
 
     /// Fills in the factors on a span, if all of them fit; with the bits of the largest.

@@ -10,8 +10,6 @@ use super::triangle::Active;
 
 /// How many residues are computed at a time: their steps do not wait for one another.
 const LANES: usize = 4;
-/// From so many factors on it is worth the while to look which of them are equal.
-const MANY: usize = 1024;
 
 /// The room for bringing the functions at a point to lowest terms.
 ///
@@ -63,9 +61,6 @@ impl Reducer {
         }
         self.shared.clear();
         self.shared.resize(self.odd.len(), 1);
-        if self.odd.len() >= MANY && self.find_shared_of_distinct(count) {
-            return;
-        }
         for (i, numerator) in (first..).zip(&self.numerators[..count]) {
             for row in factors.denominator_places(i) {
                 let (odd, shared) = (&self.odd[row.clone()], &mut self.shared[row]);
@@ -89,46 +84,6 @@ impl Reducer {
         for (shared, odd) in self.shared.iter_mut().zip(&self.odd) {
             *shared = odd.gcd(*shared);
         }
-    }
-
-    /// The same with every value once, against all numerators: between equidistant knots there are some 3k values on k² places. It
-    /// does nothing, `false`, unless the places are twice as many at least.
-    fn find_shared_of_distinct(&mut self, count: usize) -> bool {
-        let mut places: Vec<usize> = (0..self.odd.len()).collect();
-        places.sort_unstable_by_key(|place| self.odd[*place].value());
-        let runs: Vec<&[usize]> =
-            places.chunk_by(|a, b| self.odd[*a].value() == self.odd[*b].value()).collect();
-        if runs.len() * 2 > places.len() {
-            return false;
-        }
-        let mut distinct: Vec<(OddWord, u64)> = runs.iter().map(|run| (self.odd[run[0]], 1)).collect();
-        let mut open: Vec<usize> = (0..distinct.len()).collect();
-        for numerator in &self.numerators[..count] {
-            for some in open.chunks(LANES) {
-                let odd: [OddWord; LANES] =
-                    std::array::from_fn(|lane| distinct[*some.get(lane).unwrap_or(&some[0])].0);
-                let mut residues = [0; LANES];
-                for digit in numerator.digits() {
-                    for (residue, odd) in residues.iter_mut().zip(&odd) {
-                        *residue = odd.step(*digit, *residue).1;
-                    }
-                }
-                for (at, residue) in some.iter().zip(residues) {
-                    let (odd, product) = &mut distinct[*at];
-                    *product = odd.times(*product, residue);
-                }
-            }
-            // What divides the product of some numerators divides that of all.
-            open.retain(|at| {
-                let (odd, product) = &distinct[*at];
-                *product != 0 && *product != odd.value()
-            });
-        }
-        for (run, (odd, product)) in runs.iter().zip(&distinct) {
-            let shared = odd.gcd(*product);
-            run.iter().for_each(|place| self.shared[*place] = shared);
-        }
-        true
     }
 
     fn fraction(&mut self, i: usize, place: usize, factors: &Factors<u64>) -> BigRational {

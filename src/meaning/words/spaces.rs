@@ -2,7 +2,7 @@
 
 use num_traits::Signed;
 
-use crate::analysis::{NegativeMinor, Pieces, SpanPieces, coefficient_rows, common_numerators, rank};
+use crate::analysis::{NegativeMinor, Pieces, SpanPieces, coefficient_rows, common_numerators, spans};
 use crate::language::{Int, Real};
 use crate::scalar::{Polynomial, Ring, integer};
 use crate::spline::{Basis, KnotVector, Side};
@@ -42,7 +42,8 @@ fn contains(fine: &Basis, coarse: &Basis) -> bool {
             |i| active.as_ref().and_then(|active| active.get(i)).cloned().unwrap_or_else(|| on.x.zero());
         (0..=fine.n()).map(|i| on.function(i)).chain((0..=coarse.n()).map(other)).collect()
     }));
-    rank(&rows[..=fine.n()]) == rank(&rows)
+    let (finer, coarser) = rows.split_at(fine.n() + 1);
+    spans(finer, coarser)
 }
 
 fn on_knots(basis: &Basis, knots: KnotVector, degree: usize) -> Option<Basis> {
