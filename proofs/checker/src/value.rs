@@ -267,15 +267,15 @@ impl<'t> Case<'_, 't> {
             return Ok(self.parameter("real", Node::name_of("outside"))?);
         };
         let x = Node::made("x", vec![Node::made(place, vec![Node::name_of("W"), Node::whole_of(0)])]);
-        self.from_origin(None, x)
+        self.measured(None, x)
     }
 
     fn shown_knot(&mut self, e: i64) -> Found<Value<'t>> {
-        self.from_origin(Some(e), Node::made("t", vec![Node::name_of("W"), Node::whole_of(e)]))
+        self.measured(Some(e), Node::made("t", vec![Node::name_of("W"), Node::whole_of(e)]))
     }
 
     /// x or a knot of the window, from the origin.
-    fn from_origin(&mut self, knot: Option<i64>, term: Node<'t>) -> Found<Value<'t>> {
+    fn measured(&mut self, knot: Option<i64>, term: Node<'t>) -> Found<Value<'t>> {
         if let Some(known) = self.shown_knots.get(&knot) {
             return Ok(known.clone());
         }
