@@ -94,6 +94,13 @@ pub fn rational_algebra<S: RationalAlgebra>(elements: &[S]) -> Result<(), Broken
                 expect("(b/a)·a = b", &[a, b], &quotient.times(a), b)?;
             }
         }
+        for b in elements {
+            if let Some((w, v)) = a.shares(b) {
+                let sum = a.plus(b);
+                expect("a/(a + b)·(a + b) = a", &[a, b], &w.times(&sum), a)?;
+                expect("b/(a + b)·(a + b) = b", &[a, b], &v.times(&sum), b)?;
+            }
+        }
     }
     Ok(())
 }

@@ -203,7 +203,22 @@ impl<S: ExactField> RationalAlgebra for RationalFunction<S> {
         Self::constant(self.denominator.leading().embed(value))
     }
     fn reciprocal(&self) -> Option<Self> {
-        Self::new(&self.denominator, &self.numerator)
+        Self::coprime(self.denominator.clone(), self.numerator.clone())
+    }
+    /// P/(P + R) and R/(P + R) from the numerators over one denominator: what divides two of P, R and P + R divides all three.
+    fn shares(&self, rhs: &Self) -> Option<(Self, Self)> {
+        let (p, r) = if self.denominator == rhs.denominator {
+            (self.numerator.clone(), rhs.numerator.clone())
+        } else {
+            (self.numerator.times(&rhs.denominator), rhs.numerator.times(&self.denominator))
+        };
+        let common = p.gcd(&r);
+        if common.is_zero() {
+            return None;
+        }
+        let (p, r) = (quotient(&p, &common), quotient(&r, &common));
+        let whole = p.plus(&r);
+        Some((Self::coprime(p, whole.clone())?, Self::coprime(r, whole)?))
     }
 }
 
