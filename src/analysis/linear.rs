@@ -13,8 +13,7 @@ use crate::scalar::{ExactField, Polynomial, RationalFunction, Ring};
 /// ```
 #[must_use]
 pub fn rank<S: ExactField>(vectors: &[Vec<S>]) -> usize {
-    let mut echelon = Echelon::default();
-    vectors.iter().filter(|vector| echelon.insert(vector).is_ok()).count()
+    Echelon::of(vectors).rows.len()
 }
 
 /// Coefficients c_i with Σ c_i v_i = target, one for each vector; `None` if there are none, and they are
@@ -44,11 +43,7 @@ pub fn in_span<S: ExactField>(vectors: &[Vec<S>], target: &[S]) -> Option<Vec<S>
 /// ```
 #[must_use]
 pub fn combinations<S: ExactField>(vectors: &[Vec<S>], targets: &[Vec<S>]) -> Vec<Option<Vec<S>>> {
-    let mut echelon = Echelon::default();
-    for vector in vectors {
-        // A vector that depends on those before is not needed.
-        let _ = echelon.insert(vector);
-    }
+    let echelon = Echelon::of(vectors);
     let combination = |target: &Vec<S>| {
         let Some(zero) = target.first().or_else(|| vectors.iter().flatten().next()).map(S::zero) else {
             // No entry anywhere, so there is no 0 to be had: only an empty list of coefficients can be given.
@@ -78,10 +73,7 @@ pub fn combinations<S: ExactField>(vectors: &[Vec<S>], targets: &[Vec<S>]) -> Ve
 /// ```
 #[must_use]
 pub fn spans<S: ExactField>(vectors: &[Vec<S>], targets: &[Vec<S>]) -> bool {
-    let mut echelon = Echelon::default();
-    for vector in vectors {
-        let _ = echelon.insert(vector);
-    }
+    let echelon = Echelon::of(vectors);
     targets.iter().all(|target| echelon.reduce(target).entries.iter().all(S::is_zero))
 }
 
@@ -186,6 +178,13 @@ struct Reduced<S> {
 }
 
 impl<S: ExactField> Echelon<S> {
+    /// A vector that depends on those before is left out.
+    fn of(vectors: &[Vec<S>]) -> Self {
+        let mut echelon = Self::default();
+        vectors.iter().for_each(|vector| _ = echelon.insert(vector));
+        echelon
+    }
+
     fn reduce(&self, vector: &[S]) -> Reduced<S> {
         let mut reduced = Reduced { entries: vector.to_vec(), combination: Vec::new() };
         for row in &self.rows {

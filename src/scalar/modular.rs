@@ -107,7 +107,7 @@ fn reduced(value: u128) -> u64 {
 
 /// A number for each variable: a place for polynomials in many variables, the same in every run.
 pub(super) fn coordinate(v: usize) -> u64 {
-    // The fractional parts of multiples of the golden ratio, stirred: no polynomial that is met is made to vanish there.
+    // Multiples of the golden ratio, stirred: numbers that no relation between variables in use is made to fit.
     let mut word = (v as u64 + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
     word = (word ^ word >> 30).wrapping_mul(0xBF58_476D_1CE4_E5B9);
     reduced(u128::from(word ^ word >> 27))

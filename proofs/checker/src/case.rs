@@ -104,7 +104,7 @@ pub(crate) struct Case<'c, 't> {
     pub(crate) section: Section<'t>,
     /// The parameters of the derivation, with what declares them.
     pub(crate) parameters: Vec<(&'static str, Node<'t>)>,
-    /// x and the knots of the window, as far as somebody has asked.
+    /// x, and under its index each knot of the window, as far as somebody has asked: in most hypotheses there is one.
     pub(crate) shown_knots: BTreeMap<Option<i64>, Value<'t>>,
     /// The first and the last knot of the window, counted from s.
     pub(crate) shown: (i64, i64),
@@ -225,7 +225,7 @@ impl<'c, 't> Case<'c, 't> {
 
     /// A term that the knots and parameters give a value.
     pub(crate) fn leaf(&self, term: Node<'t>) -> Result<Value<'t>> {
-        let plain = Some(self.section.value(&term)?);
+        let plain = Some(self.section.term(&term, &self.section.env)?.into());
         Ok(Value { term, plain, knot: None })
     }
 

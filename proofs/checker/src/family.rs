@@ -321,11 +321,8 @@ impl<'t> Family<'t> {
         let mut common = Factors::new();
         rise.derivatives.iter().chain(&fall.derivatives).for_each(|part| part.widen(&mut common));
         let over = |share: Quantity| {
-            share
-                .derivatives
-                .iter()
-                .map(|part| Ok(part.over_common(&common)?.into_owned()))
-                .collect::<Result<_>>()
+            let over = |part: &Fraction| Ok(part.over_common(&common)?.into_owned());
+            share.derivatives.iter().map(over).collect::<Result<_>>()
         };
         Ok(Shares { rise: over(rise)?, fall: over(fall)? })
     }

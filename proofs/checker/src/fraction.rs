@@ -93,16 +93,18 @@ impl Fraction {
     }
 
     pub(crate) fn plus(&self, other: &Self) -> Result<Self> {
-        spend(self.size() + other.size())?;
-        match () {
-            () if other.is_zero() => Ok(self.clone()),
-            () if self.is_zero() => Ok(other.clone()),
-            () => self.joined(other, Poly::plus),
-        }
+        self.joined(other, Poly::plus)
     }
 
     /// The sum or the difference.
     fn joined(&self, other: &Self, of: impl Fn(Poly, &Poly) -> Poly) -> Result<Self> {
+        spend(self.size() + other.size())?;
+        if other.is_zero() {
+            return Ok(self.clone());
+        }
+        if self.is_zero() {
+            return Ok(Fraction { num: of(Poly::default(), &other.num), den: other.den.clone() });
+        }
         let mut den = self.den.clone();
         other.widen(&mut den);
         let num = of(self.over_common(&den)?.into_owned(), &*other.over_common(&den)?);
@@ -114,12 +116,7 @@ impl Fraction {
     }
 
     pub(crate) fn minus(&self, other: &Self) -> Result<Self> {
-        spend(self.size() + other.size())?;
-        match () {
-            () if other.is_zero() => Ok(self.clone()),
-            () if self.is_zero() => Ok(other.negated()),
-            () => self.joined(other, Poly::minus),
-        }
+        self.joined(other, Poly::minus)
     }
 
     pub(crate) fn times(&self, other: &Self) -> Result<Self> {

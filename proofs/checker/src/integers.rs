@@ -32,7 +32,7 @@ impl<'t> Case<'_, 't> {
                 let plain = self.real(real)?.plain.ok_or(Stop::Undecided)?;
                 let mut count = 0;
                 for knot in &knots {
-                    let other = self.section.value(knot)?;
+                    let other = self.section.term(knot, &self.section.env)?;
                     count += i64::from(plain.minus(&other)?.is_zero());
                 }
                 return Ok(Form::number(count));

@@ -1,7 +1,5 @@
 //! One section of a statement: its parameters as variables with signs, its abbreviations and knot vectors.
 
-use std::cell::RefCell;
-use std::collections::HashMap;
 use std::rc::Rc;
 
 use crate::env::{Env, Meaning, Own, Window};
@@ -10,7 +8,7 @@ use crate::fraction::{Factors, Fraction};
 use crate::poly::{Poly, Sign};
 use crate::terms::{Evaluator, Mode};
 use crate::token::{Kind, Node};
-use crate::work::{keep, spend};
+use crate::work::keep;
 
 /// A section has so many parameters at most; the unknowns of a formula come on top.
 const PARAMETERS: usize = 250;
@@ -23,8 +21,6 @@ pub(crate) struct Section<'t> {
     pub(crate) signs: Vec<Sign>,
     /// The windows so far.
     windows: Vec<Frame<'t>>,
-    /// What terms are worth, as far as somebody has asked; forgotten where a name may come to mean something else.
-    known: RefCell<HashMap<Node<'t>, Rc<Fraction>>>,
 }
 
 /// A window that is not measured yet.
@@ -38,7 +34,7 @@ struct Frame<'t> {
 impl<'t> Section<'t> {
     /// Reads the declarations one after the other; `env` has the integers.
     pub(crate) fn new(declarations: &[Node<'t>], env: Env<'t>) -> Result<Self> {
-        let mut section = Section { env, signs: Vec::new(), windows: Vec::new(), known: RefCell::default() };
+        let mut section = Section { env, signs: Vec::new(), windows: Vec::new() };
         section.parameter("u", Vec::new(), Sign::Positive)?;
         let family = section.env.family.clone();
         for own in family.parameters.iter().filter(|own| own.indices.is_empty()) {
@@ -134,7 +130,6 @@ impl<'t> Section<'t> {
 
     fn abbreviation(&mut self, name: &'t str, term: &Node<'t>) -> Result<()> {
         let value = self.term(term, &self.env)?;
-        self.known.get_mut().clear();
         let value = match self.env.family.unindexed(name) {
             // It is known already, and means something else from here on: a constant, where x moves with u.
             Some(_) if !value.is_only_in(|variable| variable != U) => {
@@ -154,18 +149,6 @@ impl<'t> Section<'t> {
         let value = Evaluator::new(&self.signs, Mode::default()).term(term, env)?;
         let known = value.is_only_in(|variable| variable < self.signs.len());
         if known { Ok(value) } else { Err(Reason::NotShown("a weight that is not known")) }
-    }
-
-    /// The value of a term that names nothing but what is declared.
-    pub(crate) fn value(&self, term: &Node<'t>) -> Result<Rc<Fraction>> {
-        spend(1)?;
-        if let Some(known) = self.known.borrow().get(term) {
-            return Ok(known.clone());
-        }
-        let value = Rc::new(self.term(term, &self.env)?);
-        keep(value.size())?;
-        self.known.borrow_mut().insert(term.clone(), value.clone());
-        Ok(value)
     }
 
     /// The gaps between knots that are numbers.
@@ -190,7 +173,6 @@ impl<'t> Section<'t> {
 
     /// Makes the gaps of all windows so far to knots over one common denominator.
     fn measure(&mut self) -> Result<()> {
-        self.known.get_mut().clear();
         let all = &self.windows;
         let mut common = Factors::new();
         all.iter().flat_map(|frame| &frame.gaps).for_each(|gap| gap.widen(&mut common));
