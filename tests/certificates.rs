@@ -27,8 +27,15 @@ struct Recorded {
     statement: Statement,
 }
 
-/// Every finding that was recorded, with the claim and the form that it is about.
-fn recorded_findings() -> Vec<(String, Form, Finding)> {
+/// A finding that was recorded, and what the program says about it in formal terms.
+struct Stated {
+    claim: String,
+    form: Form,
+    finding: Finding,
+    statement: Option<Statement>,
+}
+
+static FINDINGS: LazyLock<Vec<Stated>> = LazyLock::new(|| {
     let mut findings = Vec::new();
     for entry in Baseline::recorded().expect("proofs/verdicts.json can be read").claims {
         let mut add = |form, finding| findings.push((entry.id.clone(), form, finding));
@@ -36,22 +43,21 @@ fn recorded_findings() -> Vec<(String, Form, Finding)> {
         entry.amended.into_iter().for_each(|finding| add(Form::Amended, finding));
         entry.by_degree.into_iter().for_each(|of| add(Form::Degree(of.degree), of.finding));
     }
-    findings
-}
-
-/// What the program says in formal terms about a finding.
-fn stated(claim: &str, form: Form, finding: &Finding) -> Option<Statement> {
-    let claim = claims().into_iter().find(|other| other.id() == claim).expect("a claim of the paper");
-    statement(claim, form, finding.witness.as_ref()).expect("it is in the language")
-}
+    let stated = |(claim, form, finding): (String, Form, Finding)| {
+        let of = claims().into_iter().find(|other| other.id() == claim).expect("a claim of the paper");
+        let statement = statement(of, form, finding.witness.as_ref()).expect("it is in the language");
+        Stated { claim, form, finding, statement }
+    };
+    findings.into_par_iter().map(stated).collect()
+});
 
 static RECORDED: LazyLock<Vec<Recorded>> = LazyLock::new(|| {
-    let certified = |(claim, form, finding): (String, Form, Finding)| {
+    let certified = |Stated { finding, statement, .. }: &Stated| {
         let name = finding.certificate.clone()?;
-        let statement = stated(&claim, form, &finding).expect("a certificate has a formal statement");
+        let statement = statement.clone().expect("a certificate has a formal statement");
         Some(Recorded { name, statement })
     };
-    let all = recorded_findings().into_iter().filter_map(certified);
+    let all = FINDINGS.iter().filter_map(certified);
     // One can be of several degrees.
     let mut names = HashSet::new();
     all.filter(|Recorded { name, .. }| names.insert(name.clone())).collect()
@@ -83,9 +89,8 @@ static FILES: LazyLock<Vec<Files>> = LazyLock::new(|| {
 
 #[test]
 fn every_settled_finding_has_a_certificate_if_it_is_stated_formally() {
-    for (claim, form, finding) in recorded_findings() {
-        let stated = stated(&claim, form, &finding).is_some();
-        assert_eq!(finding.certificate.is_some(), stated, "{claim} ({form})");
+    for Stated { claim, form, finding, statement } in &*FINDINGS {
+        assert_eq!(finding.certificate.is_some(), statement.is_some(), "{claim} ({form})");
         let checked: &[&str] = match (finding.status.as_str(), &finding.certificate) {
             (_, Some(_)) => &["prover", "checker"],
             ("proved" | "refuted", None) => &["engine"],
@@ -154,14 +159,14 @@ fn the_checker_accepts_all_and_reads_the_same_headers() {
 /// A scope in the verdicts is the one that the checker read.
 #[test]
 fn the_recorded_scope_is_that_of_the_certificate() {
-    for (claim, form, finding) in recorded_findings() {
+    for Stated { claim, form, finding, .. } in &*FINDINGS {
         let Some(name) = &finding.certificate else { continue };
         let files = FILES.iter().find(|files| files.name == *name).unwrap();
         let statement = Sexp::parse_all(&files.statement).unwrap().remove(0).to_string();
-        match finding.scope {
+        match &finding.scope {
             Some(scope) => {
                 // No certificate is about every degree: that a theorem says.
-                let far = if scope == "degree" { "knots" } else { &scope };
+                let far = if scope == "degree" { "knots" } else { scope };
                 assert!(statement.contains(&format!("(verdict proved) (scope {far})")), "{name}");
             }
             None => {

@@ -2,7 +2,7 @@
 //!
 //! A line ends with exit code 0, or with the one that a comment behind it names: `# exit code 1`. A block that can't be
 //! run here says so in a comment before it, `<!-- not run by tests/pages.rs: REASON -->`. Lines that take long are marked
-//! `# takes a while`: they are left out here and run by `tests/pages.sh`, with the release build.
+//! `# takes a while`: they are left out here and run by `tests/pages.sh`.
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 

@@ -211,15 +211,28 @@ fn coefficient_sign(p: &Polynomial<BigRational>) -> Option<Sign> {
 
 /// The sign of P/Q − S/T that the coefficients of PT − SQ show: most need no common denominator in lowest terms.
 pub(super) fn sign_of_difference(a: &Value, b: &Value) -> Option<Sign> {
-    let (Value { plain: Plain::Piece(f), root: None }, Value { plain: Plain::Piece(g), root: None }) = (a, b)
-    else {
-        return None;
-    };
-    let ((p, q), (s, t)) = (f.parts(), g.parts());
-    if [q, t].iter().any(|q| coefficient_sign(q) != Some(Sign::Positive)) {
+    if a.root.is_some() || b.root.is_some() {
         return None;
     }
-    coefficient_sign(&if q == t { p.minus(s) } else { p.times(t).minus(&s.times(q)) })
+    let numerator = match (&a.plain, &b.plain) {
+        (Plain::Number(a), Plain::Number(b)) => return Some(Sign::of(&(a - b))),
+        (Plain::Number(_), Plain::Piece(_)) => return sign_of_difference(b, a).map(Sign::opposite),
+        (Plain::Piece(f), Plain::Number(c)) => {
+            let (p, q) = f.parts();
+            is_positive(q).then(|| p.minus(&q.scaled(c)))
+        }
+        (Plain::Piece(f), Plain::Piece(g)) => {
+            let ((p, q), (s, t)) = (f.parts(), g.parts());
+            let over_one = || if q == t { p.minus(s) } else { p.times(t).minus(&s.times(q)) };
+            (is_positive(q) && is_positive(t)).then(over_one)
+        }
+    };
+    coefficient_sign(&numerator?)
+}
+
+/// Has it no negative coefficient, and one that is not 0?
+fn is_positive(p: &Polynomial<BigRational>) -> bool {
+    coefficient_sign(p) == Some(Sign::Positive)
 }
 
 /// The sign at an isolated root, decided exactly. At a pole, which nobody asks for, that of the numerator.

@@ -8,7 +8,7 @@ use crate::scalar::{BigRational, Jet, Polynomial, RationalAlgebra, Ring, integer
 use crate::spline::{self, FormTable, Forms};
 
 use super::cell::{Cell, Focus, Frame};
-use super::reading::{Look, Reading, Spot, place};
+use super::reading::{Known, Look, Reading, Spot, place};
 use super::truth::Stop;
 use super::value::{Fraction, Plain, Value};
 
@@ -288,9 +288,9 @@ impl Reading<'_> {
     fn phi(&mut self, x: &Value, a: &Value, b: &Value, side: Option<Side>) -> Result<Value, Stop> {
         let outside = |sign: Sign, closed: bool| sign == Sign::Negative || (sign == Sign::Zero && !closed);
         let left = side == Some(Side::Left);
-        let nowhere = self.sign(&b.minus(a)?)? != Sign::Positive
-            || outside(self.sign(&x.minus(a)?)?, !left)
-            || outside(self.sign(&b.minus(x)?)?, left);
+        let nowhere = self.sign_between(b, a)? != Sign::Positive
+            || outside(self.sign_between(x, a)?, !left)
+            || outside(self.sign_between(b, x)?, left);
         if nowhere { Ok(0.into()) } else { self.moebius(x, a, b) }
     }
 
@@ -357,9 +357,10 @@ impl Reading<'_> {
             (None, _) => Spot::Elsewhere,
         };
         let key = (name.clone(), of, self.weights.clone(), spot);
-        let known = self.memo.known.get(&key).and_then(|known| known.iter().find(|(at, _)| *at == argument));
-        if let Some((_, value)) = known {
-            return Ok(value.clone());
+        let known = self.memo.known.get(&key);
+        if let Some(known) = known.and_then(|all| all.iter().find(|known| known.argument == argument)) {
+            self.seen.join(&known.seen);
+            return Ok(known.value.clone());
         }
         let before = (self.bound.integers.len(), self.bound.reals.len());
         for (pattern, i) in definition.indices.iter().zip(&key.1) {
@@ -372,6 +373,7 @@ impl Reading<'_> {
             self.bound.reals.push((variable.clone(), x.clone(), id));
         }
         let outside = std::mem::replace(&mut self.memo.outermost, before);
+        let seen_outside = std::mem::take(&mut self.seen);
         self.depth += 1;
         let value = self.real(&definition.body);
         self.depth -= 1;
@@ -380,8 +382,10 @@ impl Reading<'_> {
         let own = self.memo.outermost;
         self.memo.outermost = (outside.0.min(own.0), outside.1.min(own.1));
         if let (true, true, Ok(value)) = (own == before, self.looked.is_none(), &value) {
-            self.memo.known.entry(key).or_default().push((argument, value.clone()));
+            let known = Known { argument, value: value.clone(), seen: self.seen.clone() };
+            self.memo.known.entry(key).or_default().push(known);
         }
+        self.seen.join(&seen_outside);
         value
     }
 
@@ -403,7 +407,7 @@ impl Reading<'_> {
         }
         if let Some(j) = self.span_of_sample(x) {
             let (from, to) = (knots.t(j).clone().into(), knots.t(j + 1).clone().into());
-            let signs = (self.sign(&x.minus(&from)?), self.sign(&x.minus(&to)?));
+            let signs = (self.sign_between(x, &from), self.sign_between(x, &to));
             if signs == (Ok(Sign::Positive), Ok(Sign::Negative)) {
                 return Ok(Where::Span(j));
             }
@@ -413,7 +417,7 @@ impl Reading<'_> {
         let (mut below, mut above) = (0, list.len());
         while below < above {
             let t = &list[(below + above) / 2];
-            match self.sign(&x.minus(&t.clone().into())?)? {
+            match self.sign_between(x, &t.clone().into())? {
                 Sign::Zero => return Ok(Where::Knot(t.clone())),
                 Sign::Negative => above = list.partition_point(|s| s < t),
                 Sign::Positive => below = list.partition_point(|s| s <= t),

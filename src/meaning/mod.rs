@@ -15,6 +15,7 @@ mod local;
 mod points;
 mod reading;
 mod reals;
+mod seen;
 mod sentence;
 mod tries;
 mod truth;

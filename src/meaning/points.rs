@@ -302,10 +302,9 @@ fn walk_function<'t>(f: &'t Function, see: &mut dyn FnMut(&'t Name)) {
     }
 }
 
-/// 0 and the unit vectors.
-pub(super) fn units(count: usize) -> impl Iterator<Item = Vec<BigRational>> {
-    let unit = move |unit: usize| (0..count).map(|i| integer(usize::from(i == unit))).collect();
-    std::iter::once(count).chain(0..count).map(unit)
+/// 0, or a unit vector.
+pub(super) fn unit(count: usize, unit: Option<usize>) -> Vec<BigRational> {
+    (0..count).map(|i| integer(usize::from(Some(i) == unit))).collect()
 }
 
 #[cfg(test)]

@@ -12,6 +12,7 @@ use crate::spline::{Index, KnotVector, Side};
 use super::cell::{Frame, sign_of_difference};
 use super::family::Weighting;
 use super::instance::Instance;
+use super::seen::Seen;
 use super::truth::{Stop, Truth};
 use super::value::{Plain, Value, combined};
 use super::words;
@@ -123,10 +124,16 @@ pub struct Reading<'a> {
     pub(super) frames: usize,
     pub(super) depth: usize,
     pub(super) memo: Memo,
+    /// The control values that were looked at since it was taken.
+    pub(super) seen: Seen,
 }
 
-/// Arguments of a function and its values.
-pub(super) type Graph = Vec<(Value, Value)>;
+/// A value of a function, with its argument and what was looked at for it.
+pub(super) struct Known {
+    pub(super) argument: Value,
+    pub(super) value: Value,
+    pub(super) seen: Seen,
+}
 
 /// Where an argument is looked for among those that are known: few are at the same place.
 #[derive(Debug, PartialEq, Eq, Hash)]
@@ -140,7 +147,7 @@ pub(super) enum Spot {
 /// seldom, control values and other indices: found out while they are computed, by how far out the names lie that they look at.
 #[derive(Default)]
 pub(super) struct Memo {
-    pub(super) known: HashMap<(Name, Vec<i64>, Weighting, Spot), Graph>,
+    pub(super) known: HashMap<(Name, Vec<i64>, Weighting, Spot), Vec<Known>>,
     /// The outermost integer and real looked at since it was set.
     pub(super) outermost: (usize, usize),
 }
@@ -175,6 +182,7 @@ impl<'a> Reading<'a> {
             frames: 0,
             depth: 0,
             memo: Memo::default(),
+            seen: Seen::default(),
         }
     }
 
@@ -336,7 +344,11 @@ impl<'a> Reading<'a> {
             format!("{name}[{}] does not exist", of.join(","))
         };
         let value = match (of.as_slice(), find(&self.bound.points, name), &self.on.points) {
-            ([i], Ok(list), _) => list.get(place(*i, list.len(), missing)?),
+            ([i], Ok(list), _) => {
+                let at = place(*i, list.len(), missing)?;
+                self.seen.add([at]);
+                list.get(at)
+            }
             ([i, c], _, Some(points)) => {
                 let point = &points[place(*i, points.len(), missing)?];
                 point.get(place(c - 1, point.len(), missing)?)
@@ -359,6 +371,14 @@ impl<'a> Reading<'a> {
         }
     }
 
+    /// The sign of a − b on the part that is looked at.
+    pub(super) fn sign_between(&mut self, a: &Value, b: &Value) -> Result<Sign, Stop> {
+        match sign_of_difference(a, b) {
+            Some(sign) => Ok(sign),
+            None => self.sign(&a.minus(b)?),
+        }
+    }
+
     /// a/b: every division asks that b has no zero.
     pub(super) fn quotient(&mut self, a: &Value, b: &Value) -> Result<Value, Stop> {
         let zero = || Stop::Undefined("a denominator is 0".into());
@@ -375,7 +395,7 @@ impl<'a> Reading<'a> {
             Fold::Least => Sign::Positive,
             Fold::Greatest => Sign::Negative,
         };
-        Ok(if self.sign(&a.minus(&b)?)? == first { b } else { a })
+        Ok(if self.sign_between(&a, &b)? == first { b } else { a })
     }
 
     /// Another member of the family.
@@ -403,23 +423,22 @@ impl<'a> Reading<'a> {
         let index = match member {
             Member::Index(Real::Infinity) => return Ok(Index::infinity()),
             Member::Index(Real::Index(name)) => return self.index_named(name),
-            // The family is closed under 1 − α, and there ∞ is its own partner.
-            Member::Index(Real::Minus(one, alpha)) if self.is_infinite_index(alpha)? => {
-                self.real(one)?;
-                return Ok(Index::infinity());
-            }
+            Member::Index(Real::Minus(from, alpha)) => match (&**from, &**alpha) {
+                (Real::Whole(Int::Number(1)), Real::Index(name)) => {
+                    return Ok(self.index_named(name)?.conjugate());
+                }
+                // ∞ is c − ∞.
+                (from, Real::Index(name)) if self.index_named(name)?.is_infinite() => {
+                    self.real(from)?;
+                    return Ok(Index::infinity());
+                }
+                (from, alpha) => Index::from_alpha(number(self.real(from)?.minus(&self.real(alpha)?)?)?),
+            },
             Member::Index(term) => Index::from_alpha(number(self.real(term)?)?),
             Member::Ratio(term) => Index::from_ratio(number(self.real(term)?)?),
             Member::Parameter(..) | Member::Dual => return self.own_index().cloned(),
         };
         index.map_err(|error| Stop::Undefined(error.to_string()))
-    }
-
-    fn is_infinite_index(&mut self, t: &Real) -> Result<bool, Stop> {
-        match t {
-            Real::Index(name) => Ok(self.index_named(name)?.is_infinite()),
-            _ => Ok(false),
-        }
     }
 
     /// With another member for a while.

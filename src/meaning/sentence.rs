@@ -1,5 +1,8 @@
 //! A sentence on an instance: everything that `for` leaves open, the innermost binder fastest.
 
+use std::mem::take;
+use std::rc::Rc;
+
 use num_traits::{One, Signed, Zero};
 
 use crate::analysis::IsolatedRoot;
@@ -14,6 +17,7 @@ use super::instance::Instance;
 use super::points;
 use super::reading::{Found, Names, Reading};
 use super::reals::Part;
+use super::seen::{Branch, Course};
 use super::tries;
 use super::truth::{Stop, Truth};
 use super::value::{Plain, Value};
@@ -93,10 +97,12 @@ impl Here {
     }
 }
 
+/// On its way through what the names of a sentence stand for.
 struct Walk<'s> {
     sentence: &'s Sentence,
     linear: bool,
     decided: Decided,
+    course: Course,
 }
 
 impl Walk<'_> {
@@ -187,12 +193,52 @@ impl<'a> Reading<'a> {
 
     fn decide(&mut self, sentence: &Sentence) -> Decided {
         let linear = points::decided_by_units(sentence, self.names.definitions);
-        let mut walk = Walk { sentence, linear, decided: Decided::default() };
+        let mut walk = Walk { sentence, linear, decided: Decided::default(), course: Course::Alone };
         if concerns(sentence, self.on) {
             self.binders(&sentence.given, &sentence.assume.iter().collect::<Vec<_>>(), &mut walk);
         }
-        walk.decided.found = std::mem::take(&mut self.found);
+        walk.decided.found = take(&mut self.found);
         walk.decided
+    }
+
+    /// Goes on with one value of a name. Where the control value that is not 0 was not looked at while it was, all goes as it went then:
+    /// nothing is read a second time.
+    fn branch<'s>(&mut self, walk: &mut Walk<'s>, read: impl FnOnce(&mut Self, &mut Walk<'s>)) {
+        if walk.done() {
+            return;
+        }
+        // What is read on a frame leaves cuts behind, for the branches after it.
+        if self.frame.is_some() {
+            return read(self, walk);
+        }
+        match take(&mut walk.course) {
+            Course::Alone => read(self, walk),
+            Course::Written(mut above) => {
+                let (outside, facts) = (take(&mut self.seen), walk.decided.facts);
+                walk.course = Course::Written(Branch::default());
+                read(self, walk);
+                if let Course::Written(mut branch) = take(&mut walk.course) {
+                    branch.own = take(&mut self.seen);
+                    branch.all.join(&branch.own);
+                    branch.facts = walk.decided.facts - facts;
+                    above.all.join(&branch.all);
+                    above.branches.push(Rc::new(branch));
+                }
+                self.seen = outside;
+                walk.course = Course::Written(above);
+            }
+            Course::Beside { unit, zero, next } => {
+                match zero.branches.get(next) {
+                    Some(branch) if !branch.all.has(unit) => walk.decided.facts += branch.facts,
+                    Some(branch) if !branch.own.has(unit) => {
+                        walk.course = Course::Beside { unit, zero: Rc::clone(branch), next: 0 };
+                        read(self, walk);
+                    }
+                    _ => read(self, walk),
+                }
+                walk.course = Course::Beside { unit, zero, next: next + 1 };
+            }
+        }
     }
 
     /// Binds the first of the binders to all it can be, and goes on with the rest.
@@ -219,6 +265,7 @@ impl<'a> Reading<'a> {
                     let known = walk.decided.failure.is_some();
                     let mut own = Reading { bound: self.bound.clone(), ..Reading::new(&on, self.names) };
                     own.binders(others, &pending, walk);
+                    self.seen.join(&own.seen);
                     if let (false, Some(failure)) = (known, &mut walk.decided.failure) {
                         failure.knots = on.knots().cloned();
                     }
@@ -229,7 +276,7 @@ impl<'a> Reading<'a> {
             Binder::Index(name) => {
                 for index in self.other_indices(walk.sentence) {
                     self.bound.indices.push((name.clone(), index));
-                    self.binders(others, &pending, walk);
+                    self.branch(walk, |own, walk| own.binders(others, &pending, walk));
                     self.bound.indices.pop();
                     self.memo.known.clear();
                 }
@@ -237,7 +284,9 @@ impl<'a> Reading<'a> {
             Binder::Integer(range) => match self.range(range) {
                 Ok(values) => {
                     for i in values {
-                        self.with_integer(&range.name, i, |own| own.binders(others, &pending, walk));
+                        self.branch(walk, |own, walk| {
+                            own.with_integer(&range.name, i, |own| own.binders(others, &pending, walk));
+                        });
                     }
                 }
                 Err(stop) => walk.stopped(stop, self.given(&walk.sentence.given, None)),
@@ -268,7 +317,7 @@ impl<'a> Reading<'a> {
                     let named =
                         free.iter().zip(values).map(|((name, _), value)| ((*name).clone(), value.into(), 0));
                     self.bound.reals.extend(named);
-                    self.binders(others, &pending, walk);
+                    self.branch(walk, |own, walk| own.binders(others, &pending, walk));
                     self.bound.reals.truncate(before);
                 }
             }
@@ -282,13 +331,25 @@ impl<'a> Reading<'a> {
                 } else {
                     tries::control_values(self.on, &self.weights, basis)
                 };
-                for values in points::units(basis.n() + 1).chain(more) {
+                let count = basis.n() + 1;
+                // Of a list of control values inside of another one nothing is written down, and the reference skips nothing.
+                let outer = take(&mut walk.course);
+                let written = matches!(outer, Course::Alone) && !self.on.is_reference();
+                let mut with = |values, walk: &mut Walk<'_>| {
                     self.bound.points.push((name.clone(), values));
-                    // Definitions may speak of them.
-                    self.binders(others, &pending, walk);
+                    self.branch(walk, |own, walk| own.binders(others, &pending, walk));
                     self.bound.points.pop();
+                    // Definitions may speak of them.
                     self.memo.known.clear();
+                };
+                for unit in std::iter::once(None).chain((0..count).map(Some)) {
+                    if written {
+                        walk.course = take(&mut walk.course).with_unit(unit);
+                    }
+                    with(points::unit(count, unit), walk);
                 }
+                walk.course = outer;
+                more.into_iter().for_each(|values| with(values, walk));
             }
         }
     }
@@ -357,7 +418,7 @@ impl<'a> Reading<'a> {
         walk: &mut Walk<'_>,
     ) {
         for cell in cells {
-            self.within(name, cell, |own| own.binders(others, pending, walk));
+            self.branch(walk, |own, walk| own.within(name, cell, |own| own.binders(others, pending, walk)));
         }
     }
 

@@ -183,6 +183,12 @@ impl<S: Ring> Ring for Polynomial<S> {
         if self.is_zero() || rhs.is_zero() {
             return self.zero();
         }
+        if rhs.degree() == 0 {
+            return self.scaled(rhs.leading());
+        }
+        if self.degree() == 0 {
+            return rhs.scaled(self.leading());
+        }
         let length = self.degree() + rhs.degree() + 1;
         Self::from_coefficients(S::product_of_polynomials(&self.coefficients, &rhs.coefficients, length))
     }

@@ -160,6 +160,13 @@ impl<S: ExactField> Ring for RationalFunction<S> {
         if self.denominator == rhs.denominator {
             return self.rebuilt(&self.numerator.plus(&rhs.numerator), &self.denominator);
         }
+        // P/Q + R has no other denominator than P/Q.
+        for (f, polynomial) in [(self, rhs), (rhs, self)] {
+            if polynomial.denominator.degree() == 0 {
+                let numerator = f.numerator.plus(&polynomial.numerator.times(&f.denominator));
+                return Self { numerator, denominator: f.denominator.clone() };
+            }
+        }
         let common = self.denominator.gcd(&rhs.denominator);
         let (own, other) = (quotient(&self.denominator, &common), quotient(&rhs.denominator, &common));
         let numerator = self.numerator.times(&other).plus(&rhs.numerator.times(&own));

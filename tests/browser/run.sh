@@ -8,7 +8,7 @@
 set -euo pipefail
 repository=$(cd "$(dirname "$0")/../.." && pwd)
 program=${1:-$repository/target/release/knotproof}
-page=${2:-$repository/target/report/index.html}
+page=${2:-$repository/target/pages/my-report/index.html}
 
 missing=()
 command -v chromium > /dev/null || [ -n "${CHROMIUM:-}" ] || missing+=(chromium)

@@ -85,5 +85,7 @@ pub(super) fn valleys(own: &mut Reading<'_>, of: Expression<'_>) -> Result<usize
 
 /// Sign changes of control values, zeros left out.
 pub(super) fn polygon_changes(own: &mut Reading<'_>, name: &Name) -> Result<usize, Stop> {
-    Ok(changes_of(find(&own.bound.points, name)?.iter().map(Sign::of)))
+    let points = find(&own.bound.points, name)?;
+    own.seen.add(0..points.len());
+    Ok(changes_of(points.iter().map(Sign::of)))
 }

@@ -62,8 +62,13 @@ impl Area {
 
     /// How far a point is from it.
     fn from(self, (x, y): Spot) -> f64 {
-        let off = |at: f64, low: f64, high: f64| (low - at).max(at - high).max(0.0);
-        off(x, self.left, self.right).hypot(off(y, self.top, self.bottom))
+        self.to_box((x, y), (x, y))
+    }
+
+    /// How far the rectangle between two points is from it: nothing in there is nearer.
+    fn to_box(self, one: Spot, two: Spot) -> f64 {
+        let off = |a: f64, b: f64, low: f64, high: f64| (low - a.max(b)).max(a.min(b) - high).max(0.0);
+        off(one.0, two.0, self.left, self.right).hypot(off(one.1, two.1, self.top, self.bottom))
     }
 }
 
@@ -173,47 +178,53 @@ impl Scene {
             Named::Line(points, _) => beside(points, half),
         };
         candidates.sort_by(|one, two| one.0.total_cmp(&two.0));
-        let mut best: Option<(usize, Spot)> = None;
-        for (_, middle) in candidates {
-            let faults = self.faults(Area::around(middle, half), label, bounds);
-            if best.is_none_or(|(least, _)| faults < least) {
-                best = Some((faults, middle));
+        let (mut least, mut middle) = (usize::MAX, (bounds.left, bounds.top));
+        for (_, next) in candidates {
+            let faults = self.faults(Area::around(next, half), label, bounds, least);
+            if faults < least {
+                (least, middle) = (faults, next);
             }
-            if faults == 0 {
+            if least == 0 {
                 break;
             }
         }
-        let middle = best.map_or((bounds.left, bounds.top), |(_, middle)| middle);
         self.texts.push(Area::around(middle, half));
         // The anchor of a text that is centred is not the middle of its ink.
         (middle.0, middle.1 + (above - below) / 2.0 - base_line(VPos::Center, SMALL))
     }
 
-    /// What is wrong with a place: how many things are in the way, how far it is outside, and whether it names another line.
-    fn faults(&self, area: Area, label: &Label, bounds: Area) -> usize {
+    /// What is wrong with a place: how many things are in the way, how far it is outside, and whether it names another line. As soon as
+    /// that is so many, nothing more is looked for.
+    fn faults(&self, area: Area, label: &Label, bounds: Area, so_many: usize) -> usize {
         let wide = area.grown(AIR);
         let dots = self.dots.iter().filter(|dot| wide.meets(**dot)).count();
         let texts = self.texts.iter().filter(|text| area.grown(2.0 * AIR).meets(**text)).count();
-        let drawn = || self.strokes.iter().filter(|(pen, _)| !pen.is_pale());
-        let lines =
-            drawn().filter(|(_, points)| points.windows(2).any(|two| wide.struck((two[0], two[1])))).count();
         let outside = usize::from(!wide.within(bounds));
-        let ambiguous = match &label.named {
-            Named::Point(..) => false,
-            Named::Line(_, own) => {
-                let near = |of_own: bool| {
-                    let strokes = drawn().filter(|(pen, _)| (pen == own) == of_own && pen.width == own.width);
-                    strokes
-                        .flat_map(|(_, points)| points.windows(2))
-                        .map(|two| gap(area, (two[0], two[1])))
-                        .fold(f64::INFINITY, f64::min)
-                };
-                near(false) < near(true) + 2.0 * AIR
-            }
-        };
         // A text on a text is the worst, then what is cut off.
-        10 * texts + 8 * outside + 4 * usize::from(ambiguous) + 3 * lines + 2 * dots
+        let mut faults = 10 * texts + 8 * outside + 2 * dots;
+        let drawn = || self.strokes.iter().filter(|(pen, _)| !pen.is_pale());
+        if faults < so_many {
+            let struck = |points: &[Spot]| points.windows(2).any(|two| wide.struck((two[0], two[1])));
+            faults += 3 * drawn().filter(|(_, points)| struck(points)).count();
+        }
+        if let Named::Line(_, own) = &label.named
+            && faults < so_many
+        {
+            let near = |of_own: bool| {
+                let strokes = drawn().filter(|(pen, _)| (pen == own) == of_own && pen.width == own.width);
+                nearest(area, strokes.flat_map(|(_, points)| points.windows(2)))
+            };
+            faults += 4 * usize::from(near(false) < near(true) + 2.0 * AIR);
+        }
+        faults
     }
+}
+
+/// The distance of the nearest of some segments from an area.
+fn nearest<'s>(area: Area, segments: impl Iterator<Item = &'s [Spot]>) -> f64 {
+    segments.fold(f64::INFINITY, |least, two| {
+        if area.to_box(two[0], two[1]) < least { least.min(gap(area, (two[0], two[1]))) } else { least }
+    })
 }
 
 /// The distance of a segment from an area that it does not meet.
@@ -308,9 +319,7 @@ mod tests {
         scene.stroke(two, right.clone());
         scene.place(&label("G₂", Named::Line(left.clone(), one)), BOUNDS);
         scene.place(&label("G₃", Named::Line(right.clone(), two)), BOUNDS);
-        let nearest = |area: Area, line: &[Spot]| {
-            line.windows(2).map(|two| gap(area, (two[0], two[1]))).fold(f64::INFINITY, f64::min)
-        };
+        let nearest = |area: Area, line: &[Spot]| nearest(area, line.windows(2));
         let [first, second] = scene.texts[..] else { panic!("two texts") };
         assert!(
             nearest(first, &left) < nearest(first, &right)
