@@ -319,12 +319,21 @@ mod tests {
         scene.stroke(two, right.clone());
         scene.place(&label("G₂", Named::Line(left.clone(), one)), BOUNDS);
         scene.place(&label("G₃", Named::Line(right.clone(), two)), BOUNDS);
-        let nearest = |area: Area, line: &[Spot]| nearest(area, line.windows(2));
+        // Every segment is measured, without a look at boxes.
+        let measured = |area: Area, line: &[Spot]| {
+            line.windows(2).map(|two| gap(area, (two[0], two[1]))).fold(f64::INFINITY, f64::min)
+        };
         let [first, second] = scene.texts[..] else { panic!("two texts") };
         assert!(
-            nearest(first, &left) < nearest(first, &right)
-                && nearest(second, &right) < nearest(second, &left)
+            measured(first, &left) < measured(first, &right)
+                && measured(second, &right) < measured(second, &left)
         );
         assert!(!first.meets(second));
+        for x in [10.0, 60.0, 150.0, 250.0] {
+            let area = Area::around((x, 100.0), (12.0, 6.0));
+            for line in [&left, &right, &vec![(400.0, 90.0), (0.0, 150.0), (x, 170.0), (x, 120.0)]] {
+                assert_eq!(nearest(area, line.windows(2)), measured(area, line));
+            }
+        }
     }
 }
