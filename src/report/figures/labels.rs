@@ -332,7 +332,7 @@ mod tests {
         for x in [10.0, 60.0, 150.0, 250.0] {
             let area = Area::around((x, 100.0), (12.0, 6.0));
             for line in [&left, &right, &vec![(400.0, 90.0), (0.0, 150.0), (x, 170.0), (x, 120.0)]] {
-                assert_eq!(nearest(area, line.windows(2)), measured(area, line));
+                assert_eq!(nearest(area, line.windows(2)).to_bits(), measured(area, line).to_bits());
             }
         }
     }
